@@ -1,0 +1,83 @@
+#include "core/elastic_chain.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace reeve {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// T_r / T_l of a contact that slides.
+double ratio(const ChainContact& contact) {
+  return contact.slide == Slide::to_right ? 1 / contact.decay : contact.decay;
+}
+
+}  // namespace
+
+void ElasticChain::start() {
+  pieces_.clear();
+  pieces_.push_back({infinity, 0, 0});
+}
+
+void ElasticChain::add(const ChainSegment& segment) {
+  for (Piece& piece : pieces_) {
+    piece.slope += segment.length;
+    piece.offset += segment.take_up;
+  }
+}
+
+void ElasticChain::slide(double ratio) {
+  for (Piece& piece : pieces_) {
+    piece.upto *= ratio;
+    piece.slope /= ratio;
+  }
+}
+
+double ElasticChain::root() const {
+  for (const Piece& piece : pieces_) {
+    if (piece.slope * piece.upto >= piece.offset) return piece.offset / piece.slope;
+  }
+  return pieces_.back().offset / pieces_.back().slope;
+}
+
+void ElasticChain::hold(double decay, double rest) {
+  previous_.swap(pieces_);
+  pieces_.clear();
+  auto piece = previous_.begin();
+  if (rest > 0) {
+    for (; piece->upto < rest; ++piece) {
+      pieces_.push_back({piece->upto * decay, piece->slope / decay, piece->offset});
+    }
+    pieces_.push_back({rest * decay, piece->slope / decay, piece->offset});
+    pieces_.push_back({rest / decay, 0, 0});
+  }
+  for (; piece != previous_.end(); ++piece) {
+    pieces_.push_back({piece->upto / decay, piece->slope * decay, piece->offset});
+  }
+}
+
+void ElasticChain::solve(std::span<const ChainSegment> segments,
+                         std::span<const ChainContact> contacts, std::span<double> tension) {
+  rest_.resize(contacts.size());
+  start();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    add(segments[k]);
+    if (contacts[k].slide == Slide::no) {
+      rest_[k] = root();
+      hold(contacts[k].decay, rest_[k]);
+    } else {
+      slide(ratio(contacts[k]));
+    }
+  }
+  add(segments.back());
+  tension.back() = root();
+  for (std::size_t k = contacts.size(); k-- > 0;) {
+    const double right = tension[k + 1];
+    tension[k] = contacts[k].slide == Slide::no
+                     ? std::clamp(rest_[k], right * contacts[k].decay, right / contacts[k].decay)
+                     : right / ratio(contacts[k]);
+  }
+}
+
+}  // namespace reeve

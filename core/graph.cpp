@@ -1,0 +1,127 @@
+#include "core/graph.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/graphviz.hpp>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace reeve {
+
+NetworkGraph graph(const Network& network) {
+  NetworkGraph result(network.segments.size());
+  for (std::size_t i = 0; i < network.segments.size(); ++i) result[i] = network.segments[i];
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      const auto [left, right] = ends_of(tendon, k);
+      const std::size_t index = tendon.first_contact + k;
+      boost::add_edge(left, right, ContactEdge{network.contacts[index], index, left}, result);
+    }
+  }
+  return result;
+}
+
+std::vector<std::size_t> tendons(const NetworkGraph& graph) {
+  std::vector<std::size_t> component(boost::num_vertices(graph));
+  boost::connected_components(graph, component.data());
+  return component;
+}
+
+void require_actuated(const NetworkGraph& graph, const std::string& word) {
+  const std::vector<std::size_t> tendon = tendons(graph);
+  std::vector<bool> actuated(tendon.size(), false);
+  for (std::size_t i = 0; i < tendon.size(); ++i) {
+    if (graph[i].kind == SegmentKind::motor_side) actuated[tendon[i]] = true;
+  }
+  for (std::size_t i = 0; i < tendon.size(); ++i) {
+    if (!actuated[tendon[i]]) {
+      throw InputError(fmt::format(
+          "routing '{}': the tendon with {} is not actuated: it has no M and no P, so the motor "
+          "cannot pull it",
+          word, name(graph[i])));
+    }
+  }
+}
+
+namespace {
+
+const char* shape(SegmentKind kind) {
+  switch (kind) {
+    case SegmentKind::strand:
+      return "box";
+    case SegmentKind::motor_side:
+      return "ellipse";
+    case SegmentKind::hand:
+      return "plain";
+  }
+  return "box";
+}
+
+const char* line_style(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::tube:
+      return "solid";
+    case ContactKind::bearing:
+      return "dashed";
+    case ContactKind::sheath:
+      return "bold";
+  }
+  return "solid";
+}
+
+std::string place_label(const Contact& contact) {
+  switch (contact.place) {
+    case ContactPlace::tip:
+      return fmt::format("tip {} ({})", contact.finger, name(contact.kind));
+    case ContactPlace::carriage:
+      return "movable pulley";
+    case ContactPlace::hand_join:
+    case ContactPlace::sheath:
+      return name(contact.kind);
+  }
+  return "";
+}
+
+std::string segment_attributes(const Segment& segment, double tension, bool with_tension) {
+  const std::string label =
+      with_tension ? fmt::format("{}\\n{:.3f}", name(segment), tension) : name(segment);
+  return fmt::format("[label=\"{}\", shape={}]", label, shape(segment.kind));
+}
+
+// dir=forward draws the arrow from the edge's source to its target.
+std::string contact_attributes(const ContactEdge& edge, bool source_is_left,
+                               const TensionState* state) {
+  std::string attributes = fmt::format("[label=\"{}\", style={}", place_label(edge.contact),
+                                       line_style(edge.contact.kind));
+  if (state != nullptr && state->slip[edge.index] != 0) {
+    const bool to_right = state->slip[edge.index] > 0;
+    attributes += to_right == source_is_left ? ", dir=forward" : ", dir=back";
+  }
+  return attributes + "]";
+}
+
+}  // namespace
+
+std::string to_dot(const Network& network, const std::string& title, const TensionState* state) {
+  const NetworkGraph net = graph(network);
+  std::ostringstream out;
+  boost::write_graphviz(
+      out, net,
+      [&](std::ostream& os, NetworkGraph::vertex_descriptor v) {
+        os << segment_attributes(net[v], state == nullptr ? 0 : state->tension[v],
+                                 state != nullptr);
+      },
+      [&](std::ostream& os, NetworkGraph::edge_descriptor e) {
+        os << contact_attributes(net[e], boost::source(e, net) == net[e].left, state);
+      },
+      [&](std::ostream& os) {
+        os << fmt::format("label=\"{}\";\nrankdir=LR;\nnode [fontname=Helvetica];\n"
+                          "edge [fontname=Helvetica, fontsize=10];\n",
+                          title);
+      });
+  return out.str();
+}
+
+}  // namespace reeve

@@ -1,0 +1,124 @@
+#include "core/grasp.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/routing.hpp"
+
+namespace reeve {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t next = std::min(text.find(separator, at), text.size());
+    parts.push_back(text.substr(at, next - at));
+    if (next == text.size()) return parts;
+    at = next + 1;
+  }
+}
+
+template <typename Number>
+bool read(const std::string& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers) {
+  const std::vector<std::string> parts = split(item, ':');
+  WeightedGrasp result{parse_grasp(parts[0], fingers), 1};
+  if (parts.size() == 1) return result;
+  if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight > 0) ||
+      !(result.weight <= 1e6)) {
+    throw InputError(fmt::format(
+        "grasps '{}': '{}': expected a held list and a weight from above 0 to 1e6, such as 1,2:0.5",
+        text, item));
+  }
+  return result;
+}
+
+}  // namespace
+
+Grasp hold(const std::vector<int>& fingers) {
+  Grasp grasp;
+  for (const int finger : fingers) grasp.held |= std::uint64_t{1} << (finger - 1);
+  return grasp;
+}
+
+std::vector<int> held_fingers(Grasp grasp) {
+  std::vector<int> fingers;
+  for (int finger = 1; finger <= max_fingers; ++finger) {
+    if (grasp.holds(finger)) fingers.push_back(finger);
+  }
+  return fingers;
+}
+
+std::string to_text(Grasp grasp) {
+  return grasp.held == 0 ? "none" : fmt::format("{}", fmt::join(held_fingers(grasp), ","));
+}
+
+Grasp parse_grasp(const std::string& text, int fingers) {
+  Grasp grasp;
+  if (text == "none") return grasp;
+  for (const std::string& item : split(text, ',')) {
+    int finger = 0;
+    if (!read(item, finger) || finger < 1 || finger > fingers) {
+      throw InputError(
+          fmt::format("held '{}': '{}': expected none, or finger numbers from 1 to {} such as 1,2",
+                      text, item, fingers));
+    }
+    if (grasp.holds(finger)) {
+      throw InputError(fmt::format("held '{}': finger {} is named twice", text, finger));
+    }
+    grasp.held |= hold({finger}).held;
+  }
+  return grasp;
+}
+
+GraspSet single_grasps(int fingers) {
+  GraspSet grasps{{Grasp{}, 1}};
+  for (int finger = 1; finger <= fingers; ++finger) grasps.push_back({hold({finger}), 1});
+  return grasps;
+}
+
+GraspSet all_grasps(int fingers) {
+  constexpr int most = 16;
+  if (fingers > most) {
+    throw InputError(fmt::format(
+        "grasps 'all': {} fingers have 2^{} grasps; expected at most {} fingers, or another set",
+        fingers, fingers, most));
+  }
+  GraspSet grasps;
+  const std::uint64_t everything = (std::uint64_t{1} << fingers) - 1;
+  for (std::uint64_t held = 0; held < everything; ++held) grasps.push_back({Grasp{held}, 1});
+  return grasps;
+}
+
+GraspSet paper_grasps() { return {{hold({1}), 1}}; }
+
+GraspSet parse_grasps(const std::string& text, int fingers) {
+  if (text == "single") return single_grasps(fingers);
+  if (text == "all") return all_grasps(fingers);
+  if (text == "paper") return paper_grasps();
+  GraspSet grasps;
+  for (const std::string& item : split(text, '/')) {
+    grasps.push_back(parse_weighted(item, text, fingers));
+  }
+  return grasps;
+}
+
+std::string to_text(const GraspSet& grasps) {
+  std::string text;
+  for (const WeightedGrasp& weighted : grasps) {
+    if (!text.empty()) text += '/';
+    text += to_text(weighted.grasp);
+    if (weighted.weight != 1) text += fmt::format(":{}", weighted.weight);
+  }
+  return text;
+}
+
+}  // namespace reeve

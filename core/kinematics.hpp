@@ -1,0 +1,61 @@
+// What carriage and fingers impose on a tendon, and how the tendon slips through its contacts.
+//
+// The carriage travels D = 1. Pulling, every motor-side segment i has e_i = +D imposed and each
+// strand of a closing finger e_i = -dl; releasing, the signs are reversed. The closing fingers of a
+// tendon share its travel by their closing weights, so that along a tendon of an inextensible
+// thread the e_i add up to zero. Slip s_k (from the left to the right segment of contact k) follows:
+//
+//   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
+//                                 the friction-weighted median
+//
+// The thread is only nearly inextensible: what yields (fingers when pulling, carriage when
+// releasing) yields a fraction epsilon less than what drives, and that is the take-up which
+// stretches the tendon. take_up holds it per segment, in units of epsilon. Where no finger of a
+// tendon can move, it jams: nothing slips at order one, and the whole travel is take-up; in
+// release, where a jammed carriage can only give way, what stays stretched is the hand side.
+//
+// Source: design of the model in docs/model.md, sections 2 and 3.
+#pragma once
+
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "core/network.hpp"
+
+namespace reeve {
+
+enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
+
+// Arrays parallel to the network's tendons, segments, contacts and fingers.
+struct Motion {
+  std::vector<char> jams;
+  std::vector<double> imposed;
+  std::vector<double> take_up;
+  std::vector<double> slip;     // at D = 1; exactly 0 where the contact does not slide
+  std::vector<double> closing;  // dl of fingers 1 … n at D = 1, positive also in release
+};
+
+inline Slide slide_of(double slip) {
+  if (slip == 0) return Slide::no;
+  return slip > 0 ? Slide::to_right : Slide::to_left;
+}
+
+class Kinematics {
+ public:
+  // Keeps the memory of `motion`.
+  void solve(const Network& network, const Mechanics& mechanics, Grasp grasp, Direction direction,
+             Motion& motion);
+
+ private:
+  struct WeightedPoint {
+    double at;
+    double weight;
+  };
+
+  double circulation(const TendonSpan& tendon, const Mechanics& mechanics, const Motion& motion);
+
+  std::vector<WeightedPoint> points_;
+};
+
+}  // namespace reeve

@@ -1,0 +1,145 @@
+#include "core/network.hpp"
+
+#include <algorithm>
+
+namespace reeve {
+namespace {
+
+class Expansion {
+ public:
+  explicit Expansion(Network& network) : net_(network) {}
+
+  void add(const Tendon& tendon) {
+    TendonSpan span{net_.segments.size(), 0, net_.contacts.size(), 0, tendon.closed};
+    const std::vector<Token>& walk = tendon.walk;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      const bool is_start = i == 0;
+      if (!(is_start && tendon.closed)) add_contacts(tendon, i);
+      if (i + 1 < walk.size() || tendon.closed) add_gap(tendon, i);
+    }
+    if (tendon.closed) add_contacts(tendon, 0);
+    span.segments = net_.segments.size() - span.first_segment;
+    span.contacts = net_.contacts.size() - span.first_contact;
+    net_.tendons.push_back(span);
+  }
+
+ private:
+  static int finger_of(const Token& token) {
+    return token.kind == TokenKind::finger ? token.finger : 0;
+  }
+
+  static const Token& behind(const Tendon& tendon, std::size_t i) {
+    return tendon.walk[i + 1 == tendon.walk.size() ? 0 : i + 1];
+  }
+
+  void add_gap(const Tendon& tendon, std::size_t i) {
+    const int left = finger_of(tendon.walk[i]);
+    const int right = finger_of(behind(tendon, i));
+    if (left != 0) {
+      net_.segments.push_back({SegmentKind::strand, 2 * left, left});
+    } else if (right != 0) {
+      net_.segments.push_back({SegmentKind::strand, 2 * right - 1, right});
+    } else {
+      net_.segments.push_back({SegmentKind::hand, ++hand_, 0});
+    }
+  }
+
+  void add_motor_side() { net_.segments.push_back({SegmentKind::motor_side, ++motor_side_, 0}); }
+
+  void add_sheath(int finger) {
+    net_.contacts.push_back({ContactKind::sheath, ContactPlace::sheath, finger});
+  }
+
+  void add_contacts(const Tendon& tendon, std::size_t i) {
+    const Token& token = tendon.walk[i];
+    switch (token.kind) {
+      case TokenKind::motor_end:
+        if (i == 0) {
+          add_motor_side();
+          add_sheath(finger_of(behind(tendon, i)));
+        } else {
+          add_sheath(finger_of(tendon.walk[i - 1]));
+          add_motor_side();
+        }
+        break;
+      case TokenKind::fixed_end:
+        break;
+      case TokenKind::finger:
+        net_.contacts.push_back(
+            {token.tip == TipKind::tube ? ContactKind::tube : ContactKind::bearing,
+             ContactPlace::tip, token.finger});
+        break;
+      case TokenKind::tube_join:
+        net_.contacts.push_back({ContactKind::tube, ContactPlace::hand_join, 0});
+        break;
+      case TokenKind::bearing_join:
+        net_.contacts.push_back({ContactKind::bearing, ContactPlace::hand_join, 0});
+        break;
+      case TokenKind::movable_pulley:
+        add_sheath(finger_of(tendon.walk[i - 1]));
+        add_motor_side();
+        net_.contacts.push_back({ContactKind::bearing, ContactPlace::carriage, 0});
+        add_motor_side();
+        add_sheath(finger_of(behind(tendon, i)));
+        break;
+    }
+  }
+
+  Network& net_;
+  int motor_side_ = 0;
+  int hand_ = 0;
+};
+
+std::string letters(int number) {
+  std::string text;
+  for (; number > 0; number = (number - 1) / 26) {
+    text.insert(text.begin(), static_cast<char>('a' + (number - 1) % 26));
+  }
+  return text;
+}
+
+}  // namespace
+
+void expand(const Routing& routing, Network& network) {
+  network.segments.clear();
+  network.contacts.clear();
+  network.tendons.clear();
+  network.fingers = 0;
+  Expansion expansion(network);
+  for (const Tendon& tendon : routing.tendons) expansion.add(tendon);
+  for (const Segment& segment : network.segments) {
+    network.fingers = std::max(network.fingers, segment.finger);
+  }
+}
+
+Network expand(const Routing& routing) {
+  Network network;
+  expand(routing, network);
+  return network;
+}
+
+std::string name(const Segment& segment) {
+  switch (segment.kind) {
+    case SegmentKind::strand:
+      return "T" + std::to_string(segment.number);
+    case SegmentKind::motor_side:
+      return letters(segment.number);
+    case SegmentKind::hand:
+      return "h" + std::to_string(segment.number);
+  }
+  return {};
+}
+
+const char* name(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::tube:
+      return "tube";
+    case ContactKind::bearing:
+      return "bearing";
+    case ContactKind::sheath:
+      return "sheath";
+  }
+  return "";
+}
+
+}  // namespace reeve

@@ -1,0 +1,26 @@
+// The notation of routings: words such as `M-1-T-2-F` or `1-P-2b-P-1+M-3-F`.
+//
+//   routing = tendon { "+" tendon }
+//   tendon  = end "-" { finger | join "-" } end        an open walk
+//           | finger "-" join { "-" … } "-" finger     a loop: back to its first finger
+//   end     = "M" | "F"      join = "T" | "B" | "P"      finger = number [ "b" ]
+//
+// Two fingers need a join between them. Joins and ends may stand side by side; the stretch of
+// tendon between them is then a stretch at the hand (h1, h2, …), so that a test bench such as `M-F`
+// is a routing too. Printing and parsing round-trip exactly; which of the words of one routing is
+// the canonical one is decided in canonical.hpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/routing.hpp"
+
+namespace reeve {
+
+// Throws InputError with the word, the column (from 1), the token and what was expected.
+Routing parse_routing(std::string_view word);
+
+std::string to_word(const Routing& routing);
+
+}  // namespace reeve

@@ -1,0 +1,40 @@
+#include "core/performance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace reeve {
+
+Performance performance(const Network& network, const TensionState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  Performance result;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind != SegmentKind::strand) continue;
+    const double tension = state.tension[i];
+    least = std::min(least, tension);
+    most = std::max(most, tension);
+    result.force_transmission += tension;
+    result.efficiency += tension * state.closing[static_cast<std::size_t>(segment.finger - 1)];
+  }
+  result.uniformity = most > 0 ? least / most : std::numeric_limits<double>::quiet_NaN();
+  return result;
+}
+
+double return_friction(const Performance& pull, const Performance& release) {
+  return release.efficiency > 0 ? pull.efficiency / release.efficiency : 0;
+}
+
+PartCount parts(const Network& network) {
+  PartCount count;
+  for (const Contact& contact : network.contacts) {
+    if (contact.kind == ContactKind::sheath) ++count.sheaths;
+    if (contact.kind == ContactKind::bearing) ++count.pulleys;
+  }
+  count.knots = static_cast<int>(std::count_if(network.tendons.begin(), network.tendons.end(),
+                                               [](const TendonSpan& t) { return t.closed; }));
+  return count;
+}
+
+}  // namespace reeve

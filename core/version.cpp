@@ -1,0 +1,9 @@
+#include "core/version.hpp"
+
+#include "generated/version_info.hpp"  // written by cmake/version.cmake on every build
+
+namespace reeve {
+
+Version version() { return {REEVE_VERSION_NUMBER, REEVE_VERSION_COMMIT}; }
+
+}  // namespace reeve

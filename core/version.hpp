@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace reeve {
+
+struct Version {
+  std::string number;  // of the project, such as "0.1.0"
+  std::string commit;  // of the sources it was built from, or "unknown"
+};
+
+Version version();
+
+}  // namespace reeve
