@@ -8,8 +8,6 @@
 // and, for identical fingers, fingers numbered in the order in which the word passes them.
 #pragma once
 
-#include <compare>
-
 #include "core/routing.hpp"
 
 namespace reeve {
@@ -19,9 +17,15 @@ enum class FingerIdentity {
   distinct,   // every finger is itself
 };
 
-// The order of single tokens and of whole walks, finger numbers left out.
-std::strong_ordering compare_shapes(const Token& a, const Token& b);
-std::strong_ordering compare_shapes(const Tendon& a, const Tendon& b);
+// Whether no other way to walk this tendon (backwards, or from another finger of a loop) comes
+// earlier in the order of shapes and then of finger numbers.
+bool is_canonical(const Tendon& tendon);
+
+// Size of the group of finger permutations that leave this tendon's shape as it is: 1, or 2 for a
+// palindrome, on a loop up to twice its number of fingers.
+int symmetries(const Tendon& tendon);
+
+bool same_shape(const Tendon& a, const Tendon& b);
 
 Routing canonical(const Routing& routing, FingerIdentity identity);
 

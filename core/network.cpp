@@ -11,7 +11,7 @@ class Expansion {
 
   void add(const Tendon& tendon) {
     TendonSpan span{net_.segments.size(), 0, net_.contacts.size(), 0, tendon.closed};
-    const std::vector<Token>& walk = tendon.walk;
+    const Walk& walk = tendon.walk;
     for (std::size_t i = 0; i < walk.size(); ++i) {
       const bool is_start = i == 0;
       if (!(is_start && tendon.closed)) add_contacts(tendon, i);

@@ -6,6 +6,8 @@
 // contacts.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -33,7 +35,7 @@ struct Token {
 
 constexpr Token motor_end() { return {TokenKind::motor_end, TipKind::tube, 0}; }
 constexpr Token fixed_end() { return {TokenKind::fixed_end, TipKind::tube, 0}; }
-constexpr Token join(TokenKind kind) { return {kind, TipKind::tube, 0}; }
+constexpr Token plain(TokenKind kind) { return {kind, TipKind::tube, 0}; }
 constexpr Token finger(int number, TipKind tip = TipKind::tube) {
   return {TokenKind::finger, tip, static_cast<std::uint8_t>(number)};
 }
@@ -47,8 +49,11 @@ constexpr bool is_on_carriage(TokenKind kind) {
   return kind == TokenKind::motor_end || kind == TokenKind::movable_pulley;
 }
 
+// Up to ten fingers on one tendon need no memory from the heap.
+using Walk = boost::container::small_vector<Token, 24>;
+
 struct Tendon {
-  std::vector<Token> walk;
+  Walk walk;
   bool closed = false;  // a loop: behind the last token comes the first again, always a finger
 
   friend bool operator==(const Tendon&, const Tendon&) = default;
