@@ -1,0 +1,37 @@
+// An indexed parallel loop. Each index is visited once and writes only its own slot of the caller's
+// arrays, so that the result is the same for any number of threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace reeve {
+
+// Half-open block of indices, worked on by one worker (0 … threads - 1) at a time.
+struct IndexBlock {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t worker = 0;
+};
+
+class Workers {
+ public:
+  // 0: as many threads as the machine has.
+  explicit Workers(int threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  std::size_t count() const;
+
+  // Cuts 0 … size into blocks of at most `grain` indices and runs them; exceptions come through.
+  void for_each_block(std::size_t size, std::size_t grain,
+                      const std::function<void(const IndexBlock&)>& work);
+
+ private:
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace reeve

@@ -1,0 +1,12 @@
+// Counter-based random numbers (Philox4x32-10, J. K. Salmon et al., SC 2011): a number is a
+// function of seed, stream and index, whichever thread asks for it and in whatever order.
+#pragma once
+
+#include <cstdint>
+
+namespace reeve {
+
+// Uniform in [0, 1), with 53 random bits.
+double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
+
+}  // namespace reeve

@@ -1,0 +1,191 @@
+#include "search/explore.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "numerics/parallel.hpp"
+#include "search/archive.hpp"
+#include "search/evaluation.hpp"
+#include "search/pareto.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t batch_size = 16384;
+constexpr std::size_t grain = 64;
+
+// What became of one routing of a batch.
+struct Slot {
+  Routing routing;
+  ObjectiveValues values{};
+  std::size_t failed_constraint = 0;  // its number, from 1; 0: none
+  bool may_rank = false;
+};
+
+class Exploration {
+ public:
+  explicit Exploration(const ExploreOptions& options)
+      : options_(options),
+        generator_(options.generator),
+        range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
+        workers_(options.threads),
+        archive_(options.objectives, options.top),
+        constraint_failures_(options.constraints.size(), 0) {
+    for (std::size_t w = 0; w < workers_.count(); ++w) {
+      evaluators_.emplace_back(options.hardware, options.grasps);
+    }
+    for (const Routing& routing : options.references) {
+      references_.push_back({{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0});
+      reference_goodness_.push_back(goodness(references_.back().design.values, options.objectives));
+    }
+    dominators_.assign(workers_.count(), std::vector<std::uint64_t>(references_.size(), 0));
+    slots_.resize(batch_size);
+  }
+
+  ExploreResult run(const Supervision& supervision) {
+    const auto start = std::chrono::steady_clock::now();
+    generator_.seek(range_.begin);
+    bool stopped = false;
+    while (generated_ < total() && !stopped) {
+      const std::size_t actuated = fill_batch();
+      workers_.for_each_block(actuated, grain, [this](const IndexBlock& block) { evaluate(block); });
+      collect(actuated);
+      if (supervision.report) supervision.report({generated_, total()});
+      stopped = supervision.stop != nullptr && supervision.stop->load();
+    }
+    ExploreResult result = conclude();
+    const auto elapsed = std::chrono::steady_clock::now() - start;
+    result.seconds = std::chrono::duration<double>(elapsed).count();
+    return result;
+  }
+
+ private:
+  std::uint64_t total() const { return range_.end - range_.begin; }
+
+  std::size_t fill_batch() {
+    std::size_t filled = 0;
+    while (filled < batch_size && generated_ < total()) {
+      Routing& routing = slots_[filled].routing;
+      generator_.next(routing);
+      ++generated_;
+      if (is_actuated(routing)) {
+        ++filled;
+      } else {
+        ++not_actuated_;
+      }
+    }
+    return filled;
+  }
+
+  void evaluate(const IndexBlock& block) {
+    DesignEvaluator& evaluator = evaluators_[block.worker];
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      Slot& slot = slots_[i];
+      slot.values = evaluator.evaluate(slot.routing);
+      slot.failed_constraint = first_failure(slot.values);
+      slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
+      if (slot.failed_constraint == 0) compare_with_references(slot.values, block.worker);
+    }
+  }
+
+  std::size_t first_failure(const ObjectiveValues& values) const {
+    const auto failed = std::find_if(
+        options_.constraints.begin(), options_.constraints.end(),
+        [&](const Constraint& constraint) { return !constraint.admits(values); });
+    if (failed == options_.constraints.end()) return 0;
+    return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
+  }
+
+  void compare_with_references(const ObjectiveValues& values, std::size_t worker) {
+    if (references_.empty()) return;
+    const Goodness candidate = goodness(values, options_.objectives);
+    for (std::size_t r = 0; r < references_.size(); ++r) {
+      if (dominates(candidate, reference_goodness_[r])) ++dominators_[worker][r];
+    }
+  }
+
+  void collect(std::size_t filled) {
+    evaluated_ += filled;
+    for (std::size_t i = 0; i < filled; ++i) {
+      const Slot& slot = slots_[i];
+      if (slot.failed_constraint > 0) ++constraint_failures_[slot.failed_constraint - 1];
+      if (slot.may_rank) archive_.add({to_word(slot.routing), slot.values});
+    }
+  }
+
+  ExploreResult conclude() {
+    ExploreResult result;
+    result.total = total();
+    result.generated = generated_;
+    result.partial = generated_ < total();
+    result.evaluated = evaluated_;
+    result.rejected.push_back({"not actuated", not_actuated_});
+    for (std::size_t c = 0; c < options_.constraints.size(); ++c) {
+      result.rejected.push_back(
+          {"constraint " + options_.constraints[c].text, constraint_failures_[c]});
+    }
+    const Archive::Content content = archive_.content();
+    result.front_equals_left_out = content.front_equals_left_out;
+    for (const RankedDesign& ranked : content.ranked) {
+      if (ranked.front == 1) result.front.push_back(ranked);
+      if (ranked.rank <= options_.top) result.top.push_back(ranked);
+    }
+    place_references(content.ranked);
+    result.references = references_;
+    return result;
+  }
+
+  // Beyond the first `top` the archive has gaps, so only ranks up to there are ranks.
+  void place_references(const std::vector<RankedDesign>& ranked) {
+    for (std::size_t r = 0; r < references_.size(); ++r) {
+      for (const auto& counts : dominators_) references_[r].dominated_by += counts[r];
+      for (const RankedDesign& entry : ranked) {
+        if (entry.design.word != references_[r].design.word || entry.rank > options_.top) continue;
+        references_[r].rank = entry.rank;
+        references_[r].front = entry.front;
+      }
+    }
+  }
+
+  const ExploreOptions& options_;
+  RoutingGenerator generator_;
+  Range range_;
+  Workers workers_;
+  Archive archive_;
+  std::vector<std::uint64_t> constraint_failures_;
+  std::vector<DesignEvaluator> evaluators_;
+  std::vector<ReferenceStanding> references_;
+  std::vector<Goodness> reference_goodness_;
+  std::vector<std::vector<std::uint64_t>> dominators_;  // [worker][reference]
+  std::vector<Slot> slots_;
+  std::uint64_t generated_ = 0;
+  std::uint64_t not_actuated_ = 0;
+  std::uint64_t evaluated_ = 0;
+};
+
+}  // namespace
+
+Shard parse_shard(const std::string& text) {
+  Shard shard{0, 0};
+  const char* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec == std::errc{} && index.ptr != end && *index.ptr == '/') {
+    const auto count = std::from_chars(index.ptr + 1, end, shard.count);
+    if (count.ec == std::errc{} && count.ptr == end && shard.index >= 1 &&
+        shard.index <= shard.count) {
+      return shard;
+    }
+  }
+  throw InputError(fmt::format("--shard '{}': expected i/N with 1 <= i <= N, such as 2/8", text));
+}
+
+ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
+  return Exploration(options).run(supervision);
+}
+
+}  // namespace reeve

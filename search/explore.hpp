@@ -1,0 +1,80 @@
+// The main job: generate every routing of a set of parts, evaluate it, keep the best.
+//
+// Memory does not grow with the number of designs (archive.hpp), and the result is the same for any
+// number of threads: batches of routings are generated in order, evaluated slot by slot, and offered
+// to the archive in order.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "search/generator.hpp"
+#include "search/objectives.hpp"
+#include "search/ranking.hpp"
+
+namespace reeve {
+
+struct Shard {
+  std::uint64_t index = 1;  // from 1
+  std::uint64_t count = 1;
+};
+
+// "i/N", 1 <= i <= N. Throws InputError.
+Shard parse_shard(const std::string& text);
+
+struct ExploreOptions {
+  GeneratorOptions generator;
+  Shard shard;
+  Hardware hardware;
+  GraspSet grasps;
+  std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
+  std::vector<Constraint> constraints;
+  std::size_t top = 1000;
+  int threads = 0;                  // 0: all
+  std::vector<Routing> references;  // routings whose place among the others is wanted
+};
+
+struct Progress {
+  std::uint64_t done = 0;  // routings generated
+  std::uint64_t total = 0;
+};
+
+// How long exploring may run, and who wants to know. All may be empty.
+struct Supervision {
+  std::function<void(const Progress&)> report;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+struct Rejection {
+  std::string reason;
+  std::uint64_t count = 0;
+};
+
+struct ReferenceStanding {
+  Design design;                   // evaluated whether or not it was generated
+  std::uint64_t dominated_by = 0;  // designs that dominate it
+  std::size_t rank = 0;            // 0: not generated, rejected, or beyond the designs that are kept
+  int front = 0;
+};
+
+struct ExploreResult {
+  std::uint64_t total = 0;      // in this shard
+  std::uint64_t generated = 0;  // less than total if stopped
+  std::vector<Rejection> rejected;
+  std::uint64_t evaluated = 0;
+  bool partial = false;
+  double seconds = 0;
+  std::vector<RankedDesign> front;
+  std::vector<RankedDesign> top;
+  std::uint64_t front_equals_left_out = 0;
+  std::vector<ReferenceStanding> references;
+};
+
+ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {});
+
+}  // namespace reeve

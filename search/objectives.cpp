@@ -1,0 +1,152 @@
+#include "search/objectives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+using Grasps = std::vector<GraspOutcome>;
+
+template <typename Get>
+double mean(const Grasps& grasps, Get get) {
+  double sum = 0;
+  double weight = 0;
+  for (const GraspOutcome& grasp : grasps) {
+    sum += grasp.weight * get(grasp);
+    weight += grasp.weight;
+  }
+  return sum / weight;
+}
+
+template <typename Get>
+double worst(const Grasps& grasps, Get get) {
+  double least = get(grasps.front());
+  for (const GraspOutcome& grasp : grasps) least = std::min(least, get(grasp));
+  return least;
+}
+
+double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
+double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
+
+constexpr std::array<ObjectiveRow, objective_count> table{{
+    {Objective::uniformity_mean, "uniformity_mean", "1", Better::higher,
+     "least over greatest strand tension, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }},
+    {Objective::uniformity_worst, "uniformity_worst", "1", Better::higher,
+     "least over greatest strand tension, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }},
+    {Objective::efficiency_mean, "efficiency_mean", "1", Better::higher,
+     "useful work over motor work, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }},
+    {Objective::efficiency_worst, "efficiency_worst", "1", Better::higher,
+     "useful work over motor work, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }},
+    {Objective::force_transmission, "force_transmission", "1", Better::higher,
+     "sum of strand tensions over motor tension, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.pull.force_transmission; });
+     }},
+    {Objective::jams, "jams", "grasps", Better::lower,
+     "grasps in which the carriage is blocked",
+     [](const DesignOutcome& d) {
+       return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
+                                                [](const GraspOutcome& g) { return g.jams; }));
+     }},
+    {Objective::sheaths, "sheaths", "parts", Better::lower,
+     "sheaths between hand and motor: one for each M, two for each P",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.sheaths); }},
+    {Objective::pulleys, "pulleys", "parts", Better::lower,
+     "parts with a bearing: P, B and fingertips with a bearing",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.pulleys); }},
+    {Objective::knots, "knots", "parts", Better::lower,
+     "closed loops, whose ends must be tied together",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.knots); }},
+    {Objective::travel, "travel", "mm/mm", Better::lower,
+     "carriage travel per mm that each strand gives up, all fingers closing, on average",
+     [](const DesignOutcome& d) { return d.travel; }},
+    {Objective::return_friction, "return_friction", "1", Better::higher,
+     "motor tension releasing over pulling at equal strand work, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.return_friction; });
+     }},
+}};
+
+std::string names() {
+  std::string list;
+  for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
+  return list;
+}
+
+}  // namespace
+
+const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }
+
+const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
+
+void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
+  constexpr double grid = 1e10;
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    values[i] = std::round(table[i].compute(outcome) * grid) / grid;
+  }
+}
+
+Objective parse_objective(const std::string& name, const std::string& option) {
+  if (name == "uniformity" || name == "efficiency") return parse_objective(name + "_mean", option);
+  for (const ObjectiveRow& row : table) {
+    if (row.name == name) return row.objective;
+  }
+  throw InputError(
+      fmt::format("{}: unknown objective '{}'; expected one of {}", option, name, names()));
+}
+
+std::vector<Objective> parse_objectives(const std::string& text) {
+  std::vector<Objective> objectives;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string name = text.substr(at, comma - at);
+    const Objective objective = parse_objective(name, fmt::format("--objectives '{}'", text));
+    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
+      throw InputError(fmt::format("--objectives '{}': '{}' is named twice", text, name));
+    }
+    objectives.push_back(objective);
+    at = comma + 1;
+  }
+  return objectives;
+}
+
+bool Constraint::admits(const ObjectiveValues& values) const {
+  const double v = value(values, objective);
+  if (comparison == "<=") return v <= bound;
+  if (comparison == ">=") return v >= bound;
+  if (comparison == "<") return v < bound;
+  if (comparison == ">") return v > bound;
+  return v == bound;
+}
+
+Constraint parse_constraint(const std::string& text) {
+  const std::string option = fmt::format("--constraint '{}'", text);
+  std::string plain = text;
+  std::erase(plain, ' ');
+  const std::size_t at = plain.find_first_of("<>=");
+  const std::size_t end = std::min(plain.find_first_not_of("<>=", at), plain.size());
+  const std::string comparison =
+      at == std::string::npos ? std::string() : plain.substr(at, end - at);
+  constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
+  double bound = 0;
+  const auto [stop, error] = std::from_chars(plain.data() + end, plain.data() + plain.size(), bound);
+  const bool is_number = error == std::errc{} && stop == plain.data() + plain.size() &&
+                         end < plain.size() && std::isfinite(bound);
+  if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
+    throw InputError(fmt::format(
+        "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2", option));
+  }
+  return {parse_objective(plain.substr(0, at), option), comparison, bound, plain};
+}
+
+}  // namespace reeve

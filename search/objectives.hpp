@@ -1,0 +1,85 @@
+// What a design is judged by: one table of objectives, each with name, unit, direction and function.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/performance.hpp"
+
+namespace reeve {
+
+enum class Objective : std::uint8_t {
+  uniformity_mean,
+  uniformity_worst,
+  efficiency_mean,
+  efficiency_worst,
+  force_transmission,
+  jams,
+  sheaths,
+  pulleys,
+  knots,
+  travel,
+  return_friction,
+};
+inline constexpr std::size_t objective_count = 11;
+
+using ObjectiveValues = std::array<double, objective_count>;
+
+inline double value(const ObjectiveValues& values, Objective objective) {
+  return values[static_cast<std::size_t>(objective)];
+}
+
+enum class Better : std::uint8_t { higher, lower };
+
+// What a grasp contributes: a weight and the performance in it.
+struct GraspOutcome {
+  double weight = 1;
+  bool jams = false;
+  Performance pull;
+  double return_friction = 0;
+};
+
+struct DesignOutcome {
+  std::vector<GraspOutcome> grasps;
+  PartCount parts;
+  // Carriage travel per unit of strand that a finger gives up, on average over the fingers, when
+  // all of them close: 2 fingers / motor-side segments.
+  double travel = 0;
+};
+
+struct ObjectiveRow {
+  Objective objective;
+  const char* name;
+  const char* unit;
+  Better better;
+  const char* meaning;
+  double (*compute)(const DesignOutcome&);
+};
+
+const std::array<ObjectiveRow, objective_count>& objective_table();
+const ObjectiveRow& row(Objective objective);
+
+// All objectives, rounded to 1e-10: far above rounding errors, so that designs that are equal on
+// paper compare equal, and far below anything that can be measured.
+void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values);
+
+// Names as in the table; "uniformity" and "efficiency" are short for their means.
+// Throws InputError that names the item and lists the objectives.
+Objective parse_objective(const std::string& name, const std::string& option);
+std::vector<Objective> parse_objectives(const std::string& text);
+
+// "sheaths<=2": an objective, a comparison (<=, >=, <, >, ==) and a number.
+struct Constraint {
+  Objective objective;
+  std::string comparison;
+  double bound = 0;
+  std::string text;
+
+  bool admits(const ObjectiveValues& values) const;
+};
+
+Constraint parse_constraint(const std::string& text);
+
+}  // namespace reeve

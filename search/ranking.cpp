@@ -1,0 +1,51 @@
+#include "search/ranking.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "search/pareto.hpp"
+
+namespace reeve {
+namespace {
+
+double product(const ObjectiveValues& values) {
+  return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);
+}
+
+double part_total(const ObjectiveValues& values) {
+  return value(values, Objective::sheaths) + value(values, Objective::pulleys) +
+         value(values, Objective::knots);
+}
+
+}  // namespace
+
+bool precedes_within_front(const Design& a, const Design& b) {
+  const auto key = [](const Design& design) {
+    return std::make_tuple(-product(design.values), part_total(design.values),
+                           std::string_view(design.word));
+  };
+  return key(a) < key(b);
+}
+
+std::vector<RankedDesign> rank(std::vector<Design> designs,
+                               const std::vector<Objective>& objectives) {
+  GoodnessMatrix matrix(static_cast<Eigen::Index>(designs.size()),
+                        static_cast<Eigen::Index>(objectives.size()));
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    matrix.row(static_cast<Eigen::Index>(i)) = goodness(designs[i].values, objectives).transpose();
+  }
+  const std::vector<int> front = fronts(matrix);
+  std::vector<RankedDesign> ranked;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    ranked.push_back({std::move(designs[i]), front[i], 0});
+  }
+  std::sort(ranked.begin(), ranked.end(), [](const RankedDesign& a, const RankedDesign& b) {
+    if (a.front != b.front) return a.front < b.front;
+    return precedes_within_front(a.design, b.design);
+  });
+  for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i].rank = i + 1;
+  return ranked;
+}
+
+}  // namespace reeve

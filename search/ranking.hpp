@@ -1,0 +1,35 @@
+// The order of designs, total and documented:
+//   1. front by front, over the chosen objectives (pareto.hpp);
+//   2. within a front, by the product of mean uniformity and mean efficiency, greatest first: the
+//      hypervolume that a design covers alone;
+//   3. fewer parts (sheaths + pulleys + knots);
+//   4. the word, byte by byte.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "search/objectives.hpp"
+
+namespace reeve {
+
+struct Design {
+  std::string word;
+  ObjectiveValues values{};
+};
+
+struct RankedDesign {
+  Design design;
+  int front = 0;
+  std::size_t rank = 0;  // from 1
+};
+
+// Rules 2 to 4.
+bool precedes_within_front(const Design& a, const Design& b);
+
+// Best first.
+std::vector<RankedDesign> rank(std::vector<Design> designs,
+                               const std::vector<Objective>& objectives);
+
+}  // namespace reeve
