@@ -5,7 +5,7 @@
 
 namespace reeve {
 
-Performance performance(const Network& network, const TensionState& state) {
+Performance performance(const Network& network, const TensionState& state, Direction direction) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
   Performance result;
@@ -18,12 +18,15 @@ Performance performance(const Network& network, const TensionState& state) {
     result.force_transmission += tension;
     result.efficiency += tension * state.closing[static_cast<std::size_t>(segment.finger - 1)];
   }
+  if (direction == Direction::release && result.efficiency > 0) {
+    result.efficiency = 1 / result.efficiency;
+  }
   result.uniformity = most > 0 ? least / most : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 
 double return_friction(const Performance& pull, const Performance& release) {
-  return release.efficiency > 0 ? pull.efficiency / release.efficiency : 0;
+  return pull.efficiency * release.efficiency;
 }
 
 PartCount parts(const Network& network) {

@@ -15,7 +15,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp) {
   outcome.jams = state_.jams;
   outcome.pull = performance(network_, state_);
   solver_.solve(network_, mechanics_, grasp.grasp, Direction::release, state_);
-  outcome.return_friction = return_friction(outcome.pull, performance(network_, state_));
+  outcome.return_friction = return_friction(
+      outcome.pull, performance(network_, state_, Direction::release));
   return outcome;
 }
 

@@ -28,6 +28,12 @@ bool precedes_within_front(const Design& a, const Design& b) {
   return key(a) < key(b);
 }
 
+std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked) {
+  std::vector<Design> designs;
+  for (const RankedDesign& entry : ranked) designs.push_back(entry.design);
+  return designs;
+}
+
 std::vector<RankedDesign> rank(std::vector<Design> designs,
                                const std::vector<Objective>& objectives) {
   GoodnessMatrix matrix(static_cast<Eigen::Index>(designs.size()),

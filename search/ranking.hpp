@@ -28,6 +28,8 @@ struct RankedDesign {
 // Rules 2 to 4.
 bool precedes_within_front(const Design& a, const Design& b);
 
+std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked);
+
 // Best first.
 std::vector<RankedDesign> rank(std::vector<Design> designs,
                                const std::vector<Objective>& objectives);

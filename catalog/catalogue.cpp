@@ -1,0 +1,153 @@
+#include "catalog/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "catalog/entry_file.hpp"
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// Takes a run of digits off the front, without leading zeros.
+std::string_view take_number(std::string_view& text) {
+  std::size_t end = 0;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  std::string_view number = text.substr(0, end);
+  text.remove_prefix(end);
+  while (number.size() > 1 && number[0] == '0') number.remove_prefix(1);
+  return number;
+}
+
+// Runs of digits compare as numbers: TR2 before TR10.
+bool precedes(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a[0]) && is_digit(b[0])) {
+      const std::string_view m = take_number(a);
+      const std::string_view n = take_number(b);
+      if (m.size() != n.size()) return m.size() < n.size();
+      if (m != n) return m < n;
+      continue;
+    }
+    if (lower(a[0]) != lower(b[0])) return lower(a[0]) < lower(b[0]);
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  return a.size() < b.size();
+}
+
+std::vector<std::filesystem::path> toml_files(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  std::filesystem::directory_iterator at(directory, error);
+  const std::filesystem::directory_iterator end;
+  for (; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->path().extension() == ".toml" && !at->is_directory(ignored)) {
+      files.push_back(at->path());
+    }
+  }
+  if (error) {
+    throw InputError(
+        fmt::format("catalogue {}: cannot be read: {}", directory.string(), error.message()));
+  }
+  if (files.empty()) {
+    throw InputError(fmt::format("catalogue {}: has no file *.toml: expected one for each routing",
+                                 directory.string()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void require_new(const Catalogue& catalogue, const CatalogueEntry& entry, const TomlNode& file) {
+  if (const CatalogueEntry* other = catalogue.find_name(entry.name)) {
+    file.find("name")->fail_expected(
+        fmt::format("a name that is not taken ({} has it)", other->file));
+  }
+  if (const CatalogueEntry* other = catalogue.find_word(entry.routing)) {
+    file.find("word")->fail_expected(fmt::format(
+        "a routing that is not in the catalogue yet ({} has it as {})", other->file, other->name));
+  }
+}
+
+const std::string* other_routing(const Fault& fault) {
+  if (const auto* repeats = std::get_if<RepeatsFault>(&fault.what)) return &repeats->routing;
+  if (const auto* to = std::get_if<ProportionalFault>(&fault.what)) return &to->routing;
+  return nullptr;
+}
+
+void require_references(const Catalogue& catalogue) {
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    for (const Fault& fault : entry.faults) {
+      const std::string* wanted = other_routing(fault);
+      if (wanted == nullptr) continue;
+      const CatalogueEntry* other = catalogue.find_name(*wanted);
+      if (other != nullptr && other != &entry && other->table &&
+          other->table->tension.size() == entry.table->tension.size()) {
+        continue;
+      }
+      throw InputError(fmt::format(
+          "{}:{}:{}: fault.routing = \"{}\": expected another routing in the catalogue, with a "
+          "[table] of as many strands",
+          entry.file, fault.at.line, fault.at.column, *wanted));
+    }
+  }
+}
+
+}  // namespace
+
+const CatalogueEntry* Catalogue::find_name(std::string_view name) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
+    return same_name(entry.name, name);
+  });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const CatalogueEntry* Catalogue::find_word(const Routing& routing) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
+    return entry.routing == routing;
+  });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+Catalogue read_catalogue(const std::filesystem::path& directory) {
+  Catalogue catalogue;
+  for (const std::filesystem::path& path : toml_files(directory)) {
+    const TomlNode file = read_toml(path);
+    CatalogueEntry entry = read_entry(file);
+    require_new(catalogue, entry, file);
+    catalogue.entries.push_back(std::move(entry));
+  }
+  std::sort(
+      catalogue.entries.begin(), catalogue.entries.end(),
+      [](const CatalogueEntry& a, const CatalogueEntry& b) { return precedes(a.name, b.name); });
+  require_references(catalogue);
+  return catalogue;
+}
+
+std::filesystem::path default_catalogue_directory() {
+  const char* chosen = std::getenv("REEVE_CATALOG");
+  if (chosen != nullptr && *chosen != '\0') return chosen;
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) {
+    throw InputError(
+        fmt::format("the catalogue's folder is unknown, as /proc/self/exe cannot be read ({}): set "
+                    "REEVE_CATALOG to it",
+                    error.message()));
+  }
+  return program.parent_path().parent_path() / "share" / "reeve" / "catalog";
+}
+
+}  // namespace reeve

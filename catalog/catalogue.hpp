@@ -1,0 +1,56 @@
+// The catalogue of known routings: one TOML file each, so that adding a routing is adding a file.
+//
+//   name, word      required; the word is canonical for identical fingers
+//   title, source, notes
+//   held            fingers held in the grasp of [table] and [closed_form]
+//   [table]         source, tension, share_percent: printed numbers, as strings
+//   [closed_form]   source, strand, carriage: counts of losses { tube, bearing, sheath }
+//   [[fault]]       kind = "factor" | "repeats" | "proportional" | "reversed_contact"
+//   (published.hpp)
+//   [[misprint]]    source, text
+//
+// Names are found whatever their case; they stand where words may stand, so none may be a word.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog/published.hpp"
+#include "core/grasp.hpp"
+#include "core/routing.hpp"
+
+namespace reeve {
+
+struct CatalogueEntry {
+  std::string name;
+  std::string word;
+  Routing routing;
+  std::string title;
+  std::string source;
+  std::string notes;
+  Grasp grasp;  // of the published numbers
+  std::optional<PublishedTable> table;
+  std::optional<ClosedForm> closed_form;
+  std::vector<Fault> faults;
+  std::vector<Misprint> misprints;
+  std::string file;
+};
+
+struct Catalogue {
+  std::vector<CatalogueEntry> entries;  // by name, TR2 before TR10
+
+  const CatalogueEntry* find_name(std::string_view name) const;
+  // `routing` is canonical for identical fingers.
+  const CatalogueEntry* find_word(const Routing& routing) const;
+};
+
+// Every *.toml that lies directly in `directory`. Throws InputError with file, line and column.
+Catalogue read_catalogue(const std::filesystem::path& directory);
+
+// REEVE_CATALOG, or else ../share/reeve/catalog seen from the running program.
+std::filesystem::path default_catalogue_directory();
+
+}  // namespace reeve

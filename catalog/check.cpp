@@ -1,0 +1,233 @@
+#include "catalog/check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "catalog/fault.hpp"
+#include "catalog/solution.hpp"
+
+namespace reeve {
+namespace {
+
+// Closed forms and solver both use exact ratios; what is left is rounding of doubles.
+constexpr double equation_tolerance = 1e-9;
+
+class EntryCheck {
+ public:
+  EntryCheck(const Catalogue& catalogue, const CatalogueEntry& entry, CheckReport& report)
+      : catalogue_(catalogue),
+        entry_(entry),
+        solution_(solve(entry)),
+        report_(report),
+        fault_holds_(entry.faults.size(), false) {}
+
+  void run();
+
+ private:
+  void add(CheckItem item);
+  CheckItem table_item(Quantity quantity, std::size_t strand);
+  void explain(CheckItem& item, const DifferingNumber& number);
+  CheckItem table_balance(const std::vector<CheckItem>& tensions) const;
+  CheckItem closed_form_item(std::size_t strand, double value) const;
+  CheckItem equation_balance(const ReversedContactFault& fault) const;
+  CheckItem idle_fault(std::size_t fault) const;
+  void check_table();
+  void check_closed_form();
+  void check_faults();
+
+  const Catalogue& catalogue_;
+  const CatalogueEntry& entry_;
+  Solution solution_;
+  CheckReport& report_;
+  std::vector<bool> fault_holds_;
+};
+
+void EntryCheck::add(CheckItem item) {
+  item.routing = entry_.name;
+  report_.items.push_back(std::move(item));
+}
+
+void EntryCheck::explain(CheckItem& item, const DifferingNumber& number) {
+  for (std::size_t i = 0; i < entry_.faults.size(); ++i) {
+    const auto reason = reeve::explain(entry_.faults[i], number);
+    if (!reason) continue;
+    fault_holds_[i] = true;
+    item.status = CheckStatus::explained;
+    item.reason += (item.reason.empty() ? "" : "; ") + *reason;
+  }
+  if (item.status == CheckStatus::differs) {
+    item.reason = fmt::format("{} is printed and {:.4g} computed, and no listed fault explains it",
+                              item.printed, item.computed);
+  }
+}
+
+CheckItem EntryCheck::table_item(Quantity quantity, std::size_t strand) {
+  const DifferingNumber number{catalogue_, entry_, solution_, quantity, strand};
+  CheckItem item;
+  item.source = entry_.table->source;
+  item.quantity = quantity == Quantity::tension ? fmt::format("T{}", strand + 1)
+                                                : fmt::format("share of T{}, %", strand + 1);
+  item.printed = number.printed().digits;
+  item.published = number.printed().value;
+  item.computed = number.computed();
+  if (rounds_to(item.computed, number.printed())) {
+    item.status = CheckStatus::agrees;
+  } else {
+    explain(item, number);
+  }
+  return item;
+}
+
+// The motor-side tensions follow from the printed ones by the sheaths, so a table can be weighed
+// without the solver's own tensions. Its verdict hangs on the strands: replacing the explained
+// ones by the computed ones must balance it.
+CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) const {
+  double asked = 0;
+  double rounding = 1e-12;
+  double repaired = 0;
+  double pulled_strands = 0;
+  std::set<std::string> replaced;
+  for (const SheathEnds& sheath : solution_.sheaths) {
+    const CheckItem& strand = tensions[sheath.strand];
+    const bool explained = strand.status == CheckStatus::explained;
+    asked += sheath.ratio * strand.published;
+    rounding += sheath.ratio * entry_.table->tension[sheath.strand].half_unit;
+    repaired += sheath.ratio * (explained ? strand.computed : strand.published);
+    if (sheath.ratio >= 1) pulled_strands += strand.published;
+    if (explained) replaced.insert(strand.quantity);
+  }
+  CheckItem item;
+  item.source = entry_.table->source;
+  item.quantity = "T_M that the printed tensions ask for";
+  item.printed = "1";
+  item.published = 1;
+  item.computed = asked;
+  if (std::abs(asked - 1) <= rounding) {
+    item.status = CheckStatus::agrees;
+    return item;
+  }
+  item.reason = fmt::format("the printed tensions ask for a motor tension of {:.3f} ± {:.3f}",
+                            asked, rounding);
+  if (!replaced.empty() && std::abs(repaired - 1) <= rounding) {
+    item.status = CheckStatus::explained;
+    item.reason += fmt::format("; with the computed {} in place of the printed, {:.3f}",
+                               fmt::join(replaced, ", "), repaired);
+  }
+  if (pulled_strands > 1) {
+    item.reason += fmt::format(
+        "; those of the strands that sheaths pull add up to {:.2f}, more than T_M, though a sheath "
+        "only takes tension away",
+        pulled_strands);
+  }
+  return item;
+}
+
+void EntryCheck::check_table() {
+  if (!entry_.table) return;
+  std::vector<CheckItem> tensions;
+  for (std::size_t i = 0; i < solution_.tension.size(); ++i) {
+    tensions.push_back(table_item(Quantity::tension, i));
+  }
+  for (const CheckItem& item : tensions) add(item);
+  for (std::size_t i = 0; i < solution_.tension.size(); ++i) add(table_item(Quantity::share, i));
+  if (!solution_.sheaths.empty()) add(table_balance(tensions));
+}
+
+CheckItem EntryCheck::closed_form_item(std::size_t strand, double value) const {
+  CheckItem item;
+  item.source = entry_.closed_form->source;
+  item.quantity = fmt::format("T{}", strand + 1);
+  item.published = value;
+  item.computed = solution_.tension[strand];
+  if (std::abs(item.computed - value) <= equation_tolerance * std::abs(value)) {
+    item.status = CheckStatus::agrees;
+  } else {
+    item.reason =
+        fmt::format("the closed form gives {:.6g} and the solver {:.6g}", value, item.computed);
+  }
+  return item;
+}
+
+void EntryCheck::check_closed_form() {
+  if (!entry_.closed_form) return;
+  const std::vector<double> values = evaluate(*entry_.closed_form);
+  for (std::size_t i = 0; i < values.size(); ++i) add(closed_form_item(i, values[i]));
+}
+
+CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const {
+  const CarriageBalance balance = carriage_balance(fault, *entry_.closed_form);
+  CheckItem item;
+  item.source = fault.source;
+  item.quantity = "T_M that the equation as printed asks for";
+  item.printed = "1";
+  item.published = 1;
+  item.computed = balance.as_printed;
+  const bool printed_fits = std::abs(balance.as_printed - 1) <= equation_tolerance;
+  const bool corrected_fits = std::abs(balance.corrected - 1) <= equation_tolerance;
+  if (!printed_fits && corrected_fits) item.status = CheckStatus::explained;
+  item.reason = fmt::format(
+      "with the sheath between T{} and {} sliding as printed, the motor-side tensions of {} add up "
+      "to {:.6f}; with that direction reversed, to {:.6f}",
+      fault.strand, fault.segment, entry_.closed_form->source, balance.as_printed,
+      balance.corrected);
+  return item;
+}
+
+// Such an item counts the numbers that the fault explains: one at least is claimed, none is found.
+CheckItem EntryCheck::idle_fault(std::size_t fault) const {
+  CheckItem item;
+  item.source = entry_.table->source;
+  item.quantity = fmt::format("numbers explained by listed fault {}", fault + 1);
+  item.published = 1;
+  item.computed = 0;
+  item.reason = fmt::format("the listed fault '{}' ({}:{}:{}) explains no number that differs",
+                            name(entry_.faults[fault]), entry_.file, entry_.faults[fault].at.line,
+                            entry_.faults[fault].at.column);
+  return item;
+}
+
+void EntryCheck::check_faults() {
+  for (std::size_t i = 0; i < entry_.faults.size(); ++i) {
+    if (const auto* reversed = std::get_if<ReversedContactFault>(&entry_.faults[i].what)) {
+      add(equation_balance(*reversed));
+    } else if (!fault_holds_[i]) {
+      add(idle_fault(i));
+    }
+  }
+}
+
+void EntryCheck::run() {
+  check_table();
+  check_closed_form();
+  check_faults();
+}
+
+}  // namespace
+
+const char* name(CheckStatus status) {
+  if (status == CheckStatus::agrees) return "agrees";
+  return status == CheckStatus::explained ? "explained" : "differs";
+}
+
+std::size_t CheckReport::count(CheckStatus status) const {
+  return static_cast<std::size_t>(std::count_if(
+      items.begin(), items.end(), [&](const CheckItem& item) { return item.status == status; }));
+}
+
+CheckReport check(const Catalogue& catalogue) {
+  CheckReport report;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    if (entry.table || entry.closed_form) EntryCheck(catalogue, entry, report).run();
+    for (const Misprint& misprint : entry.misprints) {
+      report.misprints.push_back({entry.name, misprint.source, misprint.text});
+    }
+  }
+  return report;
+}
+
+}  // namespace reeve

@@ -1,0 +1,55 @@
+// Recomputes every published number of the catalogue with the general solver, which is given no
+// sliding directions, and compares number by number:
+//
+//   printed tensions and shares   agree if the computed number rounds to the printed digits
+//   closed forms, per strand      agree to 1e-9, relative
+//   carriage of a printed table   the motor-side tensions that its strands ask for add up to T_M =
+//   1,
+//                                 to within the rounding of the strands
+//   carriage of an equation       the same for an equation with a reversed contact
+//
+// What differs is explained only by a fault listed for the entry whose arithmetic holds
+// (fault.hpp); a listed fault that explains nothing is itself an item that differs. Tensions are at
+// T_M = 1.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+
+namespace reeve {
+
+enum class CheckStatus : std::uint8_t { agrees, explained, differs };
+
+const char* name(CheckStatus status);
+
+struct CheckItem {
+  std::string routing;
+  std::string source;    // "Table IV", "Eqs. 14, 15"
+  std::string quantity;  // "T3", "share of T3, %", …
+  std::string printed;   // the digits as printed; empty for equations
+  double published = 0;
+  double computed = 0;
+  CheckStatus status = CheckStatus::differs;
+  std::string reason;  // empty where it agrees
+};
+
+struct CheckedMisprint {
+  std::string routing;
+  std::string source;
+  std::string text;
+};
+
+struct CheckReport {
+  std::vector<CheckItem> items;
+  std::vector<CheckedMisprint> misprints;
+
+  std::size_t count(CheckStatus status) const;
+};
+
+CheckReport check(const Catalogue& catalogue);
+
+}  // namespace reeve

@@ -1,0 +1,157 @@
+#include "catalog/fault.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace reeve {
+namespace {
+
+const std::vector<PrintedNumber>& printed_numbers(const PublishedTable& table, Quantity quantity) {
+  return quantity == Quantity::tension ? table.tension : table.share_percent;
+}
+
+std::string count_of(int count, const char* kind, const char* symbol) {
+  if (count == 0) return "";
+  return fmt::format("{} {} loss{} e^(-{})", count, kind, count == 1 ? "" : "es", symbol);
+}
+
+// "1 sheath loss e^(-phi_s)"
+std::string describe(const Losses& losses) {
+  std::string text;
+  for (const std::string& part :
+       {count_of(losses.sheath, "sheath", "phi_s"), count_of(losses.tube, "tube", "phi_t"),
+        count_of(losses.bearing, "bearing", "phi_b")}) {
+    if (!part.empty()) text += (text.empty() ? "" : " and ") + part;
+  }
+  return text;
+}
+
+std::string describe(const FactorFault& fault) {
+  const std::string losses = describe(fault.left_out);
+  const std::string times = fault.times == 1 ? "" : fmt::format("times {:g}", fault.times);
+  if (losses.empty()) return times;
+  const std::string without =
+      fmt::format("without {} (times {:.4g})", losses, 1 / decay(fault.left_out));
+  return times.empty() ? without : times + " and " + without;
+}
+
+bool concerns(const FactorFault& fault, std::size_t strand) {
+  return std::find(fault.strands.begin(), fault.strands.end(), static_cast<int>(strand + 1)) !=
+         fault.strands.end();
+}
+
+std::string names(const std::vector<int>& strands) {
+  std::string text;
+  for (const int strand : strands) text += fmt::format("{}T{}", text.empty() ? "" : ", ", strand);
+  return text;
+}
+
+std::vector<double> faulty_tensions(const FactorFault& fault, std::vector<double> tension) {
+  for (std::size_t i = 0; i < tension.size(); ++i) {
+    if (concerns(fault, i)) tension[i] *= fault.times / decay(fault.left_out);
+  }
+  return tension;
+}
+
+std::optional<std::string> explain(const FactorFault& fault, const DifferingNumber& number) {
+  const std::vector<double> tension = faulty_tensions(fault, number.solution.tension);
+  const std::string& digits = number.printed().digits;
+  if (number.quantity == Quantity::tension) {
+    if (!concerns(fault, number.strand)) return std::nullopt;
+    const double faulty = tension[number.strand];
+    if (!rounds_to(faulty, number.printed())) return std::nullopt;
+    return fmt::format("{} is the computed {:.4g} {}, which gives {:.4g}", digits,
+                       number.computed(), describe(fault), faulty);
+  }
+  const double faulty = shares_percent(tension)[number.strand];
+  if (!rounds_to(faulty, number.printed())) return std::nullopt;
+  return fmt::format("{} % is the share with {} {}, which gives {:.4g} %", digits,
+                     names(fault.strands), describe(fault), faulty);
+}
+
+std::optional<std::string> explain(const RepeatsFault& fault, const DifferingNumber& number) {
+  const CatalogueEntry* other = number.catalogue.find_name(fault.routing);
+  if (other == nullptr || !other->table) return std::nullopt;
+  const auto& own = printed_numbers(*number.entry.table, number.quantity);
+  const auto& theirs = printed_numbers(*other->table, number.quantity);
+  const bool same = std::equal(
+      own.begin(), own.end(), theirs.begin(), theirs.end(),
+      [](const PrintedNumber& a, const PrintedNumber& b) { return a.digits == b.digits; });
+  if (!same) return std::nullopt;
+  return fmt::format("all {} {}s of {} repeat those of {}, for {}, digit by digit", own.size(),
+                     number.quantity == Quantity::tension ? "tension" : "share",
+                     number.entry.table->source, other->table->source, other->name);
+}
+
+struct Range {
+  double low = 0;
+  double high = std::numeric_limits<double>::infinity();
+
+  void narrow(Range other) { *this = {std::max(low, other.low), std::min(high, other.high)}; }
+  bool empty() const { return low > high; }
+};
+
+// What times `base`, itself known to ± half_unit, can give the printed number.
+Range scales(const PrintedNumber& printed, double base, double half_unit) {
+  const double most = base - half_unit;
+  return {(printed.value - printed.half_unit) / (base + half_unit),
+          most > 0 ? (printed.value + printed.half_unit) / most
+                   : std::numeric_limits<double>::infinity()};
+}
+
+std::optional<std::string> explain(const ProportionalFault& fault, const DifferingNumber& number) {
+  const CatalogueEntry* other = number.catalogue.find_name(fault.routing);
+  if (number.quantity != Quantity::tension || other == nullptr || !other->table)
+    return std::nullopt;
+  const std::vector<PrintedNumber>& own = number.entry.table->tension;
+  Range to_printed;
+  Range to_computed;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const PrintedNumber& theirs = other->table->tension[i];
+    to_printed.narrow(scales(own[i], theirs.value, theirs.half_unit));
+    to_computed.narrow(scales(own[i], number.solution.tension[i], 0));
+  }
+  if (to_printed.empty() || !to_computed.empty()) return std::nullopt;
+  return fmt::format(
+      "{} is the {} printed in {} for {} times one number between {:.3f} and {:.3f}, as are all {} "
+      "tensions of {}; no one number turns the computed tensions into them, and where the number "
+      "comes from is not known",
+      number.printed().digits, other->table->tension[number.strand].digits, other->table->source,
+      other->name, to_printed.low, to_printed.high, own.size(), number.entry.table->source);
+}
+
+std::optional<std::string> explain(const ReversedContactFault&, const DifferingNumber&) {
+  return std::nullopt;
+}
+
+}  // namespace
+
+const PrintedNumber& DifferingNumber::printed() const {
+  return printed_numbers(*entry.table, quantity)[strand];
+}
+
+double DifferingNumber::computed() const {
+  return quantity == Quantity::tension ? solution.tension[strand] : solution.share_percent[strand];
+}
+
+std::optional<std::string> explain(const Fault& fault, const DifferingNumber& number) {
+  return std::visit([&](const auto& what) { return explain(what, number); }, fault.what);
+}
+
+CarriageBalance carriage_balance(const ReversedContactFault& fault, const ClosedForm& form) {
+  const double strand = decay(form.strand[static_cast<std::size_t>(fault.strand - 1)]);
+  const double sheath = decay({0, 0, 1});
+  double others = 0;
+  for (std::size_t i = 0; i < form.carriage.size(); ++i) {
+    if (i != fault.motor_side) others += decay(form.carriage[i]);
+  }
+  const double weaker = gain(form) * (others + strand * sheath);
+  const double stronger = gain(form) * (others + strand / sheath);
+  return fault.printed_strand_higher ? CarriageBalance{weaker, stronger}
+                                     : CarriageBalance{stronger, weaker};
+}
+
+}  // namespace reeve

@@ -1,0 +1,39 @@
+// A catalogue entry recomputed by the general solver, with the paper's coefficients (the default
+// hardware) and in the grasp of its published numbers. Tensions are at motor tension T_M = 1.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+
+namespace reeve {
+
+// A sheath between a strand and a motor-side segment.
+struct SheathEnds {
+  std::size_t strand = 0;  // from 0
+  double ratio = 1;        // tension of the motor-side segment over that of the strand
+};
+
+struct Solution {
+  std::vector<double> tension;        // strands T1 … T2n
+  std::vector<double> share_percent;  // of the sum over the strands
+  // One for each motor-side segment, in walk order; empty if one of them leads to no strand.
+  std::vector<SheathEnds> sheaths;
+};
+
+Solution solve(const CatalogueEntry& entry);
+
+std::vector<double> shares_percent(const std::vector<double>& tension);
+
+// e^{-phi} of all these losses together, with the paper's coefficients.
+double decay(const Losses& losses);
+
+// K e^{-strand} for every strand.
+std::vector<double> evaluate(const ClosedForm& form);
+double gain(const ClosedForm& form);
+
+// Whether `computed` rounds to the printed digits. Either way, at a tie.
+bool rounds_to(double computed, const PrintedNumber& printed);
+
+}  // namespace reeve

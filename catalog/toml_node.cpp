@@ -1,0 +1,241 @@
+#include "catalog/toml_node.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+// A thousand times any real file; a wrong path (a recording, a device) is refused, not swallowed.
+constexpr std::size_t max_file_size = std::size_t{1} << 20;
+
+// A dotted key opens a table at every dot, and toml++ walks them by recursion without a limit: a
+// line of a million dots would overflow the stack.
+constexpr std::size_t max_line_length = 4096;
+constexpr int max_depth = 8;
+
+[[noreturn]] void fail(const TomlNode& node, TomlPosition at, std::string_view message) {
+  std::string text = fmt::format("{}:{}:{}: {}", *node.file, at.line, at.column, message);
+  // One line, whatever stands in the file.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
+  throw InputError(text);
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(fmt::format("{}: is a directory: expected a TOML file", path.string()));
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+  }
+  std::string text(max_file_size + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", path.string()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > max_file_size) {
+    throw InputError(
+        fmt::format("{}: is larger than 1 MiB: expected a TOML file of some lines", path.string()));
+  }
+  return text;
+}
+
+void require_short_lines(const TomlNode& root, std::string_view text) {
+  std::uint32_t line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > max_line_length) {
+      fail(root, {line, 1},
+           fmt::format("the line has {} characters: expected at most {}", end - begin,
+                       max_line_length));
+    }
+    begin = end + 1;
+  }
+}
+
+TomlPosition position(const toml::source_region& region) {
+  return {std::max<std::uint32_t>(region.begin.line, 1),
+          std::max<std::uint32_t>(region.begin.column, 1)};
+}
+
+TomlKind kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::boolean:
+      return TomlKind::boolean;
+    case toml::node_type::integer:
+      return TomlKind::integer;
+    case toml::node_type::floating_point:
+      return TomlKind::floating;
+    case toml::node_type::string:
+      return TomlKind::string;
+    case toml::node_type::array:
+      return TomlKind::array;
+    case toml::node_type::table:
+      return TomlKind::table;
+    default:
+      return TomlKind::date;
+  }
+}
+
+bool precedes(const TomlNode& a, const TomlNode& b) {
+  return a.key_at.line != b.key_at.line ? a.key_at.line < b.key_at.line
+                                        : a.key_at.column < b.key_at.column;
+}
+
+TomlNode convert(const toml::node& from, const TomlNode& parent, TomlNode to, int depth);
+
+void convert_array(const toml::array& from, TomlNode& to, int depth) {
+  for (const toml::node& item : from) {
+    TomlNode child;
+    child.name = fmt::format("{}[{}]", to.name, to.children.size() + 1);
+    child.key_at = position(item.source());
+    to.children.push_back(convert(item, to, std::move(child), depth + 1));
+  }
+}
+
+void convert_table(const toml::table& from, TomlNode& to, int depth) {
+  for (const auto& [key, value] : from) {
+    TomlNode child;
+    child.key = key.str();
+    child.name = to.name.empty() ? child.key : to.name + "." + child.key;
+    child.key_at = position(key.source());
+    to.children.push_back(convert(value, to, std::move(child), depth + 1));
+  }
+  std::stable_sort(to.children.begin(), to.children.end(), precedes);
+}
+
+TomlNode convert(const toml::node& from, const TomlNode& parent, TomlNode to, int depth) {
+  to.kind = kind_of(from);
+  to.file = parent.file;
+  to.at = position(from.source());
+  if (depth > max_depth) fail(to, to.key_at, "expected no tables or arrays as deep as this");
+  if (to.kind == TomlKind::array) convert_array(*from.as_array(), to, depth);
+  if (to.kind == TomlKind::table) convert_table(*from.as_table(), to, depth);
+  if (to.kind == TomlKind::string) to.content = from.as_string()->get();
+  if (to.kind == TomlKind::boolean) to.number = from.as_boolean()->get() ? 1 : 0;
+  if (to.kind == TomlKind::integer) to.number = static_cast<double>(from.as_integer()->get());
+  if (to.kind == TomlKind::floating) to.number = from.as_floating_point()->get();
+  return to;
+}
+
+// Never cuts a UTF-8 character in two.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 60;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (text[end] & '\xC0') == '\x80') --end;
+  return text.substr(0, end) + "…";
+}
+
+std::string shown(const TomlNode& node) {
+  switch (node.kind) {
+    case TomlKind::boolean:
+      return node.number != 0 ? "true" : "false";
+    case TomlKind::integer:
+    case TomlKind::floating:
+      return fmt::format("{}", node.number);
+    case TomlKind::string:
+      return fmt::format("\"{}\"", shortened(node.content));
+    case TomlKind::date:
+      return "(a date or time)";
+    case TomlKind::array:
+      return "(an array)";
+    case TomlKind::table:
+      return "(a table)";
+  }
+  return "";
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::find(std::string_view wanted) const {
+  const auto found = std::find_if(children.begin(), children.end(),
+                                  [&](const TomlNode& child) { return child.key == wanted; });
+  return found == children.end() ? nullptr : &*found;
+}
+
+const TomlNode& TomlNode::require(std::string_view wanted, std::string_view expected) const {
+  if (const TomlNode* found = find(wanted)) return *found;
+  const std::string where = name.empty() ? "" : fmt::format(" in '{}'", name);
+  fail_at_key(fmt::format("missing key '{}'{}: expected {}", wanted, where, expected));
+}
+
+void TomlNode::allow_only(std::initializer_list<std::string_view> keys) const {
+  for (const TomlNode& child : children) {
+    if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
+    child.fail_at_key(fmt::format("unknown key '{}': expected one of {}", shortened(child.name),
+                                  fmt::join(keys, ", ")));
+  }
+}
+
+const std::vector<TomlNode>& TomlNode::items() const {
+  if (kind != TomlKind::array) fail_expected("an array");
+  return children;
+}
+
+const std::vector<TomlNode>& TomlNode::tables() const {
+  if (kind != TomlKind::array) fail_expected(fmt::format("tables headed [[{}]]", name));
+  for (const TomlNode& child : children) child.table();
+  return children;
+}
+
+const TomlNode& TomlNode::table() const {
+  if (kind != TomlKind::table) fail_expected("a table");
+  return *this;
+}
+
+const std::string& TomlNode::text() const {
+  if (kind != TomlKind::string || content.empty()) fail_expected("a text in quotes, not empty");
+  return content;
+}
+
+int TomlNode::integer(int low, int high) const {
+  if (kind != TomlKind::integer || number < low || number > high) {
+    fail_expected(fmt::format("a whole number from {} to {}", low, high));
+  }
+  return static_cast<int>(number);
+}
+
+double TomlNode::number_from_zero() const {
+  if (!is_number() || !std::isfinite(number) || number < 0) {
+    fail_expected("a finite number, not negative");
+  }
+  return number;
+}
+
+void TomlNode::fail_expected(std::string_view expected) const {
+  fail(*this, at, fmt::format("{} = {}: expected {}", name, shown(*this), expected));
+}
+
+void TomlNode::fail_at_key(std::string_view message) const { fail(*this, key_at, message); }
+
+void TomlNode::fail_at_value(std::string_view message) const { fail(*this, at, message); }
+
+TomlNode read_toml(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  TomlNode root;
+  root.file = std::make_shared<const std::string>(path.string());
+  require_short_lines(root, text);
+  try {
+    const toml::table parsed = toml::parse(text);
+    convert_table(parsed, root, 0);
+  } catch (const toml::parse_error& error) {
+    fail(root, position(error.source()), fmt::format("not valid TOML: {}", error.description()));
+  }
+  return root;
+}
+
+}  // namespace reeve

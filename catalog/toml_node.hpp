@@ -1,0 +1,60 @@
+// A TOML file as plain values that know where they stand, so that whoever reads them can name file,
+// line, column, key and value of what is wrong. toml_node.cpp is the only file that names toml++.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reeve {
+
+enum class TomlKind : std::uint8_t { boolean, integer, floating, string, date, array, table };
+
+// In the text, both from 1.
+struct TomlPosition {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+};
+
+class TomlNode {
+ public:
+  TomlKind kind = TomlKind::table;
+  std::shared_ptr<const std::string> file;
+  std::string key;                 // the last part of the name; empty in an array
+  std::string name;                // "finger.2.tip_mu", "table.tension[3]"; empty for the file
+  TomlPosition key_at;             // of the key, or of an array's item
+  TomlPosition at;                 // of the value
+  double number = 0;               // integer, floating
+  std::string content;             // string
+  std::vector<TomlNode> children;  // array, table; in the order of the file
+
+  bool is_number() const { return kind == TomlKind::integer || kind == TomlKind::floating; }
+
+  // Of a table.
+  const TomlNode* find(std::string_view key) const;
+  const TomlNode& require(std::string_view key, std::string_view expected) const;
+  void allow_only(std::initializer_list<std::string_view> keys) const;
+
+  // Each throws InputError if the value is another one.
+  const std::vector<TomlNode>& tables() const;  // an array of tables
+  const std::vector<TomlNode>& items() const;   // an array
+  const TomlNode& table() const;
+  const std::string& text() const;
+  int integer(int low, int high) const;
+  double number_from_zero() const;  // finite, not negative; an integer is a number, too
+
+  // "file:line:column: name = value: expected …"
+  [[noreturn]] void fail_expected(std::string_view expected) const;
+  // "file:line:column: message", at the key or at the value
+  [[noreturn]] void fail_at_key(std::string_view message) const;
+  [[noreturn]] void fail_at_value(std::string_view message) const;
+};
+
+// Throws InputError for a file that cannot be read, is larger than 1 MiB, or is not TOML.
+TomlNode read_toml(const std::filesystem::path& path);
+
+}  // namespace reeve

@@ -1,0 +1,22 @@
+// One subcommand, one file: each adds itself to the program and, when chosen, sets the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace reeve::cli {
+
+// What the process returns to the shell.
+enum ExitCode : int {
+  done = 0,
+  answer_is_no = 1,  // a check failed
+  bad_input = 2,
+  interrupted = 3,  // or an internal error
+};
+
+void add_show(CLI::App& program, int& exit_code);
+void add_rank(CLI::App& program, int& exit_code);
+void add_explore(CLI::App& program, int& exit_code);
+void add_count(CLI::App& program, int& exit_code);
+void add_check(CLI::App& program, int& exit_code);
+
+}  // namespace reeve::cli

@@ -1,0 +1,33 @@
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "reports/count_report.hpp"
+#include "search/counting.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct CountFlags {
+  GeneratorFlags generator;
+  FormatOption format;
+};
+
+void run(const CountFlags& flags) {
+  const GeneratorOptions options = flags.generator.read();
+  const RoutingCounts counts = count_routings(options.parts, options.fingers, options.identity);
+  std::cout << (flags.format.is("json") ? count_json(counts) : count_table(counts));
+}
+
+}  // namespace
+
+void add_count(CLI::App& program, int&) {
+  CLI::App* command =
+      program.add_subcommand("count", "How many routings a set of parts makes, by formula");
+  auto flags = std::make_shared<CountFlags>();
+  flags->generator.add_to(*command, false);
+  flags->format.add_to(*command, {"table", "json"});
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

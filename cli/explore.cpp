@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/supervision.hpp"
+#include "core/canonical.hpp"
+#include "reports/explore_report.hpp"
+#include "reports/files.hpp"
+#include "search/explore.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ExploreFlags {
+  GeneratorFlags generator;
+  RankingFlags ranking;
+  std::vector<std::string> constraints;
+  std::string shard = "1/1";
+  std::size_t top = 1000;
+  std::string out = "out/explore";
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+ExploreOptions options(const ExploreFlags& flags, const Hardware& hardware,
+                       const Catalogue& catalogue) {
+  ExploreOptions options;
+  options.generator = flags.generator.read();
+  options.shard = parse_shard(flags.shard);
+  options.hardware = hardware;
+  options.grasps = parse_grasps(flags.ranking.grasps, options.generator.fingers);
+  options.objectives = parse_objectives(flags.ranking.objectives);
+  for (const std::string& text : flags.constraints) {
+    options.constraints.push_back(parse_constraint(text));
+  }
+  options.top = flags.top;
+  options.threads = flags.ranking.threads;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    if (finger_count(entry.routing) != options.generator.fingers) continue;
+    options.references.push_back(canonical(entry.routing, options.generator.identity));
+  }
+  return options;
+}
+
+void write_files(const ExploreReport& report, const std::filesystem::path& directory) {
+  const std::string note = partial_note(report);
+  write_file(directory / "designs.csv", design_csv(report.top, note));
+  write_file(directory / "pareto.csv", design_csv(report.front, note));
+  write_file(directory / "summary.json", explore_summary_json(report));
+}
+
+int run(const ExploreFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const HardwareFile hardware = flags.hardware.read();
+  const ExploreOptions explore_options = options(flags, hardware.hardware, catalogue);
+  prepare_directory(flags.out, "--out");
+  const std::atomic<bool>& stop = stop_on_interrupt();
+  ExploreResult result;
+  {
+    ProgressLine progress("exploring");
+    result = explore(explore_options, {std::ref(progress), &stop});
+  }
+  std::optional<UncertaintyOptions> uncertainty;
+  std::vector<RankDistribution> distributions;
+  if (flags.ranking.uncertainty && !result.partial) {
+    uncertainty = UncertaintyOptions{hardware.hardware,         hardware.uncertainty,
+                                     explore_options.grasps,    explore_options.objectives,
+                                     flags.ranking.draws,       flags.ranking.seed,
+                                     flags.ranking.threads};
+    ProgressLine progress("drawing");
+    distributions =
+        rank_distributions(plain_designs(result.top), *uncertainty, {std::ref(progress), &stop});
+  }
+  ExploreReport report = explore_report(explore_options, std::move(result), distributions, catalogue);
+  report.uncertainty = uncertainty;
+  write_files(report, flags.out);
+  std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
+  if (!flags.format.is("json")) {
+    std::cout << fmt::format("\nWritten: designs.csv, pareto.csv and summary.json in {}\n",
+                             flags.out);
+  }
+  return stop.load() ? interrupted : done;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "explore", "Every routing that a set of parts allows: evaluated, ranked, written to files");
+  auto flags = std::make_shared<ExploreFlags>();
+  flags->generator.add_to(*command, true);
+  flags->ranking.add_to(*command);
+  command
+      ->add_option("--constraint", flags->constraints,
+                   "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--shard", flags->shard, "i/N: only the i-th of N parts of the whole")
+      ->capture_default_str();
+  command->add_option("--top", flags->top, "Designs to keep besides the front")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
+      ->capture_default_str();
+  command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")
+      ->capture_default_str();
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, {"table", "json"});
+  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace reeve::cli

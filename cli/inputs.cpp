@@ -1,0 +1,121 @@
+#include "cli/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "core/notation.hpp"
+
+namespace reeve::cli {
+namespace {
+
+// Words begin with a token and go on with a dash or a plus; names do not.
+bool looks_like_a_name(const std::string& text) {
+  return text.size() > 1 && text.size() < 64 && text.find_first_of("-+") == std::string::npos &&
+         std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+}
+
+std::string names(const Catalogue& catalogue) {
+  std::string list;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    list += (list.empty() ? "" : ", ") + entry.name;
+  }
+  return list;
+}
+
+}  // namespace
+
+Catalogue shipped_catalogue() { return read_catalogue(default_catalogue_directory()); }
+
+Routing read_routing(const std::string& text, const Catalogue& catalogue) {
+  if (const CatalogueEntry* entry = catalogue.find_name(text)) return entry->routing;
+  if (looks_like_a_name(text)) {
+    throw InputError(fmt::format(
+        "routing '{}': no such name in the catalogue; expected one of {}, or a word such as "
+        "M-1-T-2-F",
+        text, names(catalogue)));
+  }
+  return parse_routing(text);
+}
+
+Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue) {
+  Routing routing = read_routing(text, catalogue);
+  require_actuated(graph(expand(routing)), to_word(routing));
+  return routing;
+}
+
+void HardwareOption::add_to(CLI::App& command) {
+  command.add_option("--hardware", file,
+                     "TOML file with friction coefficients, angles and lengths (default: the "
+                     "paper's; see catalog/hardware/example.toml)");
+}
+
+HardwareFile HardwareOption::read() const {
+  return file.empty() ? HardwareFile{} : read_hardware_file(file);
+}
+
+void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
+  command.add_option("--format", format, "How to print the result")
+      ->check(CLI::IsMember(formats))
+      ->capture_default_str();
+}
+
+void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
+  command.add_option("--fingers", fingers, "Number of fingers")
+      ->check(CLI::Range(1, max_fingers))
+      ->capture_default_str();
+  command
+      .add_option("--parts", parts,
+                  "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B")
+      ->check(CLI::IsMember({"paper", "full"}))
+      ->capture_default_str();
+  tips_ = command.add_option("--tips", tips, "Fingertips instead of the set's: tube,bearing");
+  joins_ = command.add_option("--joins", joins, "Joins instead of the set's: T,B,P");
+  ends_ = command.add_option("--ends", ends, "Ends instead of the set's: M,F");
+  command.add_flag("--distinct-fingers", distinct,
+                   "Tell fingers apart: M-1-P-2-F and M-2-P-1-F are two routings");
+  if (!with_tendons) return;
+  command.add_option("--tendons", tendons, "Routings with one tendon only, or with any number")
+      ->check(CLI::IsMember({"one", "any"}))
+      ->capture_default_str();
+}
+
+GeneratorOptions GeneratorFlags::read() const {
+  GeneratorOptions options;
+  options.parts = parts == "paper" ? paper_parts() : full_parts();
+  if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
+  if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
+  if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
+  validate(options.parts);
+  options.fingers = fingers;
+  options.identity = distinct ? FingerIdentity::distinct : FingerIdentity::identical;
+  options.one_tendon = tendons == "one";
+  return options;
+}
+
+void RankingFlags::add_to(CLI::App& command) {
+  command
+      .add_option("--grasps", grasps,
+                  "single: none held and each one finger held; all; paper: finger 1 held; or held "
+                  "lists with weights, such as none:2/1/1,2:0.5")
+      ->capture_default_str();
+  std::string known;
+  for (const ObjectiveRow& row : objective_table()) known += std::string(" ") + row.name;
+  command.add_option("--objectives", objectives, "What spans the Pareto front; known are" + known)
+      ->capture_default_str();
+  command.add_flag("--uncertainty", uncertainty,
+                   "Draw the friction coefficients from their ranges and give each design's rank "
+                   "as a distribution");
+  command.add_option("--draws", draws, "Draws for --uncertainty")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  command.add_option("--seed", seed, "Seed of the draws")->capture_default_str();
+  command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+}  // namespace reeve::cli

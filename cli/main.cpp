@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/supervision.hpp"
+#include "core/error.hpp"
+#include "core/version.hpp"
+
+namespace reeve::cli {
+namespace {
+
+constexpr const char* description =
+    "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be\n"
+    "led through the fingers of a soft wearable hand.\n\n"
+    "A routing is written as the walk of its tendon, such as M-1-T-2-F or 1-P-2-P-1:\n"
+    "  1, 2, …  through that finger (b behind the number: a bearing at the fingertip)\n"
+    "  M, F     an end tied to the carriage of the motor, an end fixed at the hand\n"
+    "  T, B, P  strands joined by a tube, a pulley with bearing, a movable pulley on the carriage\n"
+    "  -, +     between tokens, between tendons; a walk back to its first finger is a loop\n"
+    "Names of the catalogue, such as TR7, can stand in place of a routing.";
+
+std::string version_text() {
+  const Version build = version();
+  return fmt::format("reeve {} ({})", build.number, build.commit);
+}
+
+int complain(const std::string& message, int exit_code) {
+  std::cerr << "reeve: " << message << '\n';
+  return exit_code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(description, "reeve");
+  int exit_code = done;
+  program.require_subcommand(1);
+  program.set_version_flag("--version", version_text());
+  add_explore(program, exit_code);
+  add_rank(program, exit_code);
+  add_show(program, exit_code);
+  add_count(program, exit_code);
+  add_check(program, exit_code);
+  program.footer("Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 interrupted.");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      return program.exit(error);
+    }
+    return complain(std::string(error.what()) + "; see reeve --help", bad_input);
+  }
+  std::cout.flush();
+  if (!std::cout) return complain("standard output cannot be written", interrupted);
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace reeve::cli
+
+int main(int argc, char** argv) {
+  using namespace reeve::cli;
+  try {
+    return run(argc, argv);
+  } catch (const reeve::InputError& error) {
+    return complain(error.what(), bad_input);
+  } catch (const Interrupted& error) {
+    return complain(error.what(), interrupted);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory", interrupted);
+  } catch (const std::exception& error) {
+    return complain(std::string("internal error: ") + error.what(), interrupted);
+  }
+}

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/supervision.hpp"
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "reports/rank_report.hpp"
+#include "search/evaluation.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct RankFlags {
+  std::vector<std::string> routings;
+  bool catalog = false;
+  RankingFlags ranking;
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue) {
+  std::vector<Routing> result;
+  if (flags.catalog) {
+    for (const CatalogueEntry& entry : catalogue.entries) result.push_back(entry.routing);
+  }
+  for (const std::string& text : flags.routings) {
+    result.push_back(read_actuated_routing(text, catalogue));
+  }
+  if (result.empty()) {
+    throw InputError("rank: nothing to rank; expected routings, or --catalog");
+  }
+  std::set<std::string> words;
+  for (const Routing& routing : result) {
+    const std::string word = to_word(routing);
+    if (finger_count(routing) == 0) {
+      throw InputError(fmt::format("routing '{}': it has no fingers, so there is nothing to rank",
+                                   word));
+    }
+    if (finger_count(routing) != finger_count(result.front())) {
+      throw InputError(fmt::format(
+          "routing '{}': it has {} fingers and '{}' has {}; only routings with the same number of "
+          "fingers can be compared",
+          word, finger_count(routing), to_word(result.front()), finger_count(result.front())));
+    }
+    if (!words.insert(word).second) {
+      throw InputError(fmt::format("routing '{}' is given twice", word));
+    }
+  }
+  return result;
+}
+
+int run(const RankFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const std::vector<Routing> given = routings(flags, catalogue);
+  const HardwareFile hardware = flags.hardware.read();
+  RankReport report;
+  report.objectives = parse_objectives(flags.ranking.objectives);
+  report.grasps = parse_grasps(flags.ranking.grasps, finger_count(given.front()));
+  report.hardware = hardware.hardware;
+  DesignEvaluator evaluator(hardware.hardware, report.grasps);
+  std::vector<Design> designs;
+  for (const Routing& routing : given) {
+    designs.push_back({to_word(routing), evaluator.evaluate(routing)});
+  }
+  const std::vector<RankedDesign> ranked = rank(designs, report.objectives);
+  std::vector<RankDistribution> distributions;
+  if (flags.ranking.uncertainty) {
+    report.uncertainty = UncertaintyOptions{hardware.hardware,   hardware.uncertainty,
+                                            report.grasps,       report.objectives,
+                                            flags.ranking.draws, flags.ranking.seed,
+                                            flags.ranking.threads};
+    ProgressLine progress("drawing");
+    distributions = rank_distributions(plain_designs(ranked), *report.uncertainty,
+                                       {std::ref(progress), &stop_on_interrupt()});
+    if (distributions.empty()) throw Interrupted();
+  }
+  report.designs = list_designs(ranked, distributions, catalogue);
+  if (flags.format.is("json")) {
+    std::cout << rank_json(report);
+  } else if (flags.format.is("csv")) {
+    std::cout << design_csv(report.designs);
+  } else {
+    std::cout << rank_table(report);
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_rank(CLI::App& program, int& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("rank", "Compare routings that you have in mind, best first");
+  auto flags = std::make_shared<RankFlags>();
+  command->add_option("routing", flags->routings, "Catalogue names or words");
+  command->add_flag("--catalog", flags->catalog, "All routings of the catalogue");
+  flags->ranking.add_to(*command);
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, {"table", "json", "csv"});
+  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace reeve::cli

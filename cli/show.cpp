@@ -1,0 +1,106 @@
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "core/canonical.hpp"
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "core/notation.hpp"
+#include "reports/names.hpp"
+#include "reports/show_report.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ShowFlags {
+  std::string routing;
+  std::vector<std::string> held;
+  std::string direction = "pull";
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+GraspSet grasps(const ShowFlags& flags, int fingers) {
+  if (flags.held.empty()) return single_grasps(fingers);
+  GraspSet grasps;
+  for (const std::string& held : flags.held) grasps.push_back({parse_grasp(held, fingers), 1});
+  return grasps;
+}
+
+// A contact override that hits nothing is likely a slip of the pen.
+void require_overrides_to_match(const Hardware& hardware, const Network& network,
+                                const std::string& word) {
+  const std::vector<std::string> unmatched =
+      MechanicsBuilder(hardware).unmatched_contacts(network);
+  if (unmatched.empty()) return;
+  throw InputError("hardware: contact '" + unmatched.front() + "': routing " + word +
+                   " has no contact between these segments");
+}
+
+ShowReport report(const ShowFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const Routing routing = read_actuated_routing(flags.routing, catalogue);
+  const Hardware hardware = flags.hardware.read().hardware;
+  ShowReport report;
+  report.word = to_word(routing);
+  report.canonical = to_word(canonical(routing, FingerIdentity::identical));
+  report.name = name_of(catalogue, report.word);
+  report.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
+  report.network = expand(routing);
+  require_overrides_to_match(hardware, report.network, report.word);
+  const Mechanics mechanics = reeve::mechanics(report.network, hardware);
+  const GraspSet grasps = cli::grasps(flags, report.network.fingers);
+  for (const WeightedGrasp& weighted : grasps) {
+    const TensionState state =
+        tensions(report.network, mechanics, weighted.grasp, report.direction);
+    report.grasps.push_back(
+        {weighted.grasp, state, performance(report.network, state, report.direction)});
+  }
+  report.values = DesignEvaluator(hardware, grasps).evaluate(routing);
+  return report;
+}
+
+std::string dot(const ShowFlags& flags, const ShowReport& report) {
+  if (flags.held.empty()) return to_dot(report.network, report.word);
+  if (flags.held.size() > 1) {
+    throw InputError("--format dot draws one grasp: expected --held once at most");
+  }
+  const ShownGrasp& shown = report.grasps.front();
+  return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
+}
+
+void run(const ShowFlags& flags) {
+  const ShowReport shown = report(flags);
+  if (flags.format.is("json")) {
+    std::cout << show_json(shown);
+  } else if (flags.format.is("dot")) {
+    std::cout << dot(flags, shown);
+  } else {
+    std::cout << show_table(shown);
+  }
+}
+
+}  // namespace
+
+void add_show(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "show", "One routing in full: tensions, shares, sliding directions and objectives");
+  auto flags = std::make_shared<ShowFlags>();
+  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
+  command
+      ->add_option("--held", flags->held,
+                   "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "
+                   "(default: none held and each one finger held)")
+      ->allow_extra_args(false);
+  command->add_option("--direction", flags->direction, "Which way the carriage moves")
+      ->check(CLI::IsMember({"pull", "release"}))
+      ->capture_default_str();
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, {"table", "json", "dot"});
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,23 @@
+# One source per header of ours, including only that header: it must not lean on what
+# others happened to include before it.
+file(GLOB headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
+     numerics/*.hpp core/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp reports/*.hpp
+     cli/*.hpp)
+set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")
+file(CONFIGURE OUTPUT "${sources}" CONTENT "")
+foreach(header IN LISTS headers)
+  string(REPLACE ".hpp" ".cpp" source "${PROJECT_BINARY_DIR}/generated/alone/${header}")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${header}\"\n")
+  list(APPEND sources "${source}")
+endforeach()
+
+add_library(reeve_headers_alone OBJECT ${sources})
+target_link_libraries(reeve_headers_alone PRIVATE
+  reeve_warnings reeve::reeve Boost::headers nlohmann_json::nlohmann_json CLI11::CLI11
+  fmt::fmt)
+if(REEVE_TESTS)
+  add_test(NAME headers.compile_alone
+           COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}"
+                   --target reeve_headers_alone)
+  set_tests_properties(headers.compile_alone PROPERTIES LABELS headers TIMEOUT 300)
+endif()

@@ -1,0 +1,20 @@
+# cmake -DSOURCE=<root> -DOUTPUT=<header> -DNUMBER=<version> -P version.cmake
+# Runs on every build; writes the header only when its text changed, so that a new
+# commit recompiles core/version.cpp and nothing else.
+set(commit "unknown")
+# Without this test a copy unpacked inside somebody else's checkout would name that one.
+if(EXISTS "${SOURCE}/.git")
+  execute_process(
+    COMMAND git -c "safe.directory=${SOURCE}" --no-optional-locks describe --always --dirty
+    WORKING_DIRECTORY "${SOURCE}"
+    OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE
+    ERROR_QUIET RESULT_VARIABLE result)
+  if(result EQUAL 0)
+    set(commit "${described}")
+  endif()
+endif()
+file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[
+#pragma once
+#define REEVE_VERSION_NUMBER "@NUMBER@"
+#define REEVE_VERSION_COMMIT "@commit@"
+]])

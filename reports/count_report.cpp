@@ -1,0 +1,22 @@
+#include "reports/count_report.hpp"
+
+#include "reports/json.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+
+std::string count_table(const RoutingCounts& counts) {
+  TextTable table({"<routings", "number"});
+  table.add({"all", std::to_string(counts.all)});
+  table.add({"every tendon actuated", std::to_string(counts.actuated)});
+  table.add({"actuated, one tendon", std::to_string(counts.one_tendon)});
+  return table.text();
+}
+
+std::string count_json(const RoutingCounts& counts) {
+  return print({{"all", counts.all},
+                {"actuated", counts.actuated},
+                {"one_tendon", counts.one_tendon}});
+}
+
+}  // namespace reeve

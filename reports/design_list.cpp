@@ -1,0 +1,112 @@
+#include "reports/design_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reports/names.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+bool with_distributions(const std::vector<ListedDesign>& designs) {
+  return !designs.empty() && designs.front().distribution.has_value();
+}
+
+std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
+
+// Names are the user's text, from catalogue files.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string range(const RankDistribution& distribution) {
+  return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
+}
+
+}  // namespace
+
+std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
+                                       const std::vector<RankDistribution>& distributions,
+                                       const Catalogue& catalogue) {
+  std::vector<ListedDesign> designs;
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    designs.push_back({ranked[i], name_of(catalogue, ranked[i].design.word), std::nullopt});
+    if (!distributions.empty()) designs.back().distribution = distributions[i];
+  }
+  return designs;
+}
+
+std::string design_table(const std::vector<ListedDesign>& designs) {
+  const bool uncertain = with_distributions(designs);
+  std::vector<std::string> headings{"rank",       "front",      "<name",   "<routing",
+                                    "uniformity", "worst",      "efficiency", "worst",
+                                    "force",      "jams",       "sheaths", "pulleys",
+                                    "knots",      "travel",     "return"};
+  if (uncertain) headings.insert(headings.end(), {"first", "median", "5–95 %"});
+  TextTable table(headings);
+  for (const ListedDesign& design : designs) {
+    std::vector<std::string> cells{std::to_string(design.ranked.rank),
+                                   std::to_string(design.ranked.front),
+                                   design.name.empty() ? "-" : design.name,
+                                   design.ranked.design.word};
+    for (const ObjectiveRow& row : objective_table()) {
+      const bool counted = row.objective >= Objective::jams && row.objective <= Objective::knots;
+      cells.push_back(fixed(value(design.ranked.design.values, row.objective), counted ? 0 : 3));
+    }
+    if (uncertain) {
+      cells.push_back(percent(design.distribution->first));
+      cells.push_back(fixed(design.distribution->median, 0));
+      cells.push_back(range(*design.distribution));
+    }
+    table.add(std::move(cells));
+  }
+  return table.text();
+}
+
+std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note) {
+  const bool uncertain = with_distributions(designs);
+  std::string csv = note.empty() ? "" : "# " + note + "\n";
+  csv += "rank,front,routing,name";
+  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95\n" : "\n";
+  for (const ListedDesign& design : designs) {
+    csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
+                       design.ranked.design.word, csv_field(design.name));
+    for (const double v : design.ranked.design.values) csv += fmt::format(",{}", v);
+    if (uncertain) {
+      const RankDistribution& d = *design.distribution;
+      csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+Json to_json(const ListedDesign& design) {
+  Json json{{"rank", design.ranked.rank},
+            {"front", design.ranked.front},
+            {"routing", design.ranked.design.word},
+            {"name", design.name.empty() ? Json(nullptr) : Json(design.name)}};
+  add_objectives(json, design.ranked.design.values);
+  if (design.distribution) {
+    json["rank_distribution"] = {{"first_share", design.distribution->first},
+                                 {"median", design.distribution->median},
+                                 {"p5", design.distribution->low},
+                                 {"p95", design.distribution->high}};
+  }
+  return json;
+}
+
+Json to_json(const std::vector<ListedDesign>& designs) {
+  Json json = Json::array();
+  for (const ListedDesign& design : designs) json.push_back(to_json(design));
+  return json;
+}
+
+}  // namespace reeve

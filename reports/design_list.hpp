@@ -1,0 +1,35 @@
+// A list of ranked designs as table, CSV and JSON: what `rank` and `explore` have in common.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "reports/json.hpp"
+#include "search/ranking.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve {
+
+struct ListedDesign {
+  RankedDesign ranked;
+  std::string name;  // "" if it has none
+  // Only where uncertainty was asked for.
+  std::optional<RankDistribution> distribution;
+};
+
+// `distributions` is parallel to `ranked`, or empty.
+std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
+                                       const std::vector<RankDistribution>& distributions,
+                                       const Catalogue& catalogue);
+
+std::string design_table(const std::vector<ListedDesign>& designs);
+
+// RFC 4180. A note, if any, becomes a comment line at the top.
+std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");
+
+Json to_json(const ListedDesign& design);
+Json to_json(const std::vector<ListedDesign>& designs);
+
+}  // namespace reeve

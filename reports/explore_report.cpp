@@ -1,0 +1,153 @@
+#include "reports/explore_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/names.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t shown_at_most = 10;
+
+std::vector<ListedDesign> first(const std::vector<ListedDesign>& designs, std::size_t count) {
+  return {designs.begin(),
+          designs.begin() + static_cast<std::ptrdiff_t>(std::min(count, designs.size()))};
+}
+
+double rate(const ExploreResult& result) {
+  return result.seconds > 0 ? static_cast<double>(result.evaluated) / result.seconds : 0;
+}
+
+std::string counts_text(const ExploreResult& result) {
+  std::string text = fmt::format("{} of {} routings generated", result.generated, result.total);
+  for (const Rejection& rejection : result.rejected) {
+    text += fmt::format(", {} rejected ({})", rejection.count, rejection.reason);
+  }
+  return text + fmt::format(", {} evaluated", result.evaluated);
+}
+
+std::string front_text(const ExploreReport& report) {
+  std::string text = fmt::format("Pareto front over {}: {} designs",
+                                 objective_names(report.options.objectives), report.front.size());
+  if (report.result.front_equals_left_out > 0) {
+    text += fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
+  }
+  if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
+  return text + "\n" + design_table(first(report.front, shown_at_most));
+}
+
+std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
+  if (reference.rank > 0) return std::to_string(reference.rank);
+  return report.result.evaluated > report.options.top ? fmt::format(">{}", report.options.top) : "-";
+}
+
+std::string known_text(const ExploreReport& report) {
+  if (report.result.references.empty()) return "";
+  TextTable table({"<name", "<routing", "rank", "front", "dominated by", "uniformity", "efficiency"});
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    table.add({report.reference_names[i], reference.design.word, standing(report, reference),
+               reference.front > 0 ? std::to_string(reference.front) : "-",
+               std::to_string(reference.dominated_by),
+               fixed(value(reference.design.values, Objective::uniformity_mean)),
+               fixed(value(reference.design.values, Objective::efficiency_mean))});
+  }
+  return "\nWhere the known routings stand\n" + table.text();
+}
+
+Json known_json(const ExploreReport& report) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    Json entry{{"name", report.reference_names[i]},
+               {"routing", reference.design.word},
+               {"rank", reference.rank > 0 ? Json(reference.rank) : Json(nullptr)},
+               {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
+               {"dominated_by", reference.dominated_by}};
+    add_objectives(entry, reference.design.values);
+    json.push_back(entry);
+  }
+  return json;
+}
+
+Json explore_settings(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  Json json{{"fingers", generator.fingers},
+            {"identical_fingers", generator.identity == FingerIdentity::identical},
+            {"parts",
+             {{"tips", tips_text(generator.parts)},
+              {"joins", joins_text(generator.parts)},
+              {"ends", ends_text(generator.parts)}}},
+            {"tendons", generator.one_tendon ? "one" : "any"},
+            {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
+            {"top", options.top}};
+  json["constraints"] = Json::array();
+  for (const Constraint& constraint : options.constraints) {
+    json["constraints"].push_back(constraint.text);
+  }
+  json.update(settings_json(options.objectives, options.grasps, options.hardware));
+  json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
+                             const std::vector<RankDistribution>& distributions,
+                             const Catalogue& catalogue) {
+  ExploreReport report;
+  report.options = options;
+  report.top = list_designs(result.top, distributions, catalogue);
+  report.front = list_designs(result.front, {}, catalogue);
+  for (std::size_t i = 0; i < std::min(report.front.size(), report.top.size()); ++i) {
+    report.front[i].distribution = report.top[i].distribution;
+  }
+  for (const ReferenceStanding& reference : result.references) {
+    report.reference_names.push_back(name_of(catalogue, reference.design.word));
+  }
+  report.result = std::move(result);
+  return report;
+}
+
+std::string explore_table(const ExploreReport& report) {
+  std::string text = counts_text(report.result);
+  text += fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
+  if (report.result.partial) text += "PARTIAL: " + partial_note(report) + "\n";
+  text += "\n" + front_text(report);
+  const std::vector<ListedDesign> top = first(report.top, shown_at_most);
+  text += fmt::format("\nTop {}\n{}", top.size(), design_table(top));
+  return text + known_text(report);
+}
+
+std::string partial_note(const ExploreReport& report) {
+  if (!report.result.partial) return "";
+  return fmt::format("partial: stopped after {} of {} routings; ranks are among these",
+                     report.result.generated, report.result.total);
+}
+
+std::string explore_summary_json(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  Json json{{"generated", result.generated}};
+  json["rejected"] = Json::object();
+  for (const Rejection& rejection : result.rejected) {
+    json["rejected"][rejection.reason] = rejection.count;
+  }
+  json["evaluated"] = result.evaluated;
+  json["partial"] = result.partial;
+  json["total"] = result.total;
+  json["seconds"] = result.seconds;
+  json["designs_per_second"] = rate(result);
+  json["front_equals_left_out"] = result.front_equals_left_out;
+  json["front"] = to_json(report.front);
+  json["top"] = to_json(report.top);
+  json["known"] = known_json(report);
+  json["settings"] = explore_settings(report);
+  json["version"] = version_json();
+  return print(json);
+}
+
+}  // namespace reeve

@@ -1,0 +1,34 @@
+// What `explore` and `rank` leave behind: tables for the terminal, CSV and JSON for everything else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "reports/design_list.hpp"
+#include "search/explore.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve {
+
+struct ExploreReport {
+  ExploreOptions options;
+  ExploreResult result;
+  std::vector<ListedDesign> front;
+  std::vector<ListedDesign> top;
+  std::vector<std::string> reference_names;  // parallel to result.references
+  // Only where uncertainty was asked for.
+  std::optional<UncertaintyOptions> uncertainty;
+};
+
+// Distributions are parallel to result.top, or empty. Designs of the front beyond the top have none.
+ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
+                             const std::vector<RankDistribution>& distributions,
+                             const Catalogue& catalogue);
+
+std::string explore_table(const ExploreReport& report);
+std::string explore_summary_json(const ExploreReport& report);
+// Set in the files of an exploration that was stopped; otherwise "".
+std::string partial_note(const ExploreReport& report);
+
+}  // namespace reeve

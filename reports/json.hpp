@@ -1,0 +1,37 @@
+// Pieces of the JSON interface that several reports share. docs/json.md describes it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "search/objectives.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve {
+
+using Json = nlohmann::ordered_json;
+
+// Two spaces, and a line end. Text that is no UTF-8 is shown with replacement characters.
+std::string print(const Json& json);
+
+// null where there is no number.
+Json number(double value);
+
+// {"uniformity":{"mean","worst"},"efficiency":{"mean","worst"},"force_transmission",…}
+void add_objectives(Json& target, const ObjectiveValues& values);
+
+Json to_json(const Hardware& hardware);
+Json to_json(const UncertaintyOptions& options);
+
+// {"objectives","grasps","hardware"}
+Json settings_json(const std::vector<Objective>& objectives, const GraspSet& grasps,
+                   const Hardware& hardware);
+
+std::string objective_names(const std::vector<Objective>& objectives);
+
+std::string version_json();
+
+}  // namespace reeve

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "catalog/catalogue.hpp"
+
+namespace reeve {
+
+// The catalogue's name of a routing, or "". Fingers count as identical: M-2-P-1-F is TR4 too.
+std::string name_of(const Catalogue& catalogue, const std::string& word);
+
+}  // namespace reeve

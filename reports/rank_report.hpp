@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "reports/design_list.hpp"
+#include "search/objectives.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve {
+
+struct RankReport {
+  std::vector<ListedDesign> designs;
+  std::vector<Objective> objectives;
+  GraspSet grasps;
+  Hardware hardware;
+  // Only where uncertainty was asked for.
+  std::optional<UncertaintyOptions> uncertainty;
+};
+
+std::string rank_table(const RankReport& report);
+std::string rank_json(const RankReport& report);
+
+}  // namespace reeve

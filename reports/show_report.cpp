@@ -1,0 +1,128 @@
+#include "reports/show_report.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/json.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+// "T1->a", "a->T1" or "no"
+std::string sliding(const Network& network, const ContactEnds& ends, double slip) {
+  const std::string left = name(network.segments[ends.left]);
+  const std::string right = name(network.segments[ends.right]);
+  if (slip == 0) return "no";
+  return slip > 0 ? left + "->" + right : right + "->" + left;
+}
+
+template <typename Visit>
+void for_each_contact(const Network& network, Visit visit) {
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      visit(ends_of(tendon, k), tendon.first_contact + k);
+    }
+  }
+}
+
+Json grasp_json(const Network& network, const ShownGrasp& shown) {
+  Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
+  json["tensions"] = Json::object();
+  json["shares"] = Json::object();
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    json["tensions"][name(network.segments[i])] = number(shown.state.tension[i]);
+    if (network.segments[i].kind != SegmentKind::strand) continue;
+    json["shares"][name(network.segments[i])] =
+        number(shown.state.tension[i] / shown.performance.force_transmission);
+  }
+  json["contacts"] = Json::array();
+  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
+    json["contacts"].push_back(
+        {{"between", {name(network.segments[ends.left]), name(network.segments[ends.right])}},
+         {"kind", name(network.contacts[contact].kind)},
+         {"slides", sliding(network, ends, shown.state.slip[contact])}});
+  });
+  json["uniformity"] = number(shown.performance.uniformity);
+  json["efficiency"] = number(shown.performance.efficiency);
+  json["force_transmission"] = number(shown.performance.force_transmission);
+  return json;
+}
+
+const char* name(Direction direction) {
+  return direction == Direction::pull ? "pull" : "release";
+}
+
+std::string heading(const ShowReport& report) {
+  std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
+  if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
+  return text;
+}
+
+std::string held_text(const ShownGrasp& shown) {
+  return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
+}
+
+std::string tension_table(const ShowReport& report) {
+  std::vector<std::string> headings{"<held"};
+  for (const Segment& segment : report.network.segments) headings.push_back(name(segment));
+  for (const char* figure : {"uniformity", "efficiency", "force"}) headings.emplace_back(figure);
+  TextTable table(headings);
+  for (const ShownGrasp& shown : report.grasps) {
+    std::vector<std::string> cells{held_text(shown)};
+    for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
+    cells.push_back(fixed(shown.performance.uniformity));
+    cells.push_back(fixed(shown.performance.efficiency));
+    cells.push_back(fixed(shown.performance.force_transmission));
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string contact_table(const ShowReport& report) {
+  std::vector<std::string> headings{"<contact", "<kind"};
+  for (const ShownGrasp& shown : report.grasps) headings.push_back("<held " + to_text(shown.grasp));
+  TextTable table(headings);
+  const Network& network = report.network;
+  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
+    std::vector<std::string> cells{
+        name(network.segments[ends.left]) + "-" + name(network.segments[ends.right]),
+        name(network.contacts[contact].kind)};
+    for (const ShownGrasp& shown : report.grasps) {
+      cells.push_back(sliding(network, ends, shown.state.slip[contact]));
+    }
+    table.add(cells);
+  });
+  return table.text();
+}
+
+std::string objective_lines(const ObjectiveValues& values) {
+  TextTable table({"<objective", "value", "<unit", "<meaning"});
+  for (const ObjectiveRow& row : objective_table()) {
+    table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+std::string show_table(const ShowReport& report) {
+  return fmt::format(
+      "{}\n\nTensions at motor tension 1, {}\n{}\nSliding\n{}\nOver these grasps\n{}",
+      heading(report), report.direction == Direction::pull ? "pulling" : "releasing",
+      tension_table(report), contact_table(report), objective_lines(report.values));
+}
+
+std::string show_json(const ShowReport& report) {
+  Json json{{"routing", report.word},
+            {"name", report.name.empty() ? Json(nullptr) : Json(report.name)},
+            {"canonical", report.canonical},
+            {"direction", name(report.direction)}};
+  json["grasps"] = Json::array();
+  for (const ShownGrasp& shown : report.grasps) {
+    json["grasps"].push_back(grasp_json(report.network, shown));
+  }
+  add_objectives(json, report.values);
+  return print(json);
+}
+
+}  // namespace reeve

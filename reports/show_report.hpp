@@ -1,0 +1,34 @@
+// One routing in full: tensions, shares and sliding directions in each grasp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/network.hpp"
+#include "core/performance.hpp"
+#include "core/tension.hpp"
+#include "search/objectives.hpp"
+
+namespace reeve {
+
+struct ShownGrasp {
+  Grasp grasp;
+  TensionState state;
+  Performance performance;
+};
+
+struct ShowReport {
+  std::string word;
+  std::string canonical;
+  std::string name;  // "" if it has none
+  Direction direction = Direction::pull;
+  Network network;
+  std::vector<ShownGrasp> grasps;
+  ObjectiveValues values{};  // over these grasps
+};
+
+std::string show_table(const ShowReport& report);
+std::string show_json(const ShowReport& report);
+
+}  // namespace reeve

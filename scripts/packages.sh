@@ -1,0 +1,44 @@
+# shellcheck shell=bash disable=SC2034
+# Sourced by run and .ci/run: which Debian packages are needed for what, and how to get
+# them.
+PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlopt-dev
+  libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libtomlplusplus-dev librandom123-dev)
+PACKAGES_TEST=(libgtest-dev librapidcheck-dev)
+PACKAGES_CI=(clang-format clang-tidy)
+# For the programs under bench/ and their comparisons; nothing here installs these unasked.
+PACKAGES_BENCH=(libbenchmark-dev nauty python3-numpy python3-scipy)
+
+# install_packages <log> <package...>: installs those that are missing. One query to dpkg
+# when none is. Without apt-get it leaves the verdict to CMake.
+install_packages() {
+  local log=$1 installed package sudo=()
+  shift
+  command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || return 0
+  # dpkg-query fails when it has never heard of one of them; what it prints still counts.
+  # shellcheck disable=SC2016
+  installed=" $(dpkg-query -W -f '${db:Status-Status}=${Package} ' "$@" 2>/dev/null || true)"
+  local missing=()
+  for package in "$@"; do
+    [[ $installed == *" installed=$package "* ]] || missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+
+  echo "reeve: installing ${missing[*]} …" >&2
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      echo "reeve: not root and no sudo here; please install: ${missing[*]}" >&2
+      return 1
+    fi
+    sudo=(sudo)
+  fi
+  if ! {
+    "${sudo[@]}" apt-get update &&
+      "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y \
+        --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
+  } >>"$log" 2>&1 </dev/null; then
+    tail -n 15 "$log" >&2
+    echo "reeve: apt-get could not install: ${missing[*]}" >&2
+    return 1
+  fi
+}

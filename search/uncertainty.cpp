@@ -1,0 +1,93 @@
+#include "search/uncertainty.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/notation.hpp"
+#include "numerics/parallel.hpp"
+#include "numerics/random.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve {
+namespace {
+
+double between(double low, double high, double share) { return low + (high - low) * share; }
+
+double varied(double nominal, double relative, double share) {
+  return nominal * between(1 - relative, 1 + relative, share);
+}
+
+// The ranks of the designs, in their order, for one draw of the hardware.
+std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings, std::vector<Design> designs,
+                                 const Hardware& hardware, const UncertaintyOptions& options) {
+  DesignEvaluator evaluator(hardware, options.grasps);
+  std::unordered_map<std::string, std::size_t> place;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    designs[i].values = evaluator.evaluate(routings[i]);
+    place[designs[i].word] = i;
+  }
+  std::vector<std::uint32_t> result(designs.size());
+  for (const RankedDesign& ranked : rank(std::move(designs), options.objectives)) {
+    result[place.at(ranked.design.word)] = static_cast<std::uint32_t>(ranked.rank);
+  }
+  return result;
+}
+
+// The smallest rank that at least this share of the draws do not exceed.
+double quantile(const std::vector<std::uint32_t>& sorted, double share) {
+  const double wanted = share * static_cast<double>(sorted.size());
+  auto index = static_cast<std::size_t>(wanted);
+  if (static_cast<double>(index) == wanted && index > 0) --index;
+  return sorted[std::min(index, sorted.size() - 1)];
+}
+
+RankDistribution distribution(std::vector<std::uint32_t> ranks) {
+  std::sort(ranks.begin(), ranks.end());
+  const auto first = std::upper_bound(ranks.begin(), ranks.end(), 1U) - ranks.begin();
+  return {static_cast<double>(first) / static_cast<double>(ranks.size()), quantile(ranks, 0.5),
+          quantile(ranks, 0.05), quantile(ranks, 0.95)};
+}
+
+}  // namespace
+
+Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw) {
+  const UncertaintyRanges& ranges = options.ranges;
+  const auto share = [&](std::uint32_t quantity) { return uniform(options.seed, quantity, draw); };
+  Hardware hardware = options.nominal;
+  hardware.tube.mu = between(ranges.tube_mu.low, ranges.tube_mu.high, share(0));
+  hardware.sheath.mu = between(ranges.sheath_mu.low, ranges.sheath_mu.high, share(1));
+  hardware.bearing.mu = varied(hardware.bearing.mu, ranges.bearing_mu_relative, share(2));
+  hardware.sheath.angle_rad =
+      varied(hardware.sheath.angle_rad, ranges.sheath_angle_relative, share(3));
+  return hardware;
+}
+
+std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,
+                                                 const UncertaintyOptions& options,
+                                                 const Supervision& supervision) {
+  std::vector<Routing> routings;
+  for (const Design& design : designs) routings.push_back(parse_routing(design.word));
+  std::vector<std::vector<std::uint32_t>> by_draw(options.draws);
+  Workers workers(options.threads);
+  // In slices, so that progress can be told and a stop heard between them.
+  const std::size_t slice = std::max<std::size_t>(workers.count() * 4, 16);
+  for (std::size_t begin = 0; begin < options.draws; begin += slice) {
+    const std::size_t size = std::min(slice, options.draws - begin);
+    workers.for_each_block(size, 1, [&](const IndexBlock& block) {
+      for (std::size_t d = begin + block.begin; d < begin + block.end; ++d) {
+        by_draw[d] = ranks(routings, designs, draw_hardware(options, d), options);
+      }
+    });
+    if (supervision.report) supervision.report({begin + size, options.draws});
+    if (supervision.stop != nullptr && supervision.stop->load()) return {};
+  }
+  std::vector<RankDistribution> result;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    std::vector<std::uint32_t> of_design;
+    for (const auto& draw : by_draw) of_design.push_back(draw[i]);
+    result.push_back(distribution(std::move(of_design)));
+  }
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,45 @@
+// How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated and
+// ranked anew for each draw, and each design's rank becomes a distribution.
+//
+// A draw holds for all parts of a kind at once (one spool of liner, one sort of bearing). Drawn,
+// uniformly and independently: mu of tubes, mu of sheaths, mu of bearings and the angle of sheaths.
+// What the hardware file sets for single fingers or contacts stays as it is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "search/explore.hpp"
+#include "search/ranking.hpp"
+
+namespace reeve {
+
+struct UncertaintyOptions {
+  Hardware nominal;
+  UncertaintyRanges ranges;
+  GraspSet grasps;
+  std::vector<Objective> objectives;
+  std::size_t draws = 1000;
+  std::uint64_t seed = 1;
+  int threads = 0;
+};
+
+struct RankDistribution {
+  double first = 0;  // share of draws in which the design is first
+  double median = 0;
+  double low = 0;   // 5 % quantile
+  double high = 0;  // 95 % quantile
+};
+
+// The hardware of draw number `draw`: a function of seed and number alone.
+Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw);
+
+// Ranks among the given designs, parallel to them. Empty if stopped.
+std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,
+                                                 const UncertaintyOptions& options,
+                                                 const Supervision& supervision = {});
+
+}  // namespace reeve
