@@ -1,0 +1,186 @@
+#include "core/canonical.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/notation.hpp"
+
+namespace reeve {
+namespace {
+
+std::string identical(const std::string& word) {
+  return to_word(canonical(parse_routing(word), FingerIdentity::identical));
+}
+std::string distinct(const std::string& word) {
+  return to_word(canonical(parse_routing(word), FingerIdentity::distinct));
+}
+
+const std::vector<std::string> published{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
+                                         "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
+
+TEST(Canonical, ThePublishedWordsAreCanonical) {
+  for (const std::string& word : published) {
+    EXPECT_EQ(identical(word), word);
+    EXPECT_EQ(distinct(word), word);
+  }
+}
+
+TEST(Canonical, AWalkBackwardsIsTheSameRouting) {
+  EXPECT_EQ(identical("F-2-T-1-M"), "M-1-T-2-F");
+  EXPECT_EQ(distinct("F-2-T-1-M"), "M-1-T-2-F");
+  EXPECT_EQ(distinct("F-1-T-2-M"), "M-2-T-1-F");
+  EXPECT_EQ(distinct("2-P-1-T-2"), "1-T-2-P-1");
+}
+
+TEST(Canonical, ALoopMayBeEnteredAtAnyFinger) {
+  for (const char* word : {"1-T-2-B-3-P-1", "2-B-3-P-1-T-2", "3-P-1-T-2-B-3", "1-P-3-B-2-T-1"}) {
+    EXPECT_EQ(distinct(word), "1-T-2-B-3-P-1");
+  }
+  EXPECT_EQ(identical("1b-T-2-B-1b"), "1-T-2b-B-1");
+}
+
+TEST(Canonical, IdenticalFingersMayBeRenamed) {
+  EXPECT_EQ(identical("M-2-P-1-F"), "M-1-P-2-F");
+  EXPECT_EQ(identical("M-3-F+2b-P-1-T-2b"), "1-T-2b-P-1+M-3-F");
+}
+
+TEST(Canonical, DistinctFingersKeepTheirNumbers) {
+  EXPECT_EQ(distinct("M-2-P-1-F"), "M-2-P-1-F");
+  EXPECT_NE(distinct("M-2-P-1-F"), distinct("M-1-P-2-F"));
+  EXPECT_EQ(distinct("2-P-2+M-1b-F"), "M-1b-F+2-P-2");
+  EXPECT_EQ(distinct("M-1-F+M-2-F"), distinct("M-2-F+M-1-F"));
+}
+
+TEST(Canonical, TendonsAreOrderedByFingersThenOpenOrClosedThenShapeThenNumbers) {
+  EXPECT_EQ(distinct("M-F+2-P-2+M-1-F+3-T-4-P-3"), "3-T-4-P-3+M-1-F+2-P-2+M-F");
+  EXPECT_EQ(distinct("F-P-3-F+M-2b-F+M-1-F"), "M-1-F+M-2b-F+F-3-P-F");
+  EXPECT_EQ(distinct("M-3-F+M-1-F+M-2-F"), "M-1-F+M-2-F+M-3-F");
+}
+
+TEST(Canonical, WalksAreOrderedTokenByToken) {
+  // Of two walks of a palindromic skeleton the canonical one begins with the earlier token.
+  EXPECT_EQ(distinct("F-1-M"), "M-1-F");                      // M before F
+  EXPECT_EQ(distinct("F-T-1-F"), "F-1-T-F");                  // a finger before a join
+  EXPECT_EQ(distinct("M-1b-T-2-M"), "M-2-T-1b-M");            // a tube tip before a bearing
+  EXPECT_EQ(distinct("M-B-1-T-M"), "M-T-1-B-M");              // T before B
+  EXPECT_EQ(distinct("M-P-1-B-M"), "M-B-1-P-M");              // B before P
+  EXPECT_EQ(distinct("M-2-T-1-M"), "M-1-T-2-M");              // finger numbers last
+  EXPECT_EQ(distinct("M-1b-T-2b-T-3-M"), "M-3-T-2b-T-1b-M");  // … behind the whole shape
+}
+
+TEST(Canonical, ShapesIgnoreFingerNumbersAndNothingElse) {
+  const auto alike = [](const char* a, const char* b) {
+    return same_shape(parse_routing(a).tendons[0], parse_routing(b).tendons[0]);
+  };
+  EXPECT_TRUE(alike("M-1-T-2-F", "M-2-T-1-F"));
+  EXPECT_TRUE(alike("1-P-2b-T-1", "2-P-1b-T-2"));
+  EXPECT_FALSE(alike("M-1-T-2-F", "M-1-B-2-F"));
+  EXPECT_FALSE(alike("M-1-T-2-F", "M-1-T-2b-F"));
+  EXPECT_FALSE(alike("M-1-F", "M-1-T-F"));
+  EXPECT_FALSE(alike("M-1-F", "M-1-T-2-F"));
+}
+
+// ---- symmetries, against all permutations of the fingers ----
+
+Routing renamed(Routing routing, const std::vector<int>& names) {
+  for (Token& token : routing.tendons.at(0).walk) {
+    if (token.kind == TokenKind::finger) {
+      token = finger(names[static_cast<std::size_t>(token.finger - 1)], token.tip);
+    }
+  }
+  return routing;
+}
+
+int permutations_that_change_nothing(const std::string& word) {
+  const Routing routing = parse_routing(word);
+  const Routing itself = canonical(routing, FingerIdentity::distinct);
+  std::vector<int> names(static_cast<std::size_t>(finger_count(routing)));
+  std::iota(names.begin(), names.end(), 1);
+  int count = 0;
+  do {
+    if (canonical(renamed(routing, names), FingerIdentity::distinct) == itself) ++count;
+  } while (std::next_permutation(names.begin(), names.end()));
+  return count;
+}
+
+TEST(Canonical, SymmetriesAreThePermutationsOfFingersThatChangeNothing) {
+  for (const std::string word :
+       {"M-1-F", "M-1-M", "M-F", "M-1-T-2-M", "M-1-T-2-F", "M-1-T-2b-M", "M-1-T-2-B-3-M",
+        "M-1-T-2-T-3-M", "F-1-P-2-T-3-P-4-F", "1-P-1", "1-T-P-1", "1-P-2-P-1", "1-T-2-P-1",
+        "1-T-2-T-3-T-1", "1-T-2-T-3-P-1", "1-T-2-P-3-T-4-P-1", "1-T-2b-T-3-T-4b-T-1",
+        "1-T-2-T-3-T-4-T-5-T-1", "1-T-P-2-T-P-1", "1-T-P-2-P-T-1"}) {
+    EXPECT_EQ(symmetries(parse_routing(word).tendons[0]), permutations_that_change_nothing(word))
+        << word;
+  }
+}
+
+TEST(Canonical, ATendonIsCanonicalIfNoOtherWayToWalkItComesEarlier) {
+  const auto tendon = [](const char* word) { return parse_routing(word).tendons.at(0); };
+  for (const char* word : {"M-1-T-2-F", "M-1-T-2-M", "1-T-2-P-1", "1-P-2b-P-1", "M-F", "F-1-T-F"}) {
+    EXPECT_TRUE(is_canonical(tendon(word))) << word;
+  }
+  for (const char* word : {"F-1-T-2-M", "M-2-T-1-M", "1-P-2-T-1", "2-T-1-P-2", "1b-P-2-P-1b"}) {
+    EXPECT_FALSE(is_canonical(tendon(word))) << word;
+  }
+}
+
+// ---- every two-finger routing of the paper's parts, in every way to write it ----
+
+std::vector<std::string> walks_over(const std::string& first, const std::string& second) {
+  std::vector<std::string> walks;
+  for (const std::string join : {"-T-", "-P-"}) {
+    for (const std::string begin : {"M-", "F-"}) {
+      for (const std::string end : {"-M", "-F"}) {
+        walks.push_back(begin + first + join + second + end);
+      }
+    }
+    for (const std::string back : {"-T-", "-P-"}) {
+      walks.push_back(first + join + second + back + first);
+    }
+  }
+  return walks;
+}
+
+std::vector<std::string> walks_over(const std::string& finger) {
+  return {"M-" + finger + "-M",      "M-" + finger + "-F",      "F-" + finger + "-M",
+          "F-" + finger + "-F",      finger + "-T-" + finger,   finger + "-P-" + finger};
+}
+
+std::vector<std::string> two_finger_words() {
+  std::vector<std::string> words = walks_over("1", "2");
+  for (const std::string& word : walks_over("2", "1")) words.push_back(word);
+  for (const std::string& one : walks_over("1")) {
+    for (const std::string& two : walks_over("2")) {
+      words.push_back(one + "+" + two);
+      words.push_back(two + "+" + one);
+    }
+  }
+  return words;
+}
+
+std::set<std::string> canonical_words(bool (*keep)(const Routing&)) {
+  std::set<std::string> found;
+  for (const std::string& word : two_finger_words()) {
+    const Routing routing = canonical(parse_routing(word), FingerIdentity::identical);
+    if (keep(routing)) found.insert(to_word(routing));
+  }
+  return found;
+}
+
+TEST(Canonical, TellsApartAllTwentyFourRoutingsOfTwoFingers) {
+  EXPECT_EQ(canonical_words([](const Routing&) { return true; }).size(), 24U);
+  EXPECT_EQ(canonical_words([](const Routing& r) { return is_actuated(r); }).size(), 13U);
+}
+
+TEST(Canonical, TheActuatedOneTendonRoutingsOfTwoFingersAreThePublishedOnes) {
+  EXPECT_EQ(canonical_words([](const Routing& r) { return is_actuated(r) && r.tendons.size() == 1; }),
+            std::set<std::string>(published.begin(), published.end()));
+}
+
+}  // namespace
+}  // namespace reeve

@@ -1,0 +1,117 @@
+#include "core/grasp.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/input_error.hpp"
+
+namespace reeve {
+namespace {
+
+std::string message(const std::string& text, int fingers) {
+  return testing::input_error([&] { parse_grasp(text, fingers); });
+}
+
+std::string set_message(const std::string& text, int fingers) {
+  return testing::input_error([&] { parse_grasps(text, fingers); });
+}
+
+TEST(Grasp, KnowsTheFingersThatItHolds) {
+  const Grasp grasp = hold({1, 3, 64});
+  EXPECT_TRUE(grasp.holds(1) && grasp.holds(3) && grasp.holds(64));
+  EXPECT_FALSE(grasp.holds(2) || grasp.holds(63));
+  EXPECT_EQ(held_fingers(grasp), (std::vector<int>{1, 3, 64}));
+  EXPECT_EQ(held_fingers(Grasp{}), std::vector<int>{});
+}
+
+TEST(Grasp, IsWrittenAsItsFingersInOrder) {
+  EXPECT_EQ(to_text(Grasp{}), "none");
+  EXPECT_EQ(to_text(hold({2})), "2");
+  EXPECT_EQ(to_text(hold({3, 1, 64})), "1,3,64");
+}
+
+TEST(Grasp, ReadsWhatItWrites) {
+  for (const std::string text : {"none", "1", "2,4", "1,2,3,4"}) {
+    EXPECT_EQ(to_text(parse_grasp(text, 4)), text);
+  }
+  EXPECT_EQ(parse_grasp("3,1", 4), hold({1, 3}));
+}
+
+TEST(GraspError, NamesTheItemAndTheFingersThatThereAre) {
+  const auto expected = [](const std::string& text, const std::string& item) {
+    return "held '" + text + "': '" + item +
+           "': expected none, or finger numbers from 1 to 3 such as 1,2";
+  };
+  for (const std::string item : {"4", "0", "-1", "one", "1.5", " 1", "1 ", "", "NONE",
+                                 "99999999999999999999"}) {
+    EXPECT_EQ(message(item, 3), expected(item, item));
+    EXPECT_EQ(message("2," + item, 3), expected("2," + item, item));
+  }
+  EXPECT_EQ(message("1,none", 3), expected("1,none", "none"));
+  EXPECT_EQ(message("1;2", 3), expected("1;2", "1;2"));
+}
+
+TEST(GraspError, NamesAFingerThatIsNamedTwice) {
+  EXPECT_EQ(message("1,2,1", 3), "held '1,2,1': finger 1 is named twice");
+}
+
+TEST(GraspSet, SingleIsNoneHeldAndEachFingerHeld) {
+  EXPECT_EQ(to_text(single_grasps(3)), "none/1/2/3");
+  EXPECT_EQ(to_text(parse_grasps("single", 2)), "none/1/2");
+}
+
+TEST(GraspSet, AllIsEverySetThatLeavesSomethingToClose) {
+  EXPECT_EQ(to_text(all_grasps(2)), "none/1/2");
+  EXPECT_EQ(to_text(parse_grasps("all", 3)), "none/1/2/1,2/3/1,3/2,3");
+  const GraspSet many = all_grasps(10);
+  std::set<std::uint64_t> held;
+  for (const WeightedGrasp& weighted : many) held.insert(weighted.grasp.held);
+  EXPECT_EQ(held.size(), 1023U);
+  EXPECT_EQ(many.size(), 1023U);
+}
+
+TEST(GraspSet, AllOfTooManyFingersIsRefused) {
+  EXPECT_EQ(all_grasps(16).size(), 65535U);
+  EXPECT_EQ(set_message("all", 17),
+            "grasps 'all': 17 fingers have 2^17 grasps; expected at most 16 fingers, or another "
+            "set");
+}
+
+TEST(GraspSet, PaperIsFingerOneHeld) {
+  EXPECT_EQ(to_text(parse_grasps("paper", 4)), "1");
+  EXPECT_EQ(to_text(paper_grasps()), "1");
+}
+
+TEST(GraspSet, ReadsHeldListsWithWeights) {
+  const GraspSet grasps = parse_grasps("none:2/1/1,2:0.5", 3);
+  ASSERT_EQ(grasps.size(), 3U);
+  EXPECT_EQ(grasps[0].grasp, Grasp{});
+  EXPECT_EQ(grasps[0].weight, 2);
+  EXPECT_EQ(grasps[1].grasp, hold({1}));
+  EXPECT_EQ(grasps[1].weight, 1);
+  EXPECT_EQ(grasps[2].grasp, hold({1, 2}));
+  EXPECT_EQ(grasps[2].weight, 0.5);
+  EXPECT_EQ(to_text(grasps), "none:2/1/1,2:0.5");
+}
+
+TEST(GraspSetError, NamesTheItemWhoseWeightIsWrong) {
+  for (const std::string item :
+       {"1:0", "1:-1", "1:nan", "1:inf", "1:1e7", "1:", "1:x", "1:1:1", "1:2 "}) {
+    EXPECT_EQ(set_message("none/" + item, 2),
+              "grasps 'none/" + item + "': '" + item +
+                  "': expected a held list and a weight from above 0 to 1e6, such as 1,2:0.5");
+  }
+}
+
+TEST(GraspSetError, NamesTheFingerThatDoesNotExist) {
+  EXPECT_EQ(set_message("none/3", 2),
+            "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2");
+  EXPECT_EQ(set_message("", 2),
+            "held '': '': expected none, or finger numbers from 1 to 2 such as 1,2");
+}
+
+}  // namespace
+}  // namespace reeve

@@ -1,0 +1,271 @@
+#include "core/tension.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/notation.hpp"
+#include "tests/support/input_error.hpp"
+#include "tests/support/random_routing.hpp"
+
+namespace reeve {
+namespace {
+
+using std::exp;
+using std::numbers::pi;
+
+// Tensions by segment name.
+class Solved {
+ public:
+  Solved(const std::string& word, const Hardware& hardware, Grasp grasp,
+         Direction direction = Direction::pull)
+      : network_(expand(parse_routing(word))),
+        state_(tensions(network_, mechanics(network_, hardware), grasp, direction)) {}
+
+  double operator[](const std::string& segment) const {
+    for (std::size_t i = 0; i < network_.segments.size(); ++i) {
+      if (name(network_.segments[i]) == segment) return state_.tension[i];
+    }
+    throw std::logic_error("no segment " + segment);
+  }
+
+  const TensionState& state() const { return state_; }
+
+ private:
+  Network network_;
+  TensionState state_;
+};
+
+// ---- the paper's closed forms, finger 1 held ----
+
+// Friction exponents of the paper's three kinds of contact.
+struct Friction {
+  double s;  // sheath: mu_s theta_s
+  double t;  // tube: mu_t pi
+  double b;  // bearing: mu_b pi
+};
+
+using Strands = std::array<double, 4>;  // T1 … T4 at T_M = 1
+
+Strands equation_5(const Friction& f) {  // TR1
+  return {exp(-f.s), exp(-f.s - f.t), exp(-f.s - 2 * f.t), exp(-f.s - 3 * f.t)};
+}
+
+Strands equation_8(const Friction& f) {  // TR2
+  const double k = 1 / (1 + exp(-f.t));
+  return {k * exp(-f.s), k * exp(-f.s - f.t), k * exp(-f.s - 2 * f.t), k * exp(-f.s - f.t)};
+}
+
+Strands equation_11(const Friction& f) {  // TR3
+  const double k = 1 / (1 + exp(-f.b));
+  return {k * exp(-f.s - f.t), k * exp(-f.s), k * exp(-f.b - f.s), k * exp(-f.b - f.s - f.t)};
+}
+
+Strands equation_14(const Friction& f) {  // TR4
+  const double k = 1 / (1 + exp(-2 * f.s - f.t) + exp(-2 * f.s - f.t - f.b));
+  return {k * exp(-f.s), k * exp(-f.s - f.t), k * exp(-3 * f.s - f.t - f.b),
+          k * exp(-3 * f.s - 2 * f.t - f.b)};
+}
+
+Strands equation_17(const Friction& f) {  // TR5
+  const double k = 1 / (1 + exp(-2 * f.s - f.t) * (1 + exp(-f.b) + exp(-f.t - f.b)));
+  return {k * exp(-f.s), k * exp(-f.s - f.t), k * exp(-3 * f.s - f.t - f.b),
+          k * exp(-3 * f.s - 2 * f.t - f.b)};
+}
+
+Strands equation_20(const Friction& f) {  // TR6
+  const double k = 1 / (1 + exp(-f.b));
+  return {k * exp(-f.s), k * exp(-f.s - f.t), k * exp(-f.b - f.s - f.t), k * exp(-f.s - f.b)};
+}
+
+Strands equation_23(const Friction& f) {  // TR7
+  const double k = 0.5 / (1 + exp(-f.b));
+  return {k * exp(-f.s), k * exp(-f.s), k * exp(-f.s - f.b), k * exp(-f.s - f.b)};
+}
+
+Hardware random_coefficients(testing::Dice& dice) {
+  Hardware hardware;
+  hardware.tube.mu = dice.real(0.01, 0.4);
+  hardware.sheath = {dice.real(0.01, 0.4), dice.real(0.5, 12)};
+  hardware.bearing.mu = dice.log_real(1e-4, 0.02);
+  return hardware;
+}
+
+Friction exponents(const Hardware& h) {
+  return {h.sheath.exponent(), h.tube.exponent(), h.bearing.exponent()};
+}
+
+void expect_strands(const std::string& word, const Hardware& hardware, const Strands& expected) {
+  const Solved found(word, hardware, hold({1}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double tension = found["T" + std::to_string(i + 1)];
+    EXPECT_NEAR(tension, expected[i], 1e-9 * expected[i]) << word << " T" << i + 1;
+  }
+}
+
+void expect_closed_form(const std::string& word, Strands (*equation)(const Friction&),
+                        bool (*applies)(const Hardware&)) {
+  testing::Dice dice(20);
+  for (int found = 0; found < 1000;) {
+    const Hardware hardware = random_coefficients(dice);
+    if (!applies(hardware)) continue;
+    expect_strands(word, hardware, equation(exponents(hardware)));
+    ++found;
+  }
+}
+
+bool always(const Hardware&) { return true; }
+
+TEST(PaperTension, Equation5GivesTr1) { expect_closed_form("M-1-T-2-F", equation_5, always); }
+TEST(PaperTension, Equation8GivesTr2) { expect_closed_form("M-1-T-2-M", equation_8, always); }
+TEST(PaperTension, Equation11GivesTr3) { expect_closed_form("F-1-P-2-F", equation_11, always); }
+TEST(PaperTension, Equation14GivesTr4) { expect_closed_form("M-1-P-2-F", equation_14, always); }
+TEST(PaperTension, Equation17GivesTr5) { expect_closed_form("M-1-P-2-M", equation_17, always); }
+TEST(PaperTension, Equation23GivesTr7) { expect_closed_form("1-P-2-P-1", equation_23, always); }
+
+// Eq. 20 lets T2 and T3 differ by the bearing's factor while the tube between them holds, which a
+// tube can do only if it has at least the bearing's friction.
+bool tube_can_hold_against_the_bearing(const Hardware& h) { return h.bearing.mu <= h.tube.mu; }
+
+TEST(PaperTension, Equation20GivesTr6WhileTheTubeHolds) {
+  expect_closed_form("1-T-2-P-1", equation_20, tube_can_hold_against_the_bearing);
+}
+
+TEST(PaperTension, WithABearingWorseThanTheTubeTr6SlidesThroughTheTubeInstead) {
+  Hardware hardware;
+  hardware.tube.mu = 0.01;
+  hardware.bearing.mu = 0.02;
+  const Solved found("1-T-2-P-1", hardware, hold({1}));
+  const Friction f = exponents(hardware);
+  EXPECT_NEAR(found["T3"], found["T2"] * exp(-f.t), 1e-12);  // Eq. 20 has e^{-b}
+  EXPECT_GT(found["b"], found["a"] * exp(-f.b));             // the pulley stands
+}
+
+// ---- release, jam, bench ----
+
+TEST(Tension, ReleasingTurnsEveryRatioOfASlidingTendonRound) {
+  const Solved found("M-1-T-2-F", Hardware{}, Grasp{}, Direction::release);
+  const Friction f = exponents(Hardware{});
+  EXPECT_NEAR(found["T1"], exp(f.s), 1e-12);
+  EXPECT_NEAR(found["T4"], exp(f.s + 3 * f.t), 1e-10);
+}
+
+TEST(Tension, OfAJammedTendonFallsFromTheCarriageAtEveryContact) {
+  const Solved found("M-1-F", Hardware{}, hold({1}));
+  const Friction f = exponents(Hardware{});
+  EXPECT_TRUE(found.state().jams);
+  EXPECT_NEAR(found["T1"], exp(-f.s), 1e-12);
+  EXPECT_NEAR(found["T2"], exp(-f.s - f.t), 1e-12);
+}
+
+TEST(Tension, OfAJammedTendonInReleaseIsHighestAtTheHand) {
+  // T1 and T2 stay stretched by the same length; a gives way as far as its sheath lets it.
+  const Solved found("M-1-F", Hardware{}, hold({1}), Direction::release);
+  const Friction f = exponents(Hardware{});
+  EXPECT_NEAR(found["T1"], exp(f.s), 1e-12);
+  EXPECT_NEAR(found["T2"], found["T1"] * (1 + exp(-f.s)), 1e-12);  // T2 L = T1 L + a L
+}
+
+TEST(Tension, OnATestBenchIsTheSheathsCapstanFactor) {
+  const double s = Hardware{}.sheath.exponent();
+  EXPECT_NEAR(Solved("M-F", Hardware{}, Grasp{})["h1"], exp(-s), 1e-12);
+  EXPECT_NEAR(Solved("M-F", Hardware{}, Grasp{}, Direction::release)["h1"], exp(s), 1e-12);
+  const double t = Hardware{}.tube.exponent();
+  EXPECT_NEAR(Solved("M-T-F", Hardware{}, Grasp{})["h2"], exp(-s - t), 1e-12);
+}
+
+TEST(Tension, AJammedTendonTakesTheWholeMotorTension) {
+  const Solved found("M-1-F+M-2-F", Hardware{}, hold({2}));
+  EXPECT_TRUE(found.state().jams);
+  EXPECT_EQ(found["a"], 0);
+  EXPECT_EQ(found["T1"], 0);
+  EXPECT_EQ(found["T2"], 0);
+  EXPECT_DOUBLE_EQ(found["b"], 1);
+}
+
+TEST(Tension, JammedTendonsShareTheMotorTensionByStiffness) {
+  Hardware hardware;
+  hardware.tube.mu = hardware.sheath.mu = 0;
+  FingerHardware second;
+  second.finger = 2;
+  second.strand_mm = 300;
+  hardware.fingers = {second};
+  // Frictionless: T L = travel, with L = 300 and 700 mm.
+  const Solved found("M-1-F+M-2-F", hardware, hold({1, 2}));
+  EXPECT_NEAR(found["a"], 0.7, 1e-12);
+  EXPECT_NEAR(found["b"], 0.3, 1e-12);
+}
+
+// ---- several tendons ----
+
+TEST(Tension, TendonsTakeUpTheSameFractionOfTheirTravel) {
+  // Scale of a tendon: take-up / Σ t_i L_i, with t_i its tensions at t = 1 on its motor side.
+  Hardware hardware;
+  hardware.strand_mm = 80;
+  hardware.motor_side_mm = 250;
+  const Friction f = exponents(hardware);
+  const double one = 1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t)));
+  const double two = 1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t) + exp(-f.s - 2 * f.t) +
+                                      exp(-f.s - 3 * f.t)));
+  const Solved found("M-1-F+M-2-T-3-F", hardware, Grasp{});
+  EXPECT_NEAR(found["a"], one / (one + two), 1e-12);
+  EXPECT_NEAR(found["b"], two / (one + two), 1e-12);
+  EXPECT_NEAR(found["T6"], two / (one + two) * exp(-f.s - 3 * f.t), 1e-12);
+}
+
+TEST(Tension, ATendonWithTwoMotorSidesTakesUpTwice) {
+  Hardware hardware;
+  hardware.tube.mu = hardware.sheath.mu = hardware.bearing.mu = 0;
+  // Frictionless: 2 / (2 + 2) against 1 / (1 + 2) segments of the same length.
+  const Solved found("M-1-M+M-2-F", hardware, Grasp{});
+  EXPECT_NEAR(found["T1"] / found["T3"], 1.5, 1e-12);
+  EXPECT_NEAR(found["a"] + found["b"] + found["c"], 1, 1e-12);
+}
+
+// ---- the solver as an object ----
+
+TEST(TensionSolver, ReportsSlipAndClosing) {
+  const TensionState state = Solved("M-1-T-2-M", Hardware{}, hold({1})).state();
+  EXPECT_EQ(state.slip, (std::vector<double>{-1, -1, -1, 0, 1}));
+  EXPECT_EQ(state.closing, (std::vector<double>{0, 1}));
+  EXPECT_FALSE(state.jams);
+}
+
+TEST(TensionSolver, ForgetsTheNetworkBefore) {
+  TensionSolver solver;
+  TensionState state;
+  for (const std::string word : {"1-P-2-P-1+M-3-F", "M-1-F", "F-1-P-2-F"}) {
+    const Network network = expand(parse_routing(word));
+    const Mechanics m = mechanics(network, Hardware{});
+    solver.solve(network, m, Grasp{}, Direction::pull, state);
+    EXPECT_EQ(state.tension, tensions(network, m, Grasp{}).tension) << word;
+    EXPECT_EQ(state.slip.size(), network.contacts.size());
+    EXPECT_EQ(state.closing.size(), static_cast<std::size_t>(network.fingers));
+  }
+}
+
+const std::string no_motor_tension =
+    "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
+    "that tensions fall out of range";
+
+TEST(TensionSolver, NeedsAMotor) {
+  EXPECT_EQ(testing::input_error([] { Solved("F-1-F", Hardware{}, Grasp{}); }), no_motor_tension);
+  EXPECT_EQ(testing::input_error([] { Solved("1-T-1", Hardware{}, Grasp{}); }), no_motor_tension);
+}
+
+TEST(TensionSolver, RefusesFrictionThatNoDoubleCanHold) {
+  Hardware hardware;
+  hardware.tube = {2, 5};
+  std::string word = "M-1";
+  for (int f = 2; f <= max_fingers; ++f) word += "-T-" + std::to_string(f);
+  word += "-F";
+  EXPECT_EQ(testing::input_error([&] { Solved(word, hardware, Grasp{}); }), no_motor_tension);
+}
+
+}  // namespace
+}  // namespace reeve

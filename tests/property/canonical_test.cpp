@@ -1,0 +1,130 @@
+#include "core/canonical.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/property/any_routing.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+
+// ---- other ways to write the same routing ----
+
+Tendon reversed(const Tendon& tendon) {
+  Tendon result = tendon;
+  std::reverse(result.walk.begin(), result.walk.end());
+  // A loop's walk begins with a finger, so backwards it ends with one: that one goes first.
+  if (tendon.closed) std::rotate(result.walk.begin(), result.walk.end() - 1, result.walk.end());
+  return result;
+}
+
+Tendon entered_elsewhere(Tendon tendon, Dice& dice) {
+  if (!tendon.closed) return tendon;
+  do {
+    std::rotate(tendon.walk.begin(), tendon.walk.begin() + 1, tendon.walk.end());
+  } while (tendon.walk.front().kind != TokenKind::finger || dice.chance(0.5));
+  return tendon;
+}
+
+Routing disguised(const Routing& routing, Dice& dice) {
+  Routing result;
+  for (const Tendon& tendon : routing.tendons) {
+    result.tendons.push_back(
+        entered_elsewhere(dice.chance(0.5) ? reversed(tendon) : tendon, dice));
+  }
+  dice.shuffle(result.tendons);
+  return result;
+}
+
+Routing renamed(Routing routing, Dice& dice) {
+  std::vector<int> names(static_cast<std::size_t>(finger_count(routing)));
+  std::iota(names.begin(), names.end(), 1);
+  dice.shuffle(names);
+  for (Tendon& tendon : routing.tendons) {
+    for (Token& token : tendon.walk) {
+      if (token.kind != TokenKind::finger) continue;
+      token = finger(names[static_cast<std::size_t>(token.finger - 1)], token.tip);
+    }
+  }
+  return routing;
+}
+
+Dice any_dice() { return Dice(*rc::gen::arbitrary<std::uint64_t>()); }
+
+RC_GTEST_PROP(CanonicalProperty, DoesNotDependOnHowTendonsAreWalkedAndListed, ()) {
+  const Routing routing = *testing::any_routing();
+  Dice dice = any_dice();
+  for (const FingerIdentity identity : {FingerIdentity::identical, FingerIdentity::distinct}) {
+    RC_ASSERT(canonical(disguised(routing, dice), identity) == canonical(routing, identity));
+  }
+}
+
+RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersDoesNotDependOnTheirNames, ()) {
+  const Routing routing = *testing::any_routing();
+  Dice dice = any_dice();
+  RC_ASSERT(canonical(disguised(renamed(routing, dice), dice), FingerIdentity::identical) ==
+            canonical(routing, FingerIdentity::identical));
+}
+
+RC_GTEST_PROP(CanonicalProperty, IsItsOwnCanonicalForm, ()) {
+  const Routing routing = *testing::any_routing();
+  for (const FingerIdentity identity : {FingerIdentity::identical, FingerIdentity::distinct}) {
+    const Routing once = canonical(routing, identity);
+    RC_ASSERT(canonical(once, identity) == once);
+  }
+}
+
+// What stands next to each finger, in either order.
+using Neighbours = std::map<int, std::vector<std::pair<TokenKind, int>>>;
+
+void add_neighbours(const Tendon& tendon, Neighbours& neighbours) {
+  const std::size_t n = tendon.walk.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (tendon.walk[i].kind != TokenKind::finger) continue;
+    for (const std::size_t j : {(i + n - 1) % n, (i + 1) % n}) {
+      neighbours[tendon.walk[i].finger].emplace_back(tendon.walk[j].kind, tendon.walk[j].finger);
+    }
+    auto& both = neighbours[tendon.walk[i].finger];
+    std::sort(both.begin(), both.end());
+    both.emplace_back(TokenKind::finger, static_cast<int>(tendon.walk[i].tip));
+  }
+}
+
+Neighbours neighbours_of(const Routing& routing) {
+  Neighbours neighbours;
+  for (const Tendon& tendon : routing.tendons) add_neighbours(tendon, neighbours);
+  return neighbours;
+}
+
+RC_GTEST_PROP(CanonicalProperty, OfDistinctFingersKeepsEachFingerBetweenItsParts, ()) {
+  const Routing routing = *testing::any_routing();
+  RC_ASSERT(neighbours_of(canonical(routing, FingerIdentity::distinct)) == neighbours_of(routing));
+}
+
+RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersNumbersThemInTheOrderOfTheWord, ()) {
+  const Routing routing = canonical(*testing::any_routing(), FingerIdentity::identical);
+  int next = 1;
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& token : tendon.walk) {
+      if (token.kind == TokenKind::finger) RC_ASSERT(token.finger == next++);
+    }
+  }
+}
+
+RC_GTEST_PROP(CanonicalProperty, ATendonIsCanonicalOnlyAsTheCanonicalFormHasIt, ()) {
+  for (const Tendon& tendon : (*testing::any_routing()).tendons) {
+    const Routing least = canonical(Routing{{tendon}}, FingerIdentity::distinct);
+    RC_ASSERT(is_canonical(tendon) == (least.tendons[0] == tendon));
+  }
+}
+
+}  // namespace
+}  // namespace reeve

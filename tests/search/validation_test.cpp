@@ -1,0 +1,104 @@
+// The published result, as a result of the model: of the paper's seven routings, TR7 is first.
+//
+// Held for all friction coefficients of tubes and sheaths in the literature range of Teflon on
+// steel, 0.05 to 0.20, at sheath angle 2 pi and bearing friction 0.001.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/notation.hpp"
+#include "search/evaluation.hpp"
+#include "search/ranking.hpp"
+
+namespace reeve {
+namespace {
+
+const std::vector<std::string>& published() {
+  static const std::vector<std::string> words{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
+                                              "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
+  return words;
+}
+const std::string& tr1() { return published().front(); }
+const std::string& tr7() { return published().back(); }
+
+std::vector<Design> evaluated(const Hardware& hardware, const GraspSet& grasps) {
+  DesignEvaluator evaluator(hardware, grasps);
+  std::vector<Design> designs;
+  for (const std::string& word : published()) {
+    designs.push_back({word, evaluator.evaluate(parse_routing(word))});
+  }
+  return designs;
+}
+
+std::vector<Hardware> friction_grid() {
+  std::vector<Hardware> grid;
+  for (int tube = 5; tube <= 20; ++tube) {
+    for (int sheath = 5; sheath <= 20; ++sheath) {
+      Hardware hardware;
+      hardware.tube.mu = 0.01 * tube;
+      hardware.sheath.mu = 0.01 * sheath;
+      grid.push_back(hardware);
+    }
+  }
+  return grid;
+}
+
+std::string to_text(const Hardware& hardware) {
+  return "mu_t " + std::to_string(hardware.tube.mu) + ", mu_s " +
+         std::to_string(hardware.sheath.mu);
+}
+
+void expect_tr7_first(const GraspSet& grasps, const std::vector<Objective>& objectives) {
+  for (const Hardware& hardware : friction_grid()) {
+    SCOPED_TRACE(to_text(hardware));
+    const std::vector<Design> designs = evaluated(hardware, grasps);
+    const Design& best = designs.back();
+    for (std::size_t other = 0; other + 1 < designs.size(); ++other) {
+      for (const Objective objective : objectives) {
+        EXPECT_GT(value(best.values, objective), value(designs[other].values, objective))
+            << designs[other].word << " " << row(objective).name;
+      }
+    }
+    const std::vector<RankedDesign> ranked = rank(designs, objectives);
+    EXPECT_EQ(ranked[0].design.word, tr7());
+    EXPECT_EQ(ranked[0].front, 1);
+    EXPECT_EQ(ranked[1].front, 2);
+  }
+}
+
+TEST(Validation, Tr7IsFirstOnBothObjectivesInThePapersGrasp) {
+  expect_tr7_first(paper_grasps(), {Objective::uniformity_mean, Objective::efficiency_mean});
+}
+
+TEST(Validation, Tr7IsFirstOnBothObjectivesInTheMeanOverTheGrasps) {
+  expect_tr7_first(single_grasps(2), {Objective::uniformity_mean, Objective::efficiency_mean});
+}
+
+TEST(Validation, Tr7IsFirstOnBothObjectivesInTheWorstGrasp) {
+  expect_tr7_first(single_grasps(2), {Objective::uniformity_worst, Objective::efficiency_worst});
+}
+
+void print_force(const GraspSet& grasps, const Hardware& h) {
+  for (const RankedDesign& r : rank(evaluated(h, grasps), {Objective::force_transmission}))
+    std::printf("%s %.4f  ", r.design.word.c_str(), value(r.design.values, Objective::force_transmission));
+  std::printf("\n");
+}
+
+TEST(Validation, PrintForce) {
+  print_force(paper_grasps(), Hardware{});
+  print_force(single_grasps(2), Hardware{});
+  int first[2] = {0, 0}, last[2] = {0, 0}, n = 0;
+  for (const Hardware& hardware : friction_grid()) {
+    ++n;
+    for (int k = 0; k < 2; ++k) {
+      const auto r = rank(evaluated(hardware, k == 0 ? paper_grasps() : single_grasps(2)), {Objective::force_transmission});
+      first[k] += r.front().design.word == tr1();
+      last[k] += r.back().design.word == tr7();
+    }
+  }
+  std::printf("paper: TR1 first %d TR7 last %d of %d; mean: %d %d\n", first[0], last[0], n, first[1], last[1]);
+}
+
+}  // namespace
+}  // namespace reeve

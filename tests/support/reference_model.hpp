@@ -1,0 +1,78 @@
+// A second, independent solver of the tension model, for tests only. It shares no code and no
+// method with the library that it judges.
+//
+// Model. A tendon is a path (or a closed loop) of segments i with tension T_i = e^{u_i}, length
+// L_i and EA = 1, joined by contacts k with friction exponent phi_k = mu * angle. Carriage and
+// fingers impose e_i = e0_i + eps E_i on segment i; the tensions minimise
+//
+//     sum_i [ L_i e^{u_i} - (E_i + e0_i / eps) u_i ]   subject to |u_left - u_right| <= phi_k
+//
+// in the limit eps -> 0 of a nearly inextensible tendon (u is counted from ln eps). With D = 1:
+//
+//     pull             e0 = +1 on motor-side segments, -dl on the strands of closing fingers;
+//                      E = +dl on those strands
+//     release          e0 reversed; E = +1 on motor-side segments
+//     jammed pull      e0 = 0; E = 1 on motor-side segments
+//     jammed release   e0 = 0; E = 1 on all the others
+//
+// dl is shared among the closing fingers of a tendon by weight so that its e0 sums to zero; a
+// tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
+//
+// For eps below a threshold the minimiser no longer depends on eps (exact regularisation of the
+// linear program that e0 poses), so that nothing is extrapolated. An interior-point method at one
+// eps finds which contacts are at a bound; from these the limit is solved in closed form and its
+// optimality conditions are verified. An unverified answer is never returned.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace reeve::testing {
+
+/// phi = mu * angle.
+struct ReferenceLaw {
+  double mu;
+  double angle;
+};
+
+struct ReferenceHardware {
+  ReferenceLaw tube, bearing, sheath;
+  double strand_length = 1, motor_side_length = 1, hand_length = 1;
+  /// Friction exponent of one contact, by the names of its left and right segment.
+  std::function<double(const std::string& left, const std::string& right, double nominal_phi)>
+      phi_override;
+  std::function<double(const std::string& segment, double nominal)> length_override;
+  /// Fingers that are not listed have weight 1.
+  std::map<int, double> closing_weight;
+};
+
+enum class ReferenceDirection { pull, release };
+
+struct ReferenceContact {
+  std::string left, right;
+  std::string kind;  ///< "tube", "bearing" or "sheath"
+  double phi;
+  /// From left to right, in the limit, at D = 1; 0 everywhere if the grasp jams. The free
+  /// circulation of a loop minimises sum phi |slip|; from an interval of minimisers, its middle.
+  double slip;
+};
+
+struct ReferenceResult {
+  bool jams;
+  /// By segment name (T1, ...; a, b, ...; h1, ...); the motor-side segments sum to 1.
+  std::map<std::string, double> tension;
+  std::vector<ReferenceContact> contacts;
+  /// Finger -> dl >= 0 at D = 1 (its opening, in release); 0 if held or if the grasp jams.
+  std::map<int, double> closing;
+};
+
+/// `word` must be valid: tokens M F T B P and fingers, plain or with suffix b.
+/// Throws std::invalid_argument on any other token and on a tendon without motor-side segment,
+/// std::logic_error if the optimality conditions could not be met.
+ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
+                                   ReferenceDirection direction, const ReferenceHardware& hardware);
+
+}  // namespace reeve::testing
