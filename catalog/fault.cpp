@@ -31,7 +31,7 @@ std::string describe(const Losses& losses) {
 
 std::string describe(const FactorFault& fault) {
   const std::string losses = describe(fault.left_out);
-  const std::string times = fault.times == 1 ? "" : fmt::format("times {:g}", fault.times);
+  std::string times = fault.times == 1 ? "" : fmt::format("times {:g}", fault.times);
   if (losses.empty()) return times;
   const std::string without =
       fmt::format("without {} (times {:.4g})", losses, 1 / decay(fault.left_out));
@@ -60,7 +60,6 @@ std::optional<std::string> explain(const FactorFault& fault, const DifferingNumb
   const std::vector<double> tension = faulty_tensions(fault, number.solution.tension);
   const std::string& digits = number.printed().digits;
   if (number.quantity == Quantity::tension) {
-    if (!concerns(fault, number.strand)) return std::nullopt;
     const double faulty = tension[number.strand];
     if (!rounds_to(faulty, number.printed())) return std::nullopt;
     return fmt::format("{} is the computed {:.4g} {}, which gives {:.4g}", digits,

@@ -56,6 +56,7 @@ Solution solve(const CatalogueEntry& entry) {
 std::vector<double> shares_percent(const std::vector<double>& tension) {
   const double sum = std::accumulate(tension.begin(), tension.end(), 0.0);
   std::vector<double> shares;
+  shares.reserve(tension.size());
   for (const double t : tension) shares.push_back(100 * t / sum);
   return shares;
 }

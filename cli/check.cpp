@@ -11,7 +11,8 @@ namespace reeve::cli {
 
 void add_check(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
-      "check", "Recompute every published number of the catalogue, and say where and why they differ");
+      "check",
+      "Recompute every published number of the catalogue, and say where and why they differ");
   auto format = std::make_shared<FormatOption>();
   format->add_to(*command, {"table", "json"});
   command->callback([format, &exit_code] {

@@ -1,3 +1,5 @@
+#include "search/explore.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,7 +15,6 @@
 #include "core/canonical.hpp"
 #include "reports/explore_report.hpp"
 #include "reports/files.hpp"
-#include "search/explore.hpp"
 #include "search/uncertainty.hpp"
 
 namespace reeve::cli {
@@ -71,15 +72,16 @@ int run(const ExploreFlags& flags) {
   std::optional<UncertaintyOptions> uncertainty;
   std::vector<RankDistribution> distributions;
   if (flags.ranking.uncertainty && !result.partial) {
-    uncertainty = UncertaintyOptions{hardware.hardware,         hardware.uncertainty,
-                                     explore_options.grasps,    explore_options.objectives,
-                                     flags.ranking.draws,       flags.ranking.seed,
-                                     flags.ranking.threads};
+    uncertainty =
+        UncertaintyOptions{hardware.hardware,          hardware.uncertainty, explore_options.grasps,
+                           explore_options.objectives, flags.ranking.draws,  flags.ranking.seed,
+                           flags.ranking.threads};
     ProgressLine progress("drawing");
     distributions =
         rank_distributions(plain_designs(result.top), *uncertainty, {std::ref(progress), &stop});
   }
-  ExploreReport report = explore_report(explore_options, std::move(result), distributions, catalogue);
+  ExploreReport report =
+      explore_report(explore_options, std::move(result), distributions, catalogue);
   report.uncertainty = uncertainty;
   write_files(report, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));

@@ -40,8 +40,8 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
   for (const Routing& routing : result) {
     const std::string word = to_word(routing);
     if (finger_count(routing) == 0) {
-      throw InputError(fmt::format("routing '{}': it has no fingers, so there is nothing to rank",
-                                   word));
+      throw InputError(
+          fmt::format("routing '{}': it has no fingers, so there is nothing to rank", word));
     }
     if (finger_count(routing) != finger_count(result.front())) {
       throw InputError(fmt::format(
@@ -72,10 +72,9 @@ int run(const RankFlags& flags) {
   const std::vector<RankedDesign> ranked = rank(designs, report.objectives);
   std::vector<RankDistribution> distributions;
   if (flags.ranking.uncertainty) {
-    report.uncertainty = UncertaintyOptions{hardware.hardware,   hardware.uncertainty,
-                                            report.grasps,       report.objectives,
-                                            flags.ranking.draws, flags.ranking.seed,
-                                            flags.ranking.threads};
+    report.uncertainty = UncertaintyOptions{
+        hardware.hardware,   hardware.uncertainty, report.grasps,        report.objectives,
+        flags.ranking.draws, flags.ranking.seed,   flags.ranking.threads};
     ProgressLine progress("drawing");
     distributions = rank_distributions(plain_designs(ranked), *report.uncertainty,
                                        {std::ref(progress), &stop_on_interrupt()});

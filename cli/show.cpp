@@ -33,8 +33,7 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
 // A contact override that hits nothing is likely a slip of the pen.
 void require_overrides_to_match(const Hardware& hardware, const Network& network,
                                 const std::string& word) {
-  const std::vector<std::string> unmatched =
-      MechanicsBuilder(hardware).unmatched_contacts(network);
+  const std::vector<std::string> unmatched = MechanicsBuilder(hardware).unmatched_contacts(network);
   if (unmatched.empty()) return;
   throw InputError("hardware: contact '" + unmatched.front() + "': routing " + word +
                    " has no contact between these segments");

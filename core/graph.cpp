@@ -1,9 +1,9 @@
 #include "core/graph.hpp"
 
-#include <fmt/format.h>
-
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/graphviz.hpp>
+#include <fmt/format.h>
+
 #include <sstream>
 
 #include "core/error.hpp"
@@ -117,9 +117,10 @@ std::string to_dot(const Network& network, const std::string& title, const Tensi
         os << contact_attributes(net[e], boost::source(e, net) == net[e].left, state);
       },
       [&](std::ostream& os) {
-        os << fmt::format("label=\"{}\";\nrankdir=LR;\nnode [fontname=Helvetica];\n"
-                          "edge [fontname=Helvetica, fontsize=10];\n",
-                          title);
+        os << fmt::format(
+            "label=\"{}\";\nrankdir=LR;\nnode [fontname=Helvetica];\n"
+            "edge [fontname=Helvetica, fontsize=10];\n",
+            title);
       });
   return out.str();
 }

@@ -58,8 +58,8 @@ void validate(const FingerHardware& finger, const Hardware& hardware) {
   if_given(finger.strand_mm, where + ".strand_mm", require_length);
   require_range(where + ".closing", finger.closing, 1e-3, 1e3, "");
   for (const ContactLaw& tip : {hardware.tube, hardware.bearing}) {
-    require_exponent(where + " tip", finger.tip_mu.value_or(tip.mu) *
-                                         finger.tip_angle_rad.value_or(tip.angle_rad));
+    require_exponent(where + " tip",
+                     finger.tip_mu.value_or(tip.mu) * finger.tip_angle_rad.value_or(tip.angle_rad));
   }
   require_exponent(where + " sheath",
                    finger.sheath_mu.value_or(hardware.sheath.mu) *
@@ -205,7 +205,8 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
       for (std::size_t k = 0; k < tendon.contacts; ++k) {
         const Segment& l = network.segments[ends_of(tendon, k).left];
         const Segment& r = network.segments[ends_of(tendon, k).right];
-        found |= (same(wanted.a, l) && same(wanted.b, r)) || (same(wanted.a, r) && same(wanted.b, l));
+        found |=
+            (same(wanted.a, l) && same(wanted.b, r)) || (same(wanted.a, r) && same(wanted.b, l));
       }
     }
     if (!found) unmatched.push_back(wanted.law.segment + "-" + wanted.law.other_segment);

@@ -3,7 +3,8 @@
 // The carriage travels D = 1. Pulling, every motor-side segment i has e_i = +D imposed and each
 // strand of a closing finger e_i = -dl; releasing, the signs are reversed. The closing fingers of a
 // tendon share its travel by their closing weights, so that along a tendon of an inextensible
-// thread the e_i add up to zero. Slip s_k (from the left to the right segment of contact k) follows:
+// thread the e_i add up to zero. Slip s_k (from the left to the right segment of contact k)
+// follows:
 //
 //   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
 //                                 the friction-weighted median
@@ -14,7 +15,7 @@
 // tendon can move, it jams: nothing slips at order one, and the whole travel is take-up; in
 // release, where a jammed carriage can only give way, what stays stretched is the hand side.
 //
-// Source: design of the model in docs/model.md, sections 2 and 3.
+// docs/model.md, sections 2 and 3, derives this.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,8 @@
 // How well a routing pulls the fingers in one grasp.
 //
 //   uniformity          min_i T_i / max_i T_i over the strands
-//   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work; releasing, the other way
+//   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work; releasing, the other
+//   way
 //                       round: what the fingers give back arrives at the motor
 //   force transmission  Σ_i T_i / T_M over the strands
 //
@@ -24,8 +25,8 @@ Performance performance(const Network& network, const TensionState& state,
                         Direction direction = Direction::pull);
 
 // Motor tension while the fingers draw the tendon out over motor tension while the motor draws it
-// in, at equal work of the strands: the product of both efficiencies. 1 without friction, 0 where the
-// grasp jams.
+// in, at equal work of the strands: the product of both efficiencies. 1 without friction, 0 where
+// the grasp jams.
 double return_friction(const Performance& pull, const Performance& release);
 
 // Parts that a routing needs.

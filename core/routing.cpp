@@ -5,9 +5,9 @@
 namespace reeve {
 
 int finger_count(const Tendon& tendon) {
-  return static_cast<int>(std::count_if(
-      tendon.walk.begin(), tendon.walk.end(),
-      [](const Token& token) { return token.kind == TokenKind::finger; }));
+  return static_cast<int>(
+      std::count_if(tendon.walk.begin(), tendon.walk.end(),
+                    [](const Token& token) { return token.kind == TokenKind::finger; }));
 }
 
 int finger_count(const Routing& routing) {

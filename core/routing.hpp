@@ -1,8 +1,8 @@
 // A routing: how one motor's tendons are led through the fingers of a hand.
 //
 // A routing is a set of tendons, and a tendon is the walk of tokens that a person follows along it
-// with a finger: ends (M, F), fingers (1, 2, …) and joins at the hand (T, B) or on the carriage (P).
-// Values only; notation.hpp reads and writes them, network.hpp expands them to segments and
+// with a finger: ends (M, F), fingers (1, 2, …) and joins at the hand (T, B) or on the carriage
+// (P). Values only; notation.hpp reads and writes them, network.hpp expands them to segments and
 // contacts.
 #pragma once
 

@@ -39,8 +39,8 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   contacts_.clear();
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t k = first + j < n ? first + j : first + j - n;
-    segments_.push_back({mechanics.length[tendon.first_segment + k],
-                         motion_.take_up[tendon.first_segment + k]});
+    segments_.push_back(
+        {mechanics.length[tendon.first_segment + k], motion_.take_up[tendon.first_segment + k]});
     if (j + 1 < n) {
       const std::size_t contact = tendon.first_contact + k;
       contacts_.push_back({mechanics.decay[contact], slide_of(motion_.slip[contact])});

@@ -75,7 +75,8 @@ void Workers::for_each_block(std::size_t size, std::size_t grain,
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, size, grain),
         [&](const tbb::blocked_range<std::size_t>& range) {
-          const auto worker = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+          const auto worker =
+              static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
           work({range.begin(), range.end(), worker});
         },
         tbb::simple_partitioner());

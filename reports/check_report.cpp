@@ -58,9 +58,8 @@ std::string check_json(const CheckReport& report) {
   }
   json["misprints"] = Json::array();
   for (const CheckedMisprint& misprint : report.misprints) {
-    json["misprints"].push_back({{"routing", misprint.routing},
-                                 {"source", misprint.source},
-                                 {"text", misprint.text}});
+    json["misprints"].push_back(
+        {{"routing", misprint.routing}, {"source", misprint.source}, {"text", misprint.text}});
   }
   json["agrees"] = report.count(CheckStatus::agrees);
   json["explained"] = report.count(CheckStatus::explained);

@@ -14,9 +14,8 @@ std::string count_table(const RoutingCounts& counts) {
 }
 
 std::string count_json(const RoutingCounts& counts) {
-  return print({{"all", counts.all},
-                {"actuated", counts.actuated},
-                {"one_tendon", counts.one_tendon}});
+  return print(
+      {{"all", counts.all}, {"actuated", counts.actuated}, {"one_tendon", counts.one_tendon}});
 }
 
 }  // namespace reeve

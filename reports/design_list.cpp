@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "reports/names.hpp"
@@ -44,21 +43,30 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
 
 std::string design_table(const std::vector<ListedDesign>& designs) {
   const bool uncertain = with_distributions(designs);
-  std::vector<std::string> headings{"rank",       "front",      "<name",   "<routing",
-                                    "uniformity", "worst",      "efficiency", "worst",
-                                    "force",      "jams",       "sheaths", "pulleys",
-                                    "knots",      "travel",     "return"};
+  std::vector<std::string> headings{"rank",       "front",  "<name", "<routing", "uniformity",
+                                    "efficiency", "force",  "jams",  "sheaths",  "pulleys",
+                                    "knots",      "travel", "return"};
   if (uncertain) headings.insert(headings.end(), {"first", "median", "5–95 %"});
   TextTable table(headings);
   for (const ListedDesign& design : designs) {
-    std::vector<std::string> cells{std::to_string(design.ranked.rank),
-                                   std::to_string(design.ranked.front),
-                                   design.name.empty() ? "-" : design.name,
-                                   design.ranked.design.word};
-    for (const ObjectiveRow& row : objective_table()) {
-      const bool counted = row.objective >= Objective::jams && row.objective <= Objective::knots;
-      cells.push_back(fixed(value(design.ranked.design.values, row.objective), counted ? 0 : 3));
-    }
+    const ObjectiveValues& values = design.ranked.design.values;
+    const auto cell = [&](Objective objective, int decimals) {
+      return fixed(value(values, objective), decimals);
+    };
+    std::vector<std::string> cells{
+        std::to_string(design.ranked.rank),
+        std::to_string(design.ranked.front),
+        design.name.empty() ? "-" : design.name,
+        design.ranked.design.word,
+        cell(Objective::uniformity_mean, 3) + "/" + cell(Objective::uniformity_worst, 3),
+        cell(Objective::efficiency_mean, 3) + "/" + cell(Objective::efficiency_worst, 3),
+        cell(Objective::force_transmission, 3),
+        cell(Objective::jams, 0),
+        cell(Objective::sheaths, 0),
+        cell(Objective::pulleys, 0),
+        cell(Objective::knots, 0),
+        cell(Objective::travel, 2),
+        cell(Objective::return_friction, 3)};
     if (uncertain) {
       cells.push_back(percent(design.distribution->first));
       cells.push_back(fixed(design.distribution->median, 0));

@@ -24,6 +24,7 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<RankDistribution>& distributions,
                                        const Catalogue& catalogue);
 
+// Uniformity and efficiency as mean/worst over the grasps.
 std::string design_table(const std::vector<ListedDesign>& designs);
 
 // RFC 4180. A note, if any, becomes a comment line at the top.

@@ -33,7 +33,8 @@ std::string front_text(const ExploreReport& report) {
   std::string text = fmt::format("Pareto front over {}: {} designs",
                                  objective_names(report.options.objectives), report.front.size());
   if (report.result.front_equals_left_out > 0) {
-    text += fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
+    text +=
+        fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
   if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
   return text + "\n" + design_table(first(report.front, shown_at_most));
@@ -41,12 +42,14 @@ std::string front_text(const ExploreReport& report) {
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
   if (reference.rank > 0) return std::to_string(reference.rank);
-  return report.result.evaluated > report.options.top ? fmt::format(">{}", report.options.top) : "-";
+  return report.result.evaluated > report.options.top ? fmt::format(">{}", report.options.top)
+                                                      : "-";
 }
 
 std::string known_text(const ExploreReport& report) {
   if (report.result.references.empty()) return "";
-  TextTable table({"<name", "<routing", "rank", "front", "dominated by", "uniformity", "efficiency"});
+  TextTable table(
+      {"<name", "<routing", "rank", "front", "dominated by", "uniformity", "efficiency"});
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
     table.add({report.reference_names[i], reference.design.word, standing(report, reference),
@@ -115,9 +118,11 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
 
 std::string explore_table(const ExploreReport& report) {
   std::string text = counts_text(report.result);
-  text += fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
+  text +=
+      fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
   if (report.result.partial) text += "PARTIAL: " + partial_note(report) + "\n";
-  text += "\n" + front_text(report);
+  text += "Uniformity and efficiency are given as mean/worst over the grasps " +
+          to_text(report.options.grasps) + "\n\n" + front_text(report);
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   text += fmt::format("\nTop {}\n{}", top.size(), design_table(top));
   return text + known_text(report);

@@ -1,4 +1,5 @@
-// What `explore` and `rank` leave behind: tables for the terminal, CSV and JSON for everything else.
+// What `explore` and `rank` leave behind: tables for the terminal, CSV and JSON for everything
+// else.
 #pragma once
 
 #include <string>
@@ -21,7 +22,8 @@ struct ExploreReport {
   std::optional<UncertaintyOptions> uncertainty;
 };
 
-// Distributions are parallel to result.top, or empty. Designs of the front beyond the top have none.
+// Distributions are parallel to result.top, or empty. Designs of the front beyond the top have
+// none.
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
                              const std::vector<RankDistribution>& distributions,
                              const Catalogue& catalogue);

@@ -5,8 +5,9 @@
 namespace reeve {
 
 std::string rank_table(const RankReport& report) {
-  return "Front by front over " + objective_names(report.objectives) + "; grasps " +
-         to_text(report.grasps) + "\n\n" + design_table(report.designs);
+  return "Front by front over " + objective_names(report.objectives) +
+         "; uniformity and efficiency as mean/worst over the grasps " + to_text(report.grasps) +
+         "\n\n" + design_table(report.designs);
 }
 
 std::string rank_json(const RankReport& report) {

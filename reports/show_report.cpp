@@ -48,9 +48,7 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   return json;
 }
 
-const char* name(Direction direction) {
-  return direction == Direction::pull ? "pull" : "release";
-}
+const char* name(Direction direction) { return direction == Direction::pull ? "pull" : "release"; }
 
 std::string heading(const ShowReport& report) {
   std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;

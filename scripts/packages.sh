@@ -6,8 +6,10 @@ PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlop
   libtomlplusplus-dev librandom123-dev)
 PACKAGES_TEST=(libgtest-dev librapidcheck-dev)
 PACKAGES_CI=(clang-format clang-tidy)
-# For the programs under bench/ and their comparisons; nothing here installs these unasked.
-PACKAGES_BENCH=(libbenchmark-dev nauty python3-numpy python3-scipy)
+# For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
+# installs these unasked.
+PACKAGES_BENCH=(libbenchmark-dev nauty python3 python3-numpy python3-scipy)
+PACKAGES_PROFILE=(valgrind)
 
 # install_packages <log> <package...>: installs those that are missing. One query to dpkg
 # when none is. Without apt-get it leaves the verdict to CMake.

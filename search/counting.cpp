@@ -47,13 +47,15 @@ std::uint64_t loop_shapes(const Choices& c, int k) {
 
 std::uint64_t labelled_open(const Choices& c, int k) {
   if (k == 1) return times(c.tips, c.ends * (c.ends + 1) / 2);
-  return times(open_walks(c, k), factorial(k) / 2);
+  const std::uint64_t walks = open_walks(c, k);
+  return walks == 0 ? 0 : times(walks, factorial(k) / 2);
 }
 
 std::uint64_t labelled_loops(const Choices& c, int k) {
   if (k == 1) return times(c.tips, c.joins);
   if (k == 2) return times(power(c.tips, 2), c.joins * (c.joins + 1) / 2);
-  return times(loop_walks(c, k), factorial(k - 1) / 2);
+  const std::uint64_t walks = loop_walks(c, k);
+  return walks == 0 ? 0 : times(walks, factorial(k - 1) / 2);
 }
 
 // ways[r] counts the multisets of the sizes seen so far.

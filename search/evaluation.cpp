@@ -15,8 +15,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp) {
   outcome.jams = state_.jams;
   outcome.pull = performance(network_, state_);
   solver_.solve(network_, mechanics_, grasp.grasp, Direction::release, state_);
-  outcome.return_friction = return_friction(
-      outcome.pull, performance(network_, state_, Direction::release));
+  outcome.return_friction =
+      return_friction(outcome.pull, performance(network_, state_, Direction::release));
   return outcome;
 }
 
@@ -26,9 +26,9 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing) {
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp));
   outcome_.parts = parts(network_);
-  const auto motor_sides = std::count_if(
-      network_.segments.begin(), network_.segments.end(),
-      [](const Segment& segment) { return segment.kind == SegmentKind::motor_side; });
+  const auto motor_sides =
+      std::count_if(network_.segments.begin(), network_.segments.end(),
+                    [](const Segment& segment) { return segment.kind == SegmentKind::motor_side; });
   outcome_.travel = 2.0 * network_.fingers / static_cast<double>(motor_sides);
   return outcome_;
 }

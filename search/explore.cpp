@@ -53,7 +53,8 @@ class Exploration {
     bool stopped = false;
     while (generated_ < total() && !stopped) {
       const std::size_t actuated = fill_batch();
-      workers_.for_each_block(actuated, grain, [this](const IndexBlock& block) { evaluate(block); });
+      workers_.for_each_block(actuated, grain,
+                              [this](const IndexBlock& block) { evaluate(block); });
       collect(actuated);
       if (supervision.report) supervision.report({generated_, total()});
       stopped = supervision.stop != nullptr && supervision.stop->load();
@@ -94,9 +95,9 @@ class Exploration {
   }
 
   std::size_t first_failure(const ObjectiveValues& values) const {
-    const auto failed = std::find_if(
-        options_.constraints.begin(), options_.constraints.end(),
-        [&](const Constraint& constraint) { return !constraint.admits(values); });
+    const auto failed =
+        std::find_if(options_.constraints.begin(), options_.constraints.end(),
+                     [&](const Constraint& constraint) { return !constraint.admits(values); });
     if (failed == options_.constraints.end()) return 0;
     return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
   }

@@ -1,8 +1,8 @@
 // The main job: generate every routing of a set of parts, evaluate it, keep the best.
 //
 // Memory does not grow with the number of designs (archive.hpp), and the result is the same for any
-// number of threads: batches of routings are generated in order, evaluated slot by slot, and offered
-// to the archive in order.
+// number of threads: batches of routings are generated in order, evaluated slot by slot, and
+// offered to the archive in order.
 #pragma once
 
 #include <atomic>
@@ -58,7 +58,7 @@ struct Rejection {
 struct ReferenceStanding {
   Design design;                   // evaluated whether or not it was generated
   std::uint64_t dominated_by = 0;  // designs that dominate it
-  std::size_t rank = 0;            // 0: not generated, rejected, or beyond the designs that are kept
+  std::size_t rank = 0;  // 0: not generated, rejected, or beyond the designs that are kept
   int front = 0;
 };
 

@@ -13,13 +13,13 @@ namespace reeve {
 RoutingGenerator::RoutingGenerator(GeneratorOptions options) : options_(std::move(options)) {
   validate(options_.parts);
   if (options_.fingers < 1 || options_.fingers > max_fingers) {
-    throw InputError(fmt::format("--fingers {}: expected a number from 1 to {}", options_.fingers,
-                                 max_fingers));
+    throw InputError(
+        fmt::format("--fingers {}: expected a number from 1 to {}", options_.fingers, max_fingers));
   }
   const int n = options_.fingers;
   const TendonCounts tendons = tendon_counts(options_.parts, n, options_.identity);
   total_ = options_.one_tendon ? tendons.back() : tendon_sets(tendons, n, options_.identity).back();
-  if (options_.identity == FingerIdentity::identical) {
+  if (options_.identity == FingerIdentity::identical && !options_.one_tendon) {
     shapes_ = tendons;
     for (int largest = 0; largest <= n; ++largest) {
       sets_.push_back(tendon_sets(shapes_, largest, FingerIdentity::identical));
@@ -151,35 +151,38 @@ bool RoutingGenerator::seek_size(int size, std::uint64_t& index) {
   return false;
 }
 
-void RoutingGenerator::seek_identical(std::uint64_t index) {
+void RoutingGenerator::seek_by_subtrees(std::uint64_t index) {
   depth_ = 0;
   open_fingers_ = options_.fingers;
   while (open_fingers_ > 0) {
-    int size = depth_ == 0 ? open_fingers_ : std::min(tendons_[depth_ - 1].fingers(), open_fingers_);
+    int size =
+        depth_ == 0 ? open_fingers_ : std::min(tendons_[depth_ - 1].fingers(), open_fingers_);
     while (!seek_size(size, index)) --size;
   }
   write(current_);
 }
 
 std::uint64_t RoutingGenerator::numberings() const {
+  if (options_.identity == FingerIdentity::identical) return 1;
   std::uint64_t symmetries_of_all = 1;
   std::uint64_t twins = 1;
   for (std::size_t t = 0; t < depth_; ++t) {
     const Tendon& tendon = tendons_[t].shape();
     twins = t > 0 && same_shape(tendons_[t - 1].shape(), tendon) ? twins + 1 : 1;
-    symmetries_of_all = times(
-        symmetries_of_all, times(twins, static_cast<std::uint64_t>(symmetries(tendon))));
+    symmetries_of_all =
+        times(symmetries_of_all, times(twins, static_cast<std::uint64_t>(symmetries(tendon))));
   }
   return factorial(options_.fingers) / symmetries_of_all;
 }
 
-void RoutingGenerator::seek_distinct(std::uint64_t index) {
+void RoutingGenerator::seek_step_by_step(std::uint64_t index) {
   start_shapes();
   for (std::uint64_t here = numberings(); index >= here; here = numberings()) {
     index -= here;
     advance_shapes();
   }
   write(current_);
+  if (options_.identity == FingerIdentity::identical) return;
   numbering_.start(current_);
   for (; index > 0; --index) numbering_.next(current_);
 }
@@ -189,10 +192,10 @@ void RoutingGenerator::seek(std::uint64_t index) {
     position_ = Position::behind_last;
     return;
   }
-  if (options_.identity == FingerIdentity::identical) {
-    seek_identical(index);
+  if (options_.identity == FingerIdentity::identical && !options_.one_tendon) {
+    seek_by_subtrees(index);
   } else {
-    seek_distinct(index);
+    seek_step_by_step(index);
   }
   position_ = Position::at_unread;
 }

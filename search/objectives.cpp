@@ -52,8 +52,7 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.pull.force_transmission; });
      }},
-    {Objective::jams, "jams", "grasps", Better::lower,
-     "grasps in which the carriage is blocked",
+    {Objective::jams, "jams", "grasps", Better::lower, "grasps in which the carriage is blocked",
      [](const DesignOutcome& d) {
        return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
                                                 [](const GraspOutcome& g) { return g.jams; }));
@@ -139,12 +138,14 @@ Constraint parse_constraint(const std::string& text) {
       at == std::string::npos ? std::string() : plain.substr(at, end - at);
   constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
   double bound = 0;
-  const auto [stop, error] = std::from_chars(plain.data() + end, plain.data() + plain.size(), bound);
+  const auto [stop, error] =
+      std::from_chars(plain.data() + end, plain.data() + plain.size(), bound);
   const bool is_number = error == std::errc{} && stop == plain.data() + plain.size() &&
                          end < plain.size() && std::isfinite(bound);
   if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
     throw InputError(fmt::format(
-        "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2", option));
+        "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
+        option));
   }
   return {parse_objective(plain.substr(0, at), option), comparison, bound, plain};
 }

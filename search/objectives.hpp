@@ -1,4 +1,5 @@
-// What a design is judged by: one table of objectives, each with name, unit, direction and function.
+// What a design is judged by: one table of objectives, each with name, unit, direction and
+// function.
 #pragma once
 
 #include <array>

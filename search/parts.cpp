@@ -27,7 +27,8 @@ std::vector<Kind> parse(const std::string& option, const std::string& text,
                         const std::array<Named<Kind>, n>& names) {
   std::vector<Kind> kinds;
   std::string expected;
-  for (const auto& [label, kind] : names) expected += (expected.empty() ? "" : ", ") + std::string(label);
+  for (const auto& [label, kind] : names)
+    expected += (expected.empty() ? "" : ", ") + std::string(label);
   for (std::size_t at = 0; at < text.size() + 1 && !text.empty();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
     const std::string item = text.substr(at, comma - at);
@@ -73,7 +74,9 @@ std::vector<TipKind> parse_tips(const std::string& text) { return parse("tips", 
 std::vector<TokenKind> parse_joins(const std::string& text) {
   return parse("joins", text, join_names);
 }
-std::vector<TokenKind> parse_ends(const std::string& text) { return parse("ends", text, end_names); }
+std::vector<TokenKind> parse_ends(const std::string& text) {
+  return parse("ends", text, end_names);
+}
 
 std::string tips_text(const PartSet& parts) { return print(parts.tips, tip_names); }
 std::string joins_text(const PartSet& parts) { return print(parts.joins, join_names); }

@@ -1,5 +1,5 @@
-// How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated and
-// ranked anew for each draw, and each design's rank becomes a distribution.
+// How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated
+// and ranked anew for each draw, and each design's rank becomes a distribution.
 //
 // A draw holds for all parts of a kind at once (one spool of liner, one sort of bearing). Drawn,
 // uniformly and independently: mu of tubes, mu of sheaths, mu of bearings and the angle of sheaths.

@@ -1,12 +1,12 @@
 // From a routing to its tensions without the heap, once the memory of the first calls is there.
 // This test has a binary of its own, since it replaces the global operator new.
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/tension.hpp"
 #include "tests/support/random_routing.hpp"
@@ -72,9 +72,9 @@ long allocations_of_one_pass(const std::vector<Prepared>& trials, Workspace& wor
 
 TEST(Allocation, IsCounted) {
   const long before = allocations;
-  const std::vector<double> memory(10);
+  void* memory = ::operator new(16);  // unlike a new expression, never optimised away
+  ::operator delete(memory);
   EXPECT_EQ(allocations - before, 1);
-  EXPECT_EQ(memory.size(), 10U);
 }
 
 TEST(Allocation, SolvingAllocatesNothingOnceWarm) {

@@ -1,12 +1,12 @@
 #include "core/canonical.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 
@@ -109,11 +109,26 @@ int permutations_that_change_nothing(const std::string& word) {
 }
 
 TEST(Canonical, SymmetriesAreThePermutationsOfFingersThatChangeNothing) {
-  for (const std::string word :
-       {"M-1-F", "M-1-M", "M-F", "M-1-T-2-M", "M-1-T-2-F", "M-1-T-2b-M", "M-1-T-2-B-3-M",
-        "M-1-T-2-T-3-M", "F-1-P-2-T-3-P-4-F", "1-P-1", "1-T-P-1", "1-P-2-P-1", "1-T-2-P-1",
-        "1-T-2-T-3-T-1", "1-T-2-T-3-P-1", "1-T-2-P-3-T-4-P-1", "1-T-2b-T-3-T-4b-T-1",
-        "1-T-2-T-3-T-4-T-5-T-1", "1-T-P-2-T-P-1", "1-T-P-2-P-T-1"}) {
+  for (const std::string word : {"M-1-F",
+                                 "M-1-M",
+                                 "M-F",
+                                 "M-1-T-2-M",
+                                 "M-1-T-2-F",
+                                 "M-1-T-2b-M",
+                                 "M-1-T-2-B-3-M",
+                                 "M-1-T-2-T-3-M",
+                                 "F-1-P-2-T-3-P-4-F",
+                                 "1-P-1",
+                                 "1-T-P-1",
+                                 "1-P-2-P-1",
+                                 "1-T-2-P-1",
+                                 "1-T-2-T-3-T-1",
+                                 "1-T-2-T-3-P-1",
+                                 "1-T-2-P-3-T-4-P-1",
+                                 "1-T-2b-T-3-T-4b-T-1",
+                                 "1-T-2-T-3-T-4-T-5-T-1",
+                                 "1-T-P-2-T-P-1",
+                                 "1-T-P-2-P-T-1"}) {
     EXPECT_EQ(symmetries(parse_routing(word).tendons[0]), permutations_that_change_nothing(word))
         << word;
   }
@@ -147,8 +162,8 @@ std::vector<std::string> walks_over(const std::string& first, const std::string&
 }
 
 std::vector<std::string> walks_over(const std::string& finger) {
-  return {"M-" + finger + "-M",      "M-" + finger + "-F",      "F-" + finger + "-M",
-          "F-" + finger + "-F",      finger + "-T-" + finger,   finger + "-P-" + finger};
+  return {"M-" + finger + "-M", "M-" + finger + "-F",    "F-" + finger + "-M",
+          "F-" + finger + "-F", finger + "-T-" + finger, finger + "-P-" + finger};
 }
 
 std::vector<std::string> two_finger_words() {
@@ -178,8 +193,9 @@ TEST(Canonical, TellsApartAllTwentyFourRoutingsOfTwoFingers) {
 }
 
 TEST(Canonical, TheActuatedOneTendonRoutingsOfTwoFingersAreThePublishedOnes) {
-  EXPECT_EQ(canonical_words([](const Routing& r) { return is_actuated(r) && r.tendons.size() == 1; }),
-            std::set<std::string>(published.begin(), published.end()));
+  EXPECT_EQ(
+      canonical_words([](const Routing& r) { return is_actuated(r) && r.tendons.size() == 1; }),
+      std::set<std::string>(published.begin(), published.end()));
 }
 
 }  // namespace

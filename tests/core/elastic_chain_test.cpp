@@ -1,10 +1,10 @@
 #include "core/elastic_chain.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "tests/support/random_routing.hpp"
 
@@ -72,6 +72,19 @@ TEST(ElasticChain, ASegmentThatTakesNothingUpHangsAtTheEdgeOfTheCone) {
   const auto tension = solve({{1, 0}, {5, 0}, {1, 1}}, {still(0.2), still(0.3)});
   EXPECT_DOUBLE_EQ(tension[1], tension[2] * std::exp(-0.3));
   EXPECT_DOUBLE_EQ(tension[0], tension[1] * std::exp(-0.2));
+}
+
+TEST(ElasticChain, ASegmentBehindVeryMuchFrictionStillHangsAtTheEdgeOfTheCone) {
+  // Its own stiffness is lost in the rounding of what stands before it.
+  for (int i = 0; i < 100; ++i) {
+    const double phi = 9 + 0.01 * i;
+    const auto tension =
+        solve({{1, 1}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}},
+              {to_left(phi), to_left(phi), to_left(phi), to_left(phi), still(0.3)});
+    EXPECT_NEAR(tension[0], 1, 1e-3) << phi;
+    EXPECT_NEAR(tension[4] / tension[0], std::exp(-4 * phi), 1e-12 * std::exp(-4 * phi)) << phi;
+    EXPECT_DOUBLE_EQ(tension[5], tension[4] * std::exp(-0.3)) << phi;
+  }
 }
 
 TEST(ElasticChain, NothingTakenUpIsNoTension) {

@@ -1,11 +1,11 @@
 #include "core/graph.hpp"
 
+#include <boost/graph/graph_traits.hpp>
+#include <gtest/gtest.h>
+
 #include <map>
 #include <string>
 #include <vector>
-
-#include <boost/graph/graph_traits.hpp>
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
@@ -51,7 +51,8 @@ TEST(Graph, EdgesJoinTheNeighboursOfTheirContact) {
 }
 
 TEST(Graph, ItsConnectedComponentsAreTheTendons) {
-  for (const char* word : {"M-1-T-2-F", "1-P-2-P-1+M-3-F", "M-1-F+M-2-F+3-P-4-B-3+M-F", "F-F+M-1-F"}) {
+  for (const char* word :
+       {"M-1-T-2-F", "1-P-2-P-1+M-3-F", "M-1-F+M-2-F+3-P-4-B-3+M-F", "F-F+M-1-F"}) {
     const Network net = network(word);
     const std::vector<std::size_t> component = tendons(graph(net));
     ASSERT_EQ(component.size(), net.segments.size());

@@ -1,10 +1,10 @@
 #include "core/grasp.hpp"
 
+#include <gtest/gtest.h>
+
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "tests/support/input_error.hpp"
 
@@ -45,8 +45,8 @@ TEST(GraspError, NamesTheItemAndTheFingersThatThereAre) {
     return "held '" + text + "': '" + item +
            "': expected none, or finger numbers from 1 to 3 such as 1,2";
   };
-  for (const std::string item : {"4", "0", "-1", "one", "1.5", " 1", "1 ", "", "NONE",
-                                 "99999999999999999999"}) {
+  for (const std::string item :
+       {"4", "0", "-1", "one", "1.5", " 1", "1 ", "", "NONE", "99999999999999999999"}) {
     EXPECT_EQ(message(item, 3), expected(item, item));
     EXPECT_EQ(message("2," + item, 3), expected("2," + item, item));
   }

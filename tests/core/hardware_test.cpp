@@ -1,13 +1,13 @@
 #include "core/hardware.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
@@ -157,7 +157,8 @@ TEST(HardwareContact, IsReportedIfNoContactHasItsName) {
 }
 
 TEST(HardwareContact, ASegmentMustHaveAName) {
-  for (const std::string segment : {"", "T", "T0", "T01", "h0", "A", "a1", "1", "strand 1", "T1x"}) {
+  for (const std::string segment :
+       {"", "T", "T0", "T01", "h0", "A", "a1", "1", "strand 1", "T1x"}) {
     Hardware hardware;
     hardware.contacts = {{"a", segment, 0.1, {}}};
     EXPECT_EQ(testing::input_error([&] { MechanicsBuilder builder(hardware); }),
@@ -220,7 +221,9 @@ TEST(HardwareError, NamesTheLength) {
 }
 
 TEST(HardwareError, AnExponentBeyondAnyContactIsRefused) {
-  EXPECT_EQ(message([](Hardware& h) { h.tube = {2, 6}; }),
+  EXPECT_EQ(message([](Hardware& h) {
+              h.tube = {2, 6};
+            }),
             "hardware: tube: mu * angle = 12: expected at most 10");
   EXPECT_EQ(message([](Hardware& h) { h.tube = {2, 5}; }), "no InputError was thrown");
 }
@@ -248,14 +251,21 @@ TEST(HardwareError, AFingersExponentsAreThoseWithItsOverrides) {
   EXPECT_EQ(finger_message([](FingerHardware& f) { f.tip_mu = 4; }),
             "hardware: finger.2 tip: mu * angle = " + std::string("12.566370614359172") +
                 ": expected at most 10");
-  EXPECT_EQ(finger_message([](FingerHardware& f) { f.sheath_mu = 5; f.sheath_angle_rad = 3; }),
+  EXPECT_EQ(finger_message([](FingerHardware& f) {
+              f.sheath_mu = 5;
+              f.sheath_angle_rad = 3;
+            }),
             "hardware: finger.2 sheath: mu * angle = 15: expected at most 10");
 }
 
 TEST(HardwareError, NamesTheContact) {
-  EXPECT_EQ(message([](Hardware& h) { h.contacts = {{"a", "T1", -1.0, {}}}; }),
+  EXPECT_EQ(message([](Hardware& h) {
+              h.contacts = {{"a", "T1", -1.0, {}}};
+            }),
             "hardware: contact a-T1.mu = -1: expected a number from 0 to 10");
-  EXPECT_EQ(message([](Hardware& h) { h.contacts = {{"T2", "T3", {}, 2000.0}}; }),
+  EXPECT_EQ(message([](Hardware& h) {
+              h.contacts = {{"T2", "T3", {}, 2000.0}};
+            }),
             "hardware: contact T2-T3.angle_rad = 2000: expected a number from 0 to 1000 rad");
 }
 

@@ -1,12 +1,12 @@
 #include "core/kinematics.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "tests/support/random_routing.hpp"

@@ -1,8 +1,8 @@
 #include "core/network.hpp"
 
-#include <string>
-
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "core/notation.hpp"
 

@@ -1,9 +1,9 @@
 #include "core/notation.hpp"
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <string>
-
-#include <gtest/gtest.h>
 
 #include "tests/support/input_error.hpp"
 
@@ -27,14 +27,14 @@ TEST(Notation, ReadsAnOpenWalkTokenByToken) {
   ASSERT_EQ(routing.tendons.size(), 1U);
   EXPECT_FALSE(routing.tendons[0].closed);
   const Walk walk{motor_end(),
-                                finger(1),
-                                plain(TokenKind::tube_join),
-                                finger(2, TipKind::bearing),
-                                plain(TokenKind::bearing_join),
-                                finger(3),
-                                plain(TokenKind::movable_pulley),
-                                finger(4),
-                                fixed_end()};
+                  finger(1),
+                  plain(TokenKind::tube_join),
+                  finger(2, TipKind::bearing),
+                  plain(TokenKind::bearing_join),
+                  finger(3),
+                  plain(TokenKind::movable_pulley),
+                  finger(4),
+                  fixed_end()};
   EXPECT_EQ(routing.tendons[0].walk, walk);
 }
 
@@ -42,7 +42,7 @@ TEST(Notation, ReadsAWalkThatComesBackToItsFirstFingerAsALoop) {
   const Tendon loop = parse_routing("1b-T-2-P-1b").tendons.at(0);
   EXPECT_TRUE(loop.closed);
   const Walk walk{finger(1, TipKind::bearing), plain(TokenKind::tube_join), finger(2),
-                                plain(TokenKind::movable_pulley)};
+                  plain(TokenKind::movable_pulley)};
   EXPECT_EQ(loop.walk, walk);
 }
 
@@ -55,9 +55,8 @@ TEST(Notation, ReadsTendonsBetweenPluses) {
 }
 
 TEST(Notation, PrintsWhatItRead) {
-  for (const std::string word :
-       {"M-F", "M-T-F", "M-P-F", "M-T-P-B-M", "F-1-F", "1-T-1", "1b-P-1b", "M-1-T-2-F",
-        "1-P-2b-P-1+M-3-F", "F-P-P-1-T-B-2-F+3-B-3"}) {
+  for (const std::string word : {"M-F", "M-T-F", "M-P-F", "M-T-P-B-M", "F-1-F", "1-T-1", "1b-P-1b",
+                                 "M-1-T-2-F", "1-P-2b-P-1+M-3-F", "F-P-P-1-T-B-2-F+3-B-3"}) {
     EXPECT_EQ(to_word(parse_routing(word)), word);
   }
 }
@@ -85,10 +84,9 @@ TEST(NotationError, UnknownToken) {
 TEST(NotationError, PartsThatAreNotYetSupported) {
   EXPECT_EQ(message("F-1-Y1-2-F+Y1-M"),
             at("F-1-Y1-2-F+Y1-M", 5, "'Y1': floating pulleys (Y) are not yet supported"));
-  EXPECT_EQ(
-      message("M-1-T-2x"),
-      at("M-1-T-2x", 7,
-         "'2x': a tendon anchored at the fingertip (suffix x) is not yet supported"));
+  EXPECT_EQ(message("M-1-T-2x"),
+            at("M-1-T-2x", 7,
+               "'2x': a tendon anchored at the fingertip (suffix x) is not yet supported"));
 }
 
 TEST(NotationError, UnknownSuffixOfAFinger) {
@@ -132,13 +130,13 @@ TEST(NotationError, MissingEnd) {
 
 TEST(NotationError, OneEndAlone) {
   EXPECT_EQ(message("M"), at("M", 1, "the walk has one token: a second end is missing"));
-  EXPECT_EQ(message("M-1-F+F"), at("M-1-F+F", 7, "the walk has one token: a second end is missing"));
+  EXPECT_EQ(message("M-1-F+F"),
+            at("M-1-F+F", 7, "the walk has one token: a second end is missing"));
 }
 
 TEST(NotationError, AdjacentFingers) {
-  EXPECT_EQ(
-      message("M-1-2-F"),
-      at("M-1-2-F", 5, "between two fingers a join is needed: T, B or P before '2'"));
+  EXPECT_EQ(message("M-1-2-F"),
+            at("M-1-2-F", 5, "between two fingers a join is needed: T, B or P before '2'"));
   EXPECT_EQ(message("1-1"),
             at("1-1", 3, "between two fingers a join is needed: T, B or P before '1'"));
 }

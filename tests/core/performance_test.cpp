@@ -1,12 +1,12 @@
 #include "core/performance.hpp"
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 
@@ -76,8 +76,8 @@ TEST(Performance, FollowsItsDefinitions) {
 }
 
 TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
-  const Performance found = performance(network("M-1-F"), state({1, 2, 3}, {0.5}),
-                                        Direction::release);
+  const Performance found =
+      performance(network("M-1-F"), state({1, 2, 3}, {0.5}), Direction::release);
   EXPECT_DOUBLE_EQ(found.efficiency, 1 / (0.5 * 2 + 0.5 * 3));
   EXPECT_DOUBLE_EQ(found.force_transmission, 5);
 }

@@ -31,8 +31,8 @@ TEST(Routing, IsActuatedOnlyIfEveryTendonIs) {
 TEST(Routing, PartsOnTheCarriageAreMAndP) {
   EXPECT_TRUE(is_on_carriage(TokenKind::motor_end));
   EXPECT_TRUE(is_on_carriage(TokenKind::movable_pulley));
-  for (const TokenKind kind : {TokenKind::fixed_end, TokenKind::finger, TokenKind::tube_join,
-                               TokenKind::bearing_join}) {
+  for (const TokenKind kind :
+       {TokenKind::fixed_end, TokenKind::finger, TokenKind::tube_join, TokenKind::bearing_join}) {
     EXPECT_FALSE(is_on_carriage(kind));
   }
 }

@@ -1,13 +1,13 @@
 #include "core/tension.hpp"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
@@ -201,6 +201,29 @@ TEST(Tension, JammedTendonsShareTheMotorTensionByStiffness) {
   EXPECT_NEAR(found["b"], 0.3, 1e-12);
 }
 
+std::string tendon_through_all(int fingers) {
+  std::string word = "M-1";
+  for (int f = 2; f <= fingers; ++f) word += "-T-" + std::to_string(f);
+  return word + "-F";
+}
+
+TEST(Tension, FallsAtEveryContactHoweverManyThereAre) {
+  // Everything slides to the carriage, or hangs behind what does: T = e^{-s - (2n - 1) t}.
+  for (int fingers = 2; fingers <= max_fingers; ++fingers) {
+    for (const double mu : {0.09, 0.18, 0.4}) {
+      Hardware hardware;
+      hardware.tube.mu = mu;
+      const Friction f = exponents(hardware);
+      const double expected = exp(-f.s - (2 * fingers - 1) * f.t);
+      for (const Grasp grasp : {Grasp{}, hold({fingers})}) {
+        const Solved found(tendon_through_all(fingers), hardware, grasp);
+        const double last = found["T" + std::to_string(2 * fingers)];
+        EXPECT_NEAR(last, expected, 1e-9 * expected) << fingers << " fingers, mu_t " << mu;
+      }
+    }
+  }
+}
+
 // ---- several tendons ----
 
 TEST(Tension, TendonsTakeUpTheSameFractionOfTheirTravel) {
@@ -210,8 +233,8 @@ TEST(Tension, TendonsTakeUpTheSameFractionOfTheirTravel) {
   hardware.motor_side_mm = 250;
   const Friction f = exponents(hardware);
   const double one = 1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t)));
-  const double two = 1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t) + exp(-f.s - 2 * f.t) +
-                                      exp(-f.s - 3 * f.t)));
+  const double two =
+      1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t) + exp(-f.s - 2 * f.t) + exp(-f.s - 3 * f.t)));
   const Solved found("M-1-F+M-2-T-3-F", hardware, Grasp{});
   EXPECT_NEAR(found["a"], one / (one + two), 1e-12);
   EXPECT_NEAR(found["b"], two / (one + two), 1e-12);
@@ -261,9 +284,7 @@ TEST(TensionSolver, NeedsAMotor) {
 TEST(TensionSolver, RefusesFrictionThatNoDoubleCanHold) {
   Hardware hardware;
   hardware.tube = {2, 5};
-  std::string word = "M-1";
-  for (int f = 2; f <= max_fingers; ++f) word += "-T-" + std::to_string(f);
-  word += "-F";
+  const std::string word = tendon_through_all(max_fingers);
   EXPECT_EQ(testing::input_error([&] { Solved(word, hardware, Grasp{}); }), no_motor_tension);
 }
 

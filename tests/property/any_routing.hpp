@@ -2,11 +2,11 @@
 // fewer fingers.
 #pragma once
 
+#include <rapidcheck.h>
+
 #include <cstdint>
 #include <ostream>
 #include <utility>
-
-#include <rapidcheck.h>
 
 #include "core/notation.hpp"
 #include "tests/support/random_routing.hpp"

@@ -1,13 +1,13 @@
 #include "core/canonical.hpp"
 
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
 #include <numeric>
 #include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "tests/property/any_routing.hpp"
 
@@ -37,8 +37,7 @@ Tendon entered_elsewhere(Tendon tendon, Dice& dice) {
 Routing disguised(const Routing& routing, Dice& dice) {
   Routing result;
   for (const Tendon& tendon : routing.tendons) {
-    result.tendons.push_back(
-        entered_elsewhere(dice.chance(0.5) ? reversed(tendon) : tendon, dice));
+    result.tendons.push_back(entered_elsewhere(dice.chance(0.5) ? reversed(tendon) : tendon, dice));
   }
   dice.shuffle(result.tendons);
   return result;

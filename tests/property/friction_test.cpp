@@ -1,12 +1,10 @@
 // Does more friction at one contact always cost efficiency? Where the carriage pulls one segment,
 // yes. Where it pulls several, no: the efficiency of the motor is then a mean over these segments,
 // weighted by their tensions, and friction also shifts tension from one to the other.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "core/performance.hpp"
@@ -23,6 +21,13 @@ int motor_sides(const Network& network) {
   int count = 0;
   for (const Segment& segment : network.segments) count += segment.kind == SegmentKind::motor_side;
   return count;
+}
+
+// In a jam nothing slides and no work is done; tensions are elastic only.
+bool jams(const Trial& trial) {
+  return tensions(trial.network, mechanics(trial.network, trial.hardware), trial.grasp,
+                  trial.direction)
+      .jams;
 }
 
 void add_friction(Mechanics& m, std::size_t contact, double phi) {
@@ -52,12 +57,12 @@ TEST(FrictionProperty, WithOneMotorSideMoreFrictionNeverRaisesEfficiencyOrUnifor
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     const Trial trial = testing::random_trial(seed, {1, 4, true, false});
-    if (motor_sides(trial.network) != 1) continue;
+    if (motor_sides(trial.network) != 1 || jams(trial)) continue;
     SCOPED_TRACE(testing::to_text(trial));
     expect_no_gain(trial);
     ++found;
   }
-  EXPECT_GT(found, 300);
+  EXPECT_GT(found, 200);
 }
 
 // M-1-T-2-M with finger 1 held: T4 runs straight to its motor side b, while T3 runs round finger 1
@@ -98,20 +103,6 @@ TEST(Friction, BeyondWhatATipHasToHoldChangesNothing) {
   const TensionState holding = tensions(network, m, hold({1}));
   add_friction(m, 3, 3);
   EXPECT_EQ(tensions(network, m, hold({1})).tension, holding.tension);
-}
-
-// The same with every tube alike: the tips of both fingers, the joins, all get rougher.
-TEST(Friction, OfAllTubesAlikeCanRaiseEfficiencyToo) {
-  const Network network = expand(parse_routing("M-1-P-2b-T-3-F"));
-  Hardware hardware;
-  hardware.sheath.mu = 0.2;
-  std::vector<double> efficiency;
-  for (const double mu : {0.1, 0.3}) {
-    hardware.tube.mu = mu;
-    const Mechanics m = mechanics(network, hardware);
-    efficiency.push_back(performance(network, tensions(network, m, hold({2}))).efficiency);
-  }
-  EXPECT_GT(efficiency[1], efficiency[0]);
 }
 
 }  // namespace

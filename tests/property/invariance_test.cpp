@@ -1,12 +1,13 @@
 // What a solution must not depend on: the unit of length, how a tendon is walked, the names of
 // fingers, the order of tendons, and what the solver solved before.
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <numeric>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/tension.hpp"
 #include "tests/support/random_routing.hpp"
@@ -130,6 +131,27 @@ TEST(InvarianceProperty, TensionsDoNotDependOnTheDirectionOfTheWalk) {
   for_each_trial(1000, [](const Trial& trial, const Mechanics& m) {
     expect_same_tensions(trial, m, walked_backwards(trial));
   });
+}
+
+// Friction that takes the tension over tens of decades, segments a million times as long as others.
+Mechanics rough_and_uneven(Mechanics m, Dice& dice) {
+  for (std::size_t k = 0; k < m.phi.size(); ++k) {
+    m.phi[k] = dice.chance(0.1) ? 0 : dice.real(0, 10);
+    m.decay[k] = std::exp(-m.phi[k]);
+  }
+  for (double& length : m.length) length = dice.log_real(1e-3, 1e3);
+  return m;
+}
+
+TEST(InvarianceProperty, TensionsDoNotDependOnTheDirectionOfTheWalkHoweverRoughItIs) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const Trial trial = testing::random_trial(seed, {1, 8, true, true});
+    SCOPED_TRACE(testing::to_text(trial));
+    Dice dice(seed + 3333);
+    const Mechanics m = rough_and_uneven(mechanics(trial.network, trial.hardware), dice);
+    expect_same_tensions(trial, m, walked_backwards(trial));
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 // ---- loops entered at another finger ----

@@ -1,9 +1,9 @@
 #include "core/notation.hpp"
 
-#include <string>
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <string>
 
 #include "core/error.hpp"
 #include "tests/property/any_routing.hpp"

@@ -1,11 +1,11 @@
 // What every solution owes to physics, whatever the routing.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/performance.hpp"
 #include "core/tension.hpp"

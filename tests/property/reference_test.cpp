@@ -1,13 +1,13 @@
 // The tension solver against an independent one (support/reference_model.hpp), which is given the
 // word and the numbers of the hardware and shares no code with the library.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "core/tension.hpp"

@@ -1,12 +1,13 @@
 #include "search/evaluation.hpp"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "search/generator.hpp"
@@ -38,7 +39,14 @@ const std::vector<Published>& published() {
       {"M-1-T-2-F", {0.183, 0.082}, {0.183, 0.253}, {0.183, 0.167}, {0.183, 0.167}, 4, 1, 0, 0},
       {"M-1-T-2-M", {0.323, 0.183}, {0.323, 0.183}, {0.568, 0.253}, {0.405, 0.207}, 2, 2, 0, 0},
       {"F-1-P-2-F", {0.566, 0.253}, {0.566, 0.253}, {0.568, 0.253}, {0.567, 0.253}, 2, 2, 1, 0},
-      {"M-1-P-2-F", {0.034, 0.040}, {0.566, 0.295}, {0.322, 0.279}, {0.307, 0.205}, 4.0 / 3, 3, 1,
+      {"M-1-P-2-F",
+       {0.034, 0.040},
+       {0.566, 0.295},
+       {0.322, 0.279},
+       {0.307, 0.205},
+       4.0 / 3,
+       3,
+       1,
        0},
       {"M-1-P-2-M", {0.034, 0.052}, {0.034, 0.052}, {1.000, 0.323}, {0.356, 0.142}, 1, 4, 1, 0},
       {"1-T-2-P-1", {0.566, 0.253}, {0.566, 0.253}, {0.568, 0.253}, {0.567, 0.253}, 2, 2, 1, 1},
@@ -93,14 +101,14 @@ TEST(Evaluation, TheWorstGraspIsTheLeastOfTheTable) {
     SCOPED_TRACE(row.word);
     const ObjectiveValues values = evaluate(row.word);
     const auto least = [](double a, double b, double c) { return std::min(a, std::min(b, c)); };
-    EXPECT_NEAR(value(values, Objective::uniformity_worst),
-                least(row.first_held.uniformity, row.second_held.uniformity,
-                      row.both_close.uniformity),
-                printed_digits);
-    EXPECT_NEAR(value(values, Objective::efficiency_worst),
-                least(row.first_held.efficiency, row.second_held.efficiency,
-                      row.both_close.efficiency),
-                printed_digits);
+    EXPECT_NEAR(
+        value(values, Objective::uniformity_worst),
+        least(row.first_held.uniformity, row.second_held.uniformity, row.both_close.uniformity),
+        printed_digits);
+    EXPECT_NEAR(
+        value(values, Objective::efficiency_worst),
+        least(row.first_held.efficiency, row.second_held.efficiency, row.both_close.efficiency),
+        printed_digits);
   }
 }
 
@@ -138,8 +146,8 @@ TEST(Evaluation, TravelDoesNotDependOnTheGrasps) {
             value(evaluate("M-1-P-2-F"), Objective::travel));
 }
 
-// Two tendons, one for each finger: whichever finger is held blocks the carriage and takes the whole
-// motor tension; with both closing, they share it.
+// Two tendons, one for each finger: whichever finger is held blocks the carriage and takes the
+// whole motor tension; with both closing, they share it.
 TEST(Evaluation, ARoutingThatJamsDoesNoWorkInThatGrasp) {
   const double sheath = std::exp(-0.18 * 2 * std::numbers::pi);
   const double tip = std::exp(-0.18 * std::numbers::pi);

@@ -311,10 +311,9 @@ TEST(Generator, TwoFingersWithPaperPartsAreTheSevenOfThePaper) {
                                       "1-P-2-P-1"}));  // TR7
 }
 
-// The fingers of the walk, in its order.
-std::vector<int> fingers_along(const Tendon& tendon) {
+std::vector<int> fingers_along(const Walk& walk) {
   std::vector<int> numbers;
-  for (const Token& token : tendon.walk) {
+  for (const Token& token : walk) {
     if (token.kind == TokenKind::finger) numbers.push_back(token.finger);
   }
   return numbers;
@@ -339,7 +338,7 @@ bool is_in_the_papers_order(const Tendon& tendon) {
   const std::vector<Walk> ways = ways_to_walk(tendon);
   return std::any_of(ways.begin(), ways.end(), [&](const Walk& walk) {
     if (tendon.closed && !is_join(walk.back().kind)) return false;
-    const std::vector<int> numbers = fingers_along({walk, tendon.closed});
+    const std::vector<int> numbers = fingers_along(walk);
     if (!std::is_sorted(numbers.begin(), numbers.end())) return false;
     return tendon.closed ? walk.back().kind == TokenKind::movable_pulley
                          : walk.front().kind <= walk.back().kind;

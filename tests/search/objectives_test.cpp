@@ -1,10 +1,10 @@
 #include "search/objectives.hpp"
 
+#include <gtest/gtest.h>
+
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "tests/support/input_error.hpp"
 
@@ -72,9 +72,9 @@ TEST(ObjectiveTable, SaysWhichDirectionIsBetter) {
 
 TEST(Objectives, MeansAreWeightedAndTheWorstGraspIsNot) {
   const ObjectiveValues values = computed(hand_made());
-  EXPECT_EQ(value(values, Objective::uniformity_mean), 0.2);      // (0.5 + 3 * 0.1) / 4
+  EXPECT_EQ(value(values, Objective::uniformity_mean), 0.2);  // (0.5 + 3 * 0.1) / 4
   EXPECT_EQ(value(values, Objective::uniformity_worst), 0.1);
-  EXPECT_EQ(value(values, Objective::efficiency_mean), 0.5);      // (0.2 + 3 * 0.6) / 4
+  EXPECT_EQ(value(values, Objective::efficiency_mean), 0.5);  // (0.2 + 3 * 0.6) / 4
   EXPECT_EQ(value(values, Objective::efficiency_worst), 0.2);
   EXPECT_EQ(value(values, Objective::force_transmission), 1.75);  // (1 + 3 * 2) / 4
   EXPECT_EQ(value(values, Objective::return_friction), 0.7);      // (0.4 + 3 * 0.8) / 4
@@ -114,9 +114,9 @@ TEST(Objectives, AreRoundedToTenDigitsBehindThePoint) {
 }
 
 TEST(ParseObjectives, KeepsTheOrderOfTheList) {
-  EXPECT_EQ(parse_objectives("sheaths,jams,uniformity_worst"),
-            (std::vector<Objective>{Objective::sheaths, Objective::jams,
-                                    Objective::uniformity_worst}));
+  EXPECT_EQ(
+      parse_objectives("sheaths,jams,uniformity_worst"),
+      (std::vector<Objective>{Objective::sheaths, Objective::jams, Objective::uniformity_worst}));
   EXPECT_EQ(parse_objectives("travel"), std::vector<Objective>{Objective::travel});
 }
 
@@ -202,8 +202,9 @@ TEST(ParseConstraintError, SaysWhatAConstraintIsMadeOf) {
 
 TEST(ParseConstraintError, KnowsFiveComparisons) {
   for (const std::string comparison : {"=>", "=<", "=", "===", "<>", "><", "<<", "!=", "<=="}) {
-    EXPECT_NE(constraint_message("sheaths" + comparison + "2").find("expected an objective, one of"),
-              std::string::npos)
+    EXPECT_NE(
+        constraint_message("sheaths" + comparison + "2").find("expected an objective, one of"),
+        std::string::npos)
         << comparison;
   }
 }

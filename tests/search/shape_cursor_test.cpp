@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -26,8 +27,8 @@ std::vector<Walk> extended(const std::vector<Walk>& walks, const std::vector<Tok
 }
 
 std::vector<Token> tokens(const std::vector<TokenKind>& kinds) {
-  std::vector<Token> choices;
-  for (const TokenKind kind : kinds) choices.push_back(plain(kind));
+  std::vector<Token> choices(kinds.size());
+  std::transform(kinds.begin(), kinds.end(), choices.begin(), plain);
   return choices;
 }
 

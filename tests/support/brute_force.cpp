@@ -1,5 +1,10 @@
 #include "brute_force.hpp"
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/isomorphism.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -7,11 +12,6 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
-#include <boost/graph/isomorphism.hpp>
-#include <boost/range/iterator_range.hpp>
 
 namespace reeve::testing {
 namespace {

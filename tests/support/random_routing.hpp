@@ -18,8 +18,8 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
 
-  int integer(int low, int high);          // low … high, both included
-  double real(double low, double high);    // uniform
+  int integer(int low, int high);            // low … high, both included
+  double real(double low, double high);      // uniform
   double log_real(double low, double high);  // uniform in the logarithm
   bool chance(double probability);
 
@@ -42,8 +42,8 @@ class Dice {
 struct RoutingRange {
   int least_fingers = 2;
   int most_fingers = 6;
-  bool actuated = true;       // every tendon hangs on the carriage
-  bool bare_tendons = true;   // sometimes a tendon without a finger, such as M-F
+  bool actuated = true;      // every tendon hangs on the carriage
+  bool bare_tendons = true;  // sometimes a tendon without a finger, such as M-F
 };
 
 // Open tendons and loops, all joins and ends, both tips, joins side by side, several tendons.

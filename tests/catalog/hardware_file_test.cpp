@@ -1,0 +1,189 @@
+#include "catalog/hardware_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/catalog/temporary_folder.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::TemporaryFolder;
+
+HardwareFile read(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_hardware_file(folder.write("h.toml", text));
+}
+
+std::string error_in(const std::string& text) {
+  const TemporaryFolder folder;
+  return folder.error_of([&] { read_hardware_file(folder.write("h.toml", text)); });
+}
+
+void expect_defaults(const HardwareFile& file) {
+  const Hardware paper;
+  EXPECT_EQ(file.hardware.tube.mu, paper.tube.mu);
+  EXPECT_EQ(file.hardware.tube.angle_rad, paper.tube.angle_rad);
+  EXPECT_EQ(file.hardware.bearing.mu, paper.bearing.mu);
+  EXPECT_EQ(file.hardware.sheath.angle_rad, paper.sheath.angle_rad);
+  EXPECT_EQ(file.hardware.strand_mm, paper.strand_mm);
+  EXPECT_TRUE(file.hardware.fingers.empty());
+  EXPECT_TRUE(file.hardware.contacts.empty());
+  EXPECT_EQ(file.uncertainty.tube_mu.low, 0.05);
+  EXPECT_EQ(file.uncertainty.tube_mu.high, 0.20);
+  EXPECT_EQ(file.uncertainty.sheath_angle_relative, 0.2);
+}
+
+TEST(HardwareFile, IsThePapersHardwareWhereNothingIsGiven) {
+  expect_defaults(read(""));
+  expect_defaults(read("# only a comment\n"));
+  expect_defaults(read("\xEF\xBB\xBF"));
+  expect_defaults(read("[tube]\n[finger]\n[uncertainty]\n"));
+}
+
+TEST(HardwareFile, GivesEveryKeyOfTheExampleToCore) {
+  const HardwareFile file =
+      read_hardware_file(std::string(REEVE_CATALOG_DIR) + "/hardware/example.toml");
+  const Hardware& hardware = file.hardware;
+  EXPECT_EQ(hardware.sheath.angle_rad, 2 * std::numbers::pi);
+  ASSERT_EQ(hardware.fingers.size(), 1U);
+  EXPECT_EQ(hardware.fingers[0].finger, 2);
+  EXPECT_EQ(hardware.fingers[0].tip_mu, 0.09);
+  EXPECT_EQ(hardware.fingers[0].tip_angle_rad, std::numbers::pi);
+  EXPECT_EQ(hardware.fingers[0].sheath_mu, 0.18);
+  EXPECT_EQ(hardware.fingers[0].sheath_angle_rad, 7.0);
+  EXPECT_EQ(hardware.fingers[0].strand_mm, 90);
+  EXPECT_EQ(hardware.fingers[0].closing, 0.8);
+  ASSERT_EQ(hardware.contacts.size(), 1U);
+  EXPECT_EQ(hardware.contacts[0].segment, "a");
+  EXPECT_EQ(hardware.contacts[0].other_segment, "T1");
+  EXPECT_EQ(hardware.contacts[0].mu, 0.2);
+  EXPECT_EQ(hardware.contacts[0].angle_rad, 6.0);
+}
+
+TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
+  const HardwareFile file = read(
+      "tube = { mu = 0.01, angle_rad = 1.1 }\nbearing = { mu = 0.02, angle_rad = 1.2 }\n"
+      "sheath = { mu = 0.03, angle_rad = 1.3 }\n"
+      "[lengths]\nstrand_mm = 11\nmotor_side_mm = 12\nhand_mm = 13\n"
+      "[uncertainty]\ntube_mu = [0.1, 0.2]\nsheath_mu = [0, 1]\nbearing_mu_relative = 0.3\n"
+      "sheath_angle_relative = 0.4\n");
+  EXPECT_EQ(file.hardware.tube.mu, 0.01);
+  EXPECT_EQ(file.hardware.tube.angle_rad, 1.1);
+  EXPECT_EQ(file.hardware.bearing.mu, 0.02);
+  EXPECT_EQ(file.hardware.bearing.angle_rad, 1.2);
+  EXPECT_EQ(file.hardware.sheath.mu, 0.03);
+  EXPECT_EQ(file.hardware.sheath.angle_rad, 1.3);
+  EXPECT_EQ(file.hardware.strand_mm, 11);
+  EXPECT_EQ(file.hardware.motor_side_mm, 12);
+  EXPECT_EQ(file.hardware.hand_mm, 13);
+  EXPECT_EQ(file.uncertainty.tube_mu.low, 0.1);
+  EXPECT_EQ(file.uncertainty.tube_mu.high, 0.2);
+  EXPECT_EQ(file.uncertainty.sheath_mu.low, 0);
+  EXPECT_EQ(file.uncertainty.sheath_mu.high, 1);
+  EXPECT_EQ(file.uncertainty.bearing_mu_relative, 0.3);
+  EXPECT_EQ(file.uncertainty.sheath_angle_relative, 0.4);
+}
+
+TEST(HardwareFile, TakesAWholeNumberAndWindowsLineEnds) {
+  EXPECT_EQ(read("[tube]\r\nmu = 1\r\n").hardware.tube.mu, 1.0);
+}
+
+// A large angle is right with a small coefficient, in whatever order the two stand.
+TEST(HardwareFile, ChecksCoefficientAndAngleTogether) {
+  EXPECT_EQ(read("[tube]\nangle_rad = 100\nmu = 0.01\n").hardware.tube.exponent(), 1.0);
+  EXPECT_EQ(error_in("[tube]\nangle_rad = 100\n"),
+            "h.toml:1:2: hardware: tube: mu * angle = 18: expected at most 10");
+}
+
+struct Mistake {
+  std::string text;
+  std::string message;
+};
+
+TEST(HardwareFile, NamesThePlaceOfABadNumber) {
+  const std::vector<Mistake> mistakes = {
+      {"[tube]\nmu = -0.1\n", "h.toml:2:6: tube.mu = -0.1: expected a finite number, not negative"},
+      {"[tube]\nmu = nan\n", "h.toml:2:6: tube.mu = nan: expected a finite number, not negative"},
+      {"[tube]\nangle_rad = inf\n",
+       "h.toml:2:13: tube.angle_rad = inf: expected a finite number, not negative"},
+      {"[tube]\nmu = \"0.1\"\n",
+       "h.toml:2:6: tube.mu = \"0.1\": expected a finite number, not negative"},
+      {"[tube]\nmu = true\n", "h.toml:2:6: tube.mu = true: expected a finite number, not negative"},
+      {"[tube]\nmu = 11\n", "h.toml:1:2: hardware: tube.mu = 11: expected a number from 0 to 10"},
+      {"[lengths]\nstrand_mm = 0\n",
+       "h.toml:1:2: hardware: lengths.strand_mm = 0: expected a number from 0.001 to 1000000 mm"},
+      {"[finger.2]\nclosing = 0\n",
+       "h.toml:1:9: hardware: finger.2.closing = 0: expected a number from 0.001 to 1000"},
+      {"[finger.2]\nsheath_angle_rad = 99\n",
+       "h.toml:1:9: hardware: finger.2 sheath: mu * angle = 17.82: expected at most 10"},
+      {"[uncertainty]\ntube_mu = [0.2, 0.1]\n",
+       "h.toml:2:11: uncertainty.tube_mu = [0.2, 0.1]: expected two friction coefficients, the "
+       "least and the greatest, such as [0.05, 0.20], at most 10"},
+      {"[uncertainty]\ntube_mu = [0.2]\n",
+       "h.toml:2:11: uncertainty.tube_mu = (an array): expected two friction coefficients, the "
+       "least and the greatest, such as [0.05, 0.20]"},
+      {"[uncertainty]\nsheath_mu = [0.1, nan]\n",
+       "h.toml:2:19: uncertainty.sheath_mu[2] = nan: expected a finite number, not negative"},
+      {"[uncertainty]\nbearing_mu_relative = 50\n",
+       "h.toml:2:23: uncertainty.bearing_mu_relative = 50: expected a half-width from 0 to 1, as a "
+       "part of the value"},
+  };
+  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in(mistake.text), mistake.message);
+}
+
+TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
+  const std::vector<Mistake> mistakes = {
+      {"[tub]\nmu = 1\n",
+       "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, sheath, lengths, finger, "
+       "contact, uncertainty"},
+      {"[tube]\nmu_s = 1\n", "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad"},
+      {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},
+      {"[[tube]]\nmu = 1\n", "h.toml:1:1: tube = (an array): expected a table"},
+      {"[finger]\nmu = 1\n",
+       "h.toml:2:1: unknown table 'finger.mu': expected finger.1 to finger.64"},
+      {"[finger.02]\n", "h.toml:1:9: unknown table 'finger.02': expected finger.1 to finger.64"},
+      {"[finger.65]\n", "h.toml:1:9: unknown table 'finger.65': expected finger.1 to finger.64"},
+      {"[finger.1]\nmu = 1\n",
+       "h.toml:2:1: unknown key 'finger.1.mu': expected one of tip_mu, tip_angle_rad, sheath_mu, "
+       "sheath_angle_rad, strand_mm, closing"},
+      {"[contact.aT1]\nmu = 1\n",
+       "h.toml:1:10: contact 'aT1': expected the two segments beside it, such as "
+       "[contact.\"a-T1\"]"},
+      {"[contact.a-Q1]\nmu = 1\n",
+       "h.toml:1:10: hardware: contact: segment 'Q1': expected a strand (T1), a motor-side segment "
+       "(a) or a stretch at the hand (h1)"},
+      {"[contact.a-T1]\nmu = 1\n[contact.T1-a]\nmu = 2\n",
+       "h.toml:3:10: contact 'T1-a': expected each contact once"},
+      {"[tube]\nmu = 1\nmu = 2\n",
+       "h.toml:3:6: not valid TOML: Error while parsing key-value pair: cannot redefine existing "
+       "integer 'mu'"},
+  };
+  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in(mistake.text), mistake.message);
+}
+
+TEST(HardwareFile, RefusesWhatIsNoReadableFile) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& name) {
+    return folder.error_of([&] { read_hardware(folder.path() / name); });
+  };
+  std::filesystem::create_directory(folder.path() / "sub");
+  EXPECT_EQ(error("none.toml"), "none.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(error("sub"), "sub: is a directory: expected a TOML file");
+}
+
+TEST(HardwareFile, RefusesMoreThanOneMebibyte) {
+  const TemporaryFolder folder;
+  const std::string line(1023, '#');
+  std::string text;
+  for (int i = 0; i < 1024; ++i) text += line + "\n";
+  EXPECT_NO_THROW(read_hardware(folder.write("h.toml", text)));
+  EXPECT_EQ(folder.error_of([&] { read_hardware(folder.write("h.toml", text + "\n")); }),
+            "h.toml: is larger than 1 MiB: expected a TOML file of some lines");
+}
+
+}  // namespace
+}  // namespace reeve
