@@ -1,9 +1,8 @@
 // One design in all its grasps, pulling and releasing, with every objective.
-#include "search/evaluation.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
+#include "search/evaluation.hpp"
 
 namespace reeve::bench {
 namespace {

@@ -1,9 +1,8 @@
 // The main job end to end: generate, evaluate, keep the best, rank.
-#include "search/explore.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
+#include "search/explore.hpp"
 
 namespace reeve::bench {
 namespace {

@@ -1,9 +1,8 @@
 // Generation alone: every routing of the full parts, actuated or not, none of them evaluated.
-#include "search/generator.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
+#include "search/generator.hpp"
 
 namespace reeve::bench {
 namespace {
@@ -39,8 +38,7 @@ void generate_words(benchmark::State& state) {
 
 BENCHMARK(generate)->ArgName("fingers")->Arg(5)->Arg(6)->UseRealTime()->Unit(
     benchmark::kMillisecond);
-BENCHMARK(generate_words)->ArgName("fingers")->Arg(6)->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(generate_words)->ArgName("fingers")->Arg(6)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace reeve::bench

@@ -1,9 +1,8 @@
 // From a routing to its network and the numbers of its contacts: once for each design.
-#include "core/network.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
+#include "core/network.hpp"
 
 namespace reeve::bench {
 namespace {

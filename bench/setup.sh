@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154
 # Sourced by bench/compare and bench/instructions, with `root` set: packages, then the preset
 # bench. Exit 3 when that fails.
 # shellcheck source=scripts/packages.sh

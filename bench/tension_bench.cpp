@@ -1,9 +1,8 @@
 // One tension solve: kinematics, directions and tensions of a routing that is already a network.
-#include "core/tension.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
+#include "core/tension.hpp"
 
 namespace reeve::bench {
 namespace {

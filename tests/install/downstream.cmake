@@ -22,5 +22,5 @@ endif()
 
 # The installed executable too, where there is one: it must find its own files.
 if(EXISTS "${work}/prefix/bin/reeve")
-  run("${work}/prefix/bin/reeve" --help)
+  execute_process(COMMAND "${work}/prefix/bin/reeve" check OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()

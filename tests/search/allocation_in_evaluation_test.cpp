@@ -3,13 +3,13 @@
 //
 // Counted by replacing operator new for the whole test program, thread by thread. The sanitizers
 // replace it themselves and must keep it to find mismatches, so there nothing is counted.
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "search/evaluation.hpp"
 #include "search/generator.hpp"

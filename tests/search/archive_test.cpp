@@ -1,12 +1,12 @@
 #include "search/archive.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <random>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace reeve {
 namespace {
@@ -142,7 +142,8 @@ TEST(Archive, MayBeReadBetweenAdditions) {
   std::mt19937_64 engine(13);
   for (const Stream& stream : streams()) {
     SCOPED_TRACE(to_text(stream));
-    const std::vector<Design> designs = random_designs(engine, {stream.objectives, stream.levels, 900});
+    const std::vector<Design> designs =
+        random_designs(engine, {stream.objectives, stream.levels, 900});
     Archive archive(stream.objectives, 5);
     for (std::size_t i = 0; i < designs.size(); ++i) {
       archive.add(designs[i]);

@@ -1,12 +1,14 @@
 #include "search/explore.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <numeric>
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "search/evaluation.hpp"
@@ -94,9 +96,8 @@ std::vector<RankedDesign> ranked_by_sweep(const std::vector<Design>& designs,
     const Goodness worth = goodness(design.values, objectives);
     points.push_back({worth[0], worth[1], &design});
   }
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return a.x != b.x ? a.x > b.x : a.y > b.y;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
   std::vector<Point> highest;  // of each front; of several, the one with the greatest x
   std::vector<RankedDesign> ranked;
   for (const Point& point : points) {
@@ -255,7 +256,6 @@ TEST(ExploreThreads, AFaultInAnyOfThemComesThrough) {
   for (const int threads : {1, 2, 3, 8}) {
     ExploreOptions options = options_for(full_parts(), 3);
     options.threads = threads;
-    options.hardware.contacts.push_back({"T1", "T2", 0.1, {}});
     options.hardware.sheath.mu = -1;
     EXPECT_THROW(explore(options), InputError);
   }
@@ -284,7 +284,8 @@ TEST(ExploreShards, TogetherAreTheWhole) {
     EXPECT_EQ(total, whole.total);
     EXPECT_EQ(generated, whole.generated);
     EXPECT_EQ(evaluated, whole.evaluated);
-    for (std::size_t r = 0; r < rejected.size(); ++r) EXPECT_EQ(rejected[r], whole.rejected[r].count);
+    for (std::size_t r = 0; r < rejected.size(); ++r)
+      EXPECT_EQ(rejected[r], whole.rejected[r].count);
     for (const RankedDesign& entry : whole.top) {
       EXPECT_EQ(tops.count(entry.design.word), 1U) << entry.design.word << " of " << count;
     }
@@ -406,8 +407,8 @@ TEST(ExploreReferences, NeedNotBeAmongTheRoutings) {
   const ReferenceStanding& stranger = result.references[0];
   EXPECT_EQ(stranger.rank, 0U);
   EXPECT_EQ(stranger.front, 0);
-  EXPECT_EQ(stranger.design.values, DesignEvaluator(options.hardware, options.grasps)
-                                        .evaluate(options.references[0]));
+  EXPECT_EQ(stranger.design.values,
+            DesignEvaluator(options.hardware, options.grasps).evaluate(options.references[0]));
   const Goodness own = goodness(stranger.design.values, both);
   const auto dominators = std::count_if(naive.kept.begin(), naive.kept.end(), [&](const Design& d) {
     return dominates(goodness(d.values, both), own);
@@ -437,10 +438,27 @@ TEST(ParseShard, ReadsPartAndNumberOfParts) {
 }
 
 TEST(ParseShardError, SaysWhatAShardIs) {
-  for (const std::string text :
-       {"3/2", "0/4", "a/b", "1/", "", "1/0", "-1/2", "1/2/3", "/", "/2", "1", "1/-2", "1/b", " 1/2",
-        "1 /2", "1/2 ", "1.5/2", "+1/2", "0/0", "99999999999999999999/2",
-        "1/99999999999999999999"}) {
+  for (const std::string text : {"3/2",
+                                 "0/4",
+                                 "a/b",
+                                 "1/",
+                                 "",
+                                 "1/0",
+                                 "-1/2",
+                                 "1/2/3",
+                                 "/",
+                                 "/2",
+                                 "1",
+                                 "1/-2",
+                                 "1/b",
+                                 " 1/2",
+                                 "1 /2",
+                                 "1/2 ",
+                                 "1.5/2",
+                                 "+1/2",
+                                 "0/0",
+                                 "99999999999999999999/2",
+                                 "1/99999999999999999999"}) {
     EXPECT_EQ(testing::input_error([&] { parse_shard(text); }),
               "--shard '" + text + "': expected i/N with 1 <= i <= N, such as 2/8");
   }

@@ -1,10 +1,10 @@
 #include "search/pareto.hpp"
 
+#include <gtest/gtest.h>
+
 #include <random>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace reeve {
 namespace {
@@ -50,9 +50,7 @@ std::vector<int> peeled(const GoodnessMatrix& matrix) {
   return front;
 }
 
-Goodness row_of(const GoodnessMatrix& matrix, Eigen::Index i) {
-  return matrix.row(i).transpose();
-}
+Goodness row_of(const GoodnessMatrix& matrix, Eigen::Index i) { return matrix.row(i).transpose(); }
 
 std::string shape(const GoodnessMatrix& matrix, int levels) {
   return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()) + ", " +

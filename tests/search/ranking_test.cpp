@@ -1,11 +1,11 @@
 #include "search/ranking.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace reeve {
 namespace {
@@ -86,9 +86,9 @@ TEST(Ranking, Rule3FewerPartsComeFirstOfWhicheverKind) {
 }
 
 TEST(Ranking, Rule4TheWordDecidesByteByByte) {
-  const std::vector<Design> designs{design("M-2-F", {}),  design("M-10-F", {}), design("1-P-1", {}),
-                                    design("M-1-M", {}),  design("M-1-F", {}),
-                                    design("M-1-F+M-2-F", {})};
+  const std::vector<Design> designs{design("M-2-F", {}), design("M-10-F", {}),
+                                    design("1-P-1", {}), design("M-1-M", {}),
+                                    design("M-1-F", {}), design("M-1-F+M-2-F", {})};
   EXPECT_EQ(order(designs, both), "1-P-11 M-1-F1 M-1-F+M-2-F1 M-1-M1 M-10-F1 M-2-F1");
 }
 
