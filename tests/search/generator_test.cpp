@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <random>
 #include <set>
 #include <string>
@@ -19,21 +16,6 @@
 #include "core/notation.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/counting.hpp"
-
-namespace {
-
-std::atomic<std::uint64_t> allocations = 0;
-
-}  // namespace
-
-// Not inlined: GCC would take malloc and delete for a pair that does not match.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace reeve {
 namespace {
@@ -649,27 +631,6 @@ TEST(Generator, MoreThanTwoToThe63RoutingsAreRefused) {
   EXPECT_EQ(error_of(options(full_parts(), 64, identical)), expected);
   EXPECT_EQ(error_of(options(full_parts(), 64, identical, true)), expected);
   EXPECT_EQ(error_of(options(paper_parts(), 20, distinct)), expected);
-}
-
-// ---- memory ----
-
-void expect_no_allocation(const GeneratorOptions& o) {
-  RoutingGenerator generator(o);
-  ASSERT_GT(generator.total(), 110000U);
-  Routing routing;
-  generator.seek(generator.total() - 1);  // a tendon for each finger
-  generator.next(routing);
-  generator.seek(generator.total() / 3);
-  for (int i = 0; i < 1000; ++i) generator.next(routing);
-  const std::uint64_t before = allocations;
-  for (int i = 0; i < 100000; ++i) generator.next(routing);
-  EXPECT_EQ(allocations - before, 0U) << label(o);
-}
-
-TEST(Generator, NeedsNoMemoryForWhatWasSeen) {
-  expect_no_allocation(options(full_parts(), 6, identical));
-  expect_no_allocation(options(full_parts(), 8, identical, true));
-  expect_no_allocation(options(paper_parts(), 6, distinct));
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+// Evaluating routing after routing, and generating them, allocates nothing once warm: memory that is
+// asked for in the inner loop of an exploration would cost more than the tensions.
+#include <cstdint>
+#include <vector>
+
+#include "search/evaluation.hpp"
+#include "search/generator.hpp"
+#include "tests/allocation/allocations.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Allocation;
+using testing::allocations_in;
+
+GeneratorOptions all_of_five_fingers() {
+  return {full_parts(), 5, FingerIdentity::identical, false};
+}
+
+std::vector<Routing> actuated() {
+  RoutingGenerator generator(all_of_five_fingers());
+  std::vector<Routing> routings;
+  for (Routing routing; generator.next(routing);) {
+    if (is_actuated(routing)) routings.push_back(routing);
+  }
+  return routings;
+}
+
+TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
+  const std::vector<Routing> routings = actuated();
+  ASSERT_GT(routings.size(), 20000U);
+  DesignEvaluator evaluator(Hardware{}, single_grasps(5));
+  double sum = 0;
+  const auto pass = [&] {
+    for (const Routing& routing : routings) {
+      sum += value(evaluator.evaluate(routing), Objective::uniformity_mean);
+    }
+  };
+  const std::uint64_t warming = allocations_in(pass);
+  const std::uint64_t warm = allocations_in(pass);
+  EXPECT_GT(warming, 0U);
+  EXPECT_LT(warming, 1000U);
+  EXPECT_EQ(warm, 0U) << "for " << routings.size() << " routings";
+  EXPECT_GT(sum, 0);
+}
+
+TEST_F(Allocation, HappensInNoGenerationOnceTheGeneratorIsWarm) {
+  RoutingGenerator generator(all_of_five_fingers());
+  Routing routing;
+  std::uint64_t given = 0;
+  const auto pass = [&] {
+    while (generator.next(routing)) ++given;
+  };
+  const std::uint64_t warming = allocations_in(pass);
+  const std::uint64_t seeking = allocations_in([&] { generator.seek(0); });
+  const std::uint64_t warm = allocations_in(pass);
+  EXPECT_GT(warming, 0U);
+  EXPECT_LT(warming, 1000U);
+  EXPECT_EQ(seeking, 0U);
+  EXPECT_EQ(warm, 0U);
+  EXPECT_EQ(given, 2 * generator.total());
+}
+
+void expect_no_allocation(const GeneratorOptions& options) {
+  RoutingGenerator generator(options);
+  ASSERT_GT(generator.total(), 110000U);
+  Routing routing;
+  generator.seek(generator.total() - 1);  // a tendon for each finger
+  generator.next(routing);
+  generator.seek(generator.total() / 3);
+  for (int i = 0; i < 1000; ++i) generator.next(routing);
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 100000; ++i) generator.next(routing);
+            }),
+            0U);
+}
+
+TEST_F(Allocation, GrowsNotWithWhatTheGeneratorHasGiven) {
+  expect_no_allocation({full_parts(), 6, FingerIdentity::identical, false});
+  expect_no_allocation({full_parts(), 8, FingerIdentity::identical, true});
+  expect_no_allocation({paper_parts(), 6, FingerIdentity::distinct, false});
+}
+
+}  // namespace
+}  // namespace reeve

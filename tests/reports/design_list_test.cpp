@@ -1,0 +1,95 @@
+#include "reports/design_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace reeve {
+namespace {
+
+// Values 0.5, 1.5, 2.5, …: each column is recognisable.
+ListedDesign design(const std::string& name) {
+  ListedDesign listed;
+  listed.name = name;
+  listed.ranked.design.word = "M-1-F";
+  listed.ranked.front = 2;
+  listed.ranked.rank = 3;
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    listed.ranked.design.values[i] = 0.5 + static_cast<double>(i);
+  }
+  return listed;
+}
+
+std::string row_of(const std::string& name) {
+  const std::string csv = design_csv({design(name)});
+  return csv.substr(csv.find('\n') + 1);
+}
+
+TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
+  EXPECT_EQ(design_csv({design("TR0")}),
+            "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
+            "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
+            "return_friction\n"
+            "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5\n");
+}
+
+TEST(DesignCsv, QuotesNamesWithCommasQuotesOrLineEnds) {
+  EXPECT_TRUE(row_of("plain name").starts_with("3,2,M-1-F,plain name,0.5,"));
+  EXPECT_TRUE(row_of("a,b").starts_with("3,2,M-1-F,\"a,b\",0.5,"));
+  EXPECT_TRUE(row_of("a \"b\"").starts_with("3,2,M-1-F,\"a \"\"b\"\"\",0.5,"));
+  EXPECT_TRUE(row_of("a\nb").starts_with("3,2,M-1-F,\"a\nb\",0.5,"));
+  EXPECT_TRUE(row_of("a\rb").starts_with("3,2,M-1-F,\"a\rb\",0.5,"));
+}
+
+TEST(DesignCsv, LeavesTheNameOfANamelessDesignEmpty) {
+  EXPECT_TRUE(row_of("").starts_with("3,2,M-1-F,,0.5,"));
+}
+
+TEST(DesignCsv, PutsANoteIntoACommentLineAtTheTop) {
+  EXPECT_TRUE(design_csv({}, "partial: half").starts_with("# partial: half\nrank,front,"));
+  EXPECT_TRUE(design_csv({}).starts_with("rank,front,"));
+}
+
+TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
+  ListedDesign uncertain = design("");
+  uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
+  const std::string csv = design_csv({uncertain});
+  EXPECT_NE(csv.find(",return_friction,first_share,rank_median,rank_p5,rank_p95\n"),
+            std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",10.5,0.25,4,1,9\n"));
+}
+
+TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
+  ListedDesign listed = design("");
+  EXPECT_TRUE(to_json(listed)["name"].is_null());
+  EXPECT_FALSE(to_json(listed).contains("rank_distribution"));
+  listed.distribution = RankDistribution{0.25, 4, 1, 9};
+  listed.name = "TR0";
+  EXPECT_EQ(to_json(listed)["name"], "TR0");
+  EXPECT_EQ(to_json(listed)["rank_distribution"].dump(),
+            R"({"first_share":0.25,"median":4.0,"p5":1.0,"p95":9.0})");
+}
+
+TEST(DesignTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
+  ListedDesign narrow = design("");
+  narrow.distribution = RankDistribution{0.25, 4, 1, 9};
+  ListedDesign wide = design("TR0");
+  wide.distribution = RankDistribution{1, 100, 100, 1000};
+  const std::string table = design_table({narrow, wide});
+  // The range is the last column, to the right: all lines end at one place, in code points.
+  std::vector<std::size_t> widths(1, 0);
+  for (const char c : table) {
+    if (c == '\n') {
+      widths.push_back(0);
+    } else if ((c & '\xC0') != '\x80') {
+      ++widths.back();
+    }
+  }
+  ASSERT_EQ(widths.size(), 4U);
+  EXPECT_EQ(widths[0], widths[1]);
+  EXPECT_EQ(widths[0], widths[2]);
+}
+
+}  // namespace
+}  // namespace reeve

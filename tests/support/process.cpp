@@ -1,0 +1,149 @@
+#include "tests/support/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+
+namespace reeve::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::runtime_error(what + ": " + std::strerror(errno));
+}
+
+// The two ends of a pipe or of a terminal.
+struct Channel {
+  int ours = -1;
+  int theirs = -1;
+};
+
+Channel open_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe2");
+  return {ends[0], ends[1]};
+}
+
+Channel open_terminal() {
+  Channel channel;
+  if (::openpty(&channel.ours, &channel.theirs, nullptr, nullptr, nullptr) != 0) fail("openpty");
+  ::fcntl(channel.ours, F_SETFD, FD_CLOEXEC);
+  ::fcntl(channel.theirs, F_SETFD, FD_CLOEXEC);
+  return channel;
+}
+
+Channel open_output(const ProcessOptions& options) {
+  if (options.stdout_to.empty()) return open_pipe();
+  const int file = ::open(options.stdout_to.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) fail(options.stdout_to.string());
+  return {-1, file};
+}
+
+[[noreturn]] void become(const std::vector<std::string>& command, const ProcessOptions& options,
+                         int out, int err) {
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(err, STDERR_FILENO);
+  if (options.file_size_limit) {
+    const rlimit limit{*options.file_size_limit, *options.file_size_limit};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+  }
+  if (options.ignore_file_size_signal) ::signal(SIGXFSZ, SIG_IGN);
+  for (const auto& [name, value] : options.environment) {
+    ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  std::vector<char*> arguments;
+  for (const std::string& text : command) arguments.push_back(const_cast<char*>(text.c_str()));
+  arguments.push_back(nullptr);
+  if (::chdir(options.directory.c_str()) == 0) ::execvp(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
+// False at the end.
+bool read_some(int from, std::string& text) {
+  std::array<char, 65536> buffer{};
+  const ssize_t count = ::read(from, buffer.data(), buffer.size());
+  if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+  // A terminal that nobody holds any more says EIO.
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  Channel out = open_output(options);
+  Channel err = options.stderr_is_terminal ? open_terminal() : open_pipe();
+  const pid_t child = ::fork();
+  if (child < 0) fail("fork");
+  if (child == 0) become(command, options, out.theirs, err.theirs);
+  ::close(out.theirs);
+  ::close(err.theirs);
+
+  ProcessResult result;
+  const auto deadline = Clock::now() + options.timeout;
+  bool disturbed = !options.disturbance;
+  while (out.ours >= 0 || err.ours >= 0) {
+    std::array<pollfd, 2> ready{{{out.ours, POLLIN, 0}, {err.ours, POLLIN, 0}}};
+    ::poll(ready.data(), ready.size(), disturbed ? 50 : 1);
+    for (auto [channel, text, flags] : {std::tuple{&out, &result.out, ready[0].revents},
+                                        std::tuple{&err, &result.err, ready[1].revents}}) {
+      if (channel->ours < 0 || flags == 0 || read_some(channel->ours, *text)) continue;
+      ::close(channel->ours);
+      channel->ours = -1;
+    }
+    if (!disturbed && options.disturbance->when(child)) {
+      ::kill(child, options.disturbance->signal);
+      disturbed = true;
+    }
+    if (!result.timed_out && Clock::now() > deadline) {
+      result.timed_out = true;
+      ::kill(child, SIGKILL);
+    }
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  return result;
+}
+
+ProcessResult reeve(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  std::vector<std::string> command{REEVE_EXECUTABLE};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_process(command, options);
+}
+
+bool catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("SigCgt:", 0) != 0) continue;
+    return (std::strtoull(line.c_str() + 7, nullptr, 16) >> (signal - 1) & 1U) != 0;
+  }
+  return false;
+}
+
+std::function<bool(pid_t)> after_it_catches(int signal, std::chrono::milliseconds pause) {
+  const auto since = std::make_shared<std::optional<Clock::time_point>>();
+  return [=](pid_t process) {
+    if (!*since && catches(process, signal)) *since = Clock::now();
+    return *since && Clock::now() - **since >= pause;
+  };
+}
+
+}  // namespace reeve::testing

@@ -1,0 +1,57 @@
+// Runs a program as a user does: what it printed, how it ended, and ways to disturb it.
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reeve::testing {
+
+// A signal, sent once as soon as `when` says so.
+struct Disturbance {
+  int signal = 0;
+  std::function<bool(pid_t)> when;
+};
+
+struct ProcessOptions {
+  std::filesystem::path directory = ".";
+  std::map<std::string, std::string> environment;  // besides the caller's
+  std::chrono::seconds timeout{120};               // then it is killed
+  std::filesystem::path stdout_to;                 // a file instead of the pipe
+  bool stderr_is_terminal = false;
+  std::optional<Disturbance> disturbance;
+  // Bytes that a file may have. Beyond them the process dies of SIGXFSZ, or, if it ignores that,
+  // cannot write: as on a full disk.
+  std::optional<rlim_t> file_size_limit;
+  bool ignore_file_size_signal = false;
+};
+
+struct ProcessResult {
+  int exit_code = -1;  // -1 if a signal ended it
+  int signal = 0;      // that signal
+  bool timed_out = false;
+  std::string out;
+  std::string err;
+};
+
+// Throws std::runtime_error if it cannot be started.
+ProcessResult run_process(const std::vector<std::string>& command,
+                          const ProcessOptions& options = {});
+
+// The executable of this build.
+ProcessResult reeve(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
+
+// Whether the process handles the signal by now.
+bool catches(pid_t process, int signal);
+
+// True from this long after the process began to handle the signal.
+std::function<bool(pid_t)> after_it_catches(int signal, std::chrono::milliseconds pause);
+
+}  // namespace reeve::testing
