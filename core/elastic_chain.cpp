@@ -35,10 +35,15 @@ void ElasticChain::slide(double ratio) {
 }
 
 double ElasticChain::root() const {
+  // The derivative is continuous, so rounding alone can put the root below the piece that holds it.
+  double from = 0;
   for (const Piece& piece : pieces_) {
-    if (piece.slope * piece.upto >= piece.offset) return piece.offset / piece.slope;
+    if (piece.slope * piece.upto >= piece.offset) {
+      return std::max(from, piece.offset / piece.slope);
+    }
+    from = piece.upto;
   }
-  return pieces_.back().offset / pieces_.back().slope;
+  return from;
 }
 
 void ElasticChain::hold(double decay, double rest) {
