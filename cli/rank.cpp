@@ -12,6 +12,7 @@
 #include "core/notation.hpp"
 #include "reports/rank_report.hpp"
 #include "search/evaluation.hpp"
+#include "search/margin.hpp"
 #include "search/uncertainty.hpp"
 
 namespace reeve::cli {
@@ -20,6 +21,7 @@ namespace {
 struct RankFlags {
   std::vector<std::string> routings;
   bool catalog = false;
+  bool margin = false;
   RankingFlags ranking;
   HardwareOption hardware;
   FormatOption format;
@@ -80,6 +82,11 @@ int run(const RankFlags& flags) {
                                        {std::ref(progress), &stop_on_interrupt()});
     if (distributions.empty()) throw Interrupted();
   }
+  if (flags.margin) {
+    MarginOptions options{hardware.hardware, hardware.uncertainty, report.grasps};
+    options.threads = flags.ranking.threads;
+    report.margins = margins(ranked, options);
+  }
   report.designs = list_designs(ranked, distributions, catalogue);
   if (flags.format.is("json")) {
     std::cout << rank_json(report);
@@ -99,6 +106,9 @@ void add_rank(CLI::App& program, int& exit_code) {
   auto flags = std::make_shared<RankFlags>();
   command->add_option("routing", flags->routings, "Catalogue names or words");
   command->add_flag("--catalog", flags->catalog, "All routings of the catalogue");
+  command->add_flag("--margin", flags->margin,
+                    "Search the ranges of the coefficients for where the first design's lead over "
+                    "each other one is least");
   flags->ranking.add_to(*command);
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, {"table", "json", "csv"});

@@ -15,9 +15,20 @@ double ratio(const ChainContact& contact) {
 
 }  // namespace
 
-void ElasticChain::start() {
+// Up to the first still contact the derivative is one piece, which needs no list. Returns the
+// number of contacts passed.
+std::size_t ElasticChain::start(std::span<const ChainSegment> segments,
+                                std::span<const ChainContact> contacts) {
+  double slope = 0;
+  double offset = 0;
+  std::size_t k = 0;
+  for (; k < contacts.size() && contacts[k].slide != Slide::no; ++k) {
+    slope = (slope + segments[k].length) / ratio(contacts[k]);
+    offset += segments[k].take_up;
+  }
   pieces_.clear();
-  pieces_.push_back({infinity, 0, 0});
+  pieces_.push_back({infinity, slope, offset});
+  return k;
 }
 
 void ElasticChain::add(const ChainSegment& segment) {
@@ -65,8 +76,7 @@ void ElasticChain::hold(double decay, double rest) {
 void ElasticChain::solve(std::span<const ChainSegment> segments,
                          std::span<const ChainContact> contacts, std::span<double> tension) {
   rest_.resize(contacts.size());
-  start();
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for (std::size_t k = start(segments, contacts); k < contacts.size(); ++k) {
     add(segments[k]);
     if (contacts[k].slide == Slide::no) {
       rest_[k] = root();

@@ -46,7 +46,7 @@ class ElasticChain {
     double offset;
   };
 
-  void start();
+  std::size_t start(std::span<const ChainSegment> segments, std::span<const ChainContact> contacts);
   void add(const ChainSegment& segment);
   void slide(double ratio);
   void hold(double decay, double rest);

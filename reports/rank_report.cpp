@@ -1,13 +1,53 @@
 #include "reports/rank_report.hpp"
 
 #include "reports/json.hpp"
+#include "reports/text_table.hpp"
 
 namespace reeve {
+namespace {
+
+std::string name_of(const RankReport& report, const std::string& word) {
+  for (const ListedDesign& design : report.designs) {
+    if (design.ranked.design.word == word && !design.name.empty()) return design.name;
+  }
+  return word;
+}
+
+std::string margin_text(const RankReport& report) {
+  if (!report.margins || report.margins->empty()) return "";
+  TextTable table(
+      {"<over", "lead", "least lead", "mu tube", "mu sheath", "mu bearing", "sheath angle, rad"});
+  for (const Margin& margin : *report.margins) {
+    table.add({name_of(report, margin.challenger), fixed(margin.nominal_lead, 4),
+               fixed(margin.least_lead, 4), fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu),
+               fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
+  }
+  return "\nLead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
+         "coefficients it is least; below 0 the order turns there\n" +
+         table.text();
+}
+
+Json margins_json(const std::vector<Margin>& margins) {
+  Json json = Json::array();
+  for (const Margin& margin : margins) {
+    json.push_back({{"over", margin.challenger},
+                    {"lead", margin.nominal_lead},
+                    {"least_lead", margin.least_lead},
+                    {"at",
+                     {{"tube_mu", margin.at.tube.mu},
+                      {"sheath_mu", margin.at.sheath.mu},
+                      {"bearing_mu", margin.at.bearing.mu},
+                      {"sheath_angle_rad", margin.at.sheath.angle_rad}}}});
+  }
+  return json;
+}
+
+}  // namespace
 
 std::string rank_table(const RankReport& report) {
   return "Front by front over " + objective_names(report.objectives) +
          "; uniformity and efficiency as mean/worst over the grasps " + to_text(report.grasps) +
-         "\n\n" + design_table(report.designs);
+         "\n\n" + design_table(report.designs) + margin_text(report);
 }
 
 std::string rank_json(const RankReport& report) {
@@ -15,6 +55,7 @@ std::string rank_json(const RankReport& report) {
             {"settings", settings_json(report.objectives, report.grasps, report.hardware)}};
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  if (report.margins) json["margins"] = margins_json(*report.margins);
   json["version"] = version_json();
   return print(json);
 }

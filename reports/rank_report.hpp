@@ -7,6 +7,7 @@
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "reports/design_list.hpp"
+#include "search/margin.hpp"
 #include "search/objectives.hpp"
 #include "search/uncertainty.hpp"
 
@@ -17,8 +18,9 @@ struct RankReport {
   std::vector<Objective> objectives;
   GraspSet grasps;
   Hardware hardware;
-  // Only where uncertainty was asked for.
+  // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
+  std::optional<std::vector<Margin>> margins;
 };
 
 std::string rank_table(const RankReport& report);

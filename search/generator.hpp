@@ -4,10 +4,11 @@
 // odometer of tendons: the last one moves to its next shape, and when it has no more, it goes and
 // the one before moves. A shape is one only if no other way to walk it comes earlier, and for
 // distinct fingers a numbering of them only if no symmetry of the tendons gives an earlier one.
-// Nothing seen is remembered. With distinct fingers, all numberings of one sequence of shapes follow
-// each other before the next sequence. `seek` starts at any index by skipping whole subtrees, whose
-// sizes are counted (counting.hpp), so that shards partition the whole without talking to each
-// other; within one size of tendon, and for distinct fingers, it steps from shape to shape.
+// Nothing seen is remembered. With distinct fingers, all numberings of one sequence of shapes
+// follow each other before the next sequence. `seek` starts at any index by skipping whole
+// subtrees, whose sizes are counted (counting.hpp), so that shards partition the whole without
+// talking to each other; within one size of tendon, and for distinct fingers, it steps from shape
+// to shape.
 #pragma once
 
 #include <cstdint>

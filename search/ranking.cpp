@@ -9,10 +9,6 @@
 namespace reeve {
 namespace {
 
-double product(const ObjectiveValues& values) {
-  return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);
-}
-
 double part_total(const ObjectiveValues& values) {
   return value(values, Objective::sheaths) + value(values, Objective::pulleys) +
          value(values, Objective::knots);
@@ -20,9 +16,13 @@ double part_total(const ObjectiveValues& values) {
 
 }  // namespace
 
+double uniformity_times_efficiency(const ObjectiveValues& values) {
+  return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);
+}
+
 bool precedes_within_front(const Design& a, const Design& b) {
   const auto key = [](const Design& design) {
-    return std::make_tuple(-product(design.values), part_total(design.values),
+    return std::make_tuple(-uniformity_times_efficiency(design.values), part_total(design.values),
                            std::string_view(design.word));
   };
   return key(a) < key(b);

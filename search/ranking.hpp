@@ -25,6 +25,9 @@ struct RankedDesign {
   std::size_t rank = 0;  // from 1
 };
 
+// Rule 2.
+double uniformity_times_efficiency(const ObjectiveValues& values);
+
 // Rules 2 to 4.
 bool precedes_within_front(const Design& a, const Design& b);
 

@@ -6,16 +6,11 @@
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random.hpp"
+#include "search/coefficient_box.hpp"
 #include "search/evaluation.hpp"
 
 namespace reeve {
 namespace {
-
-double between(double low, double high, double share) { return low + (high - low) * share; }
-
-double varied(double nominal, double relative, double share) {
-  return nominal * between(1 - relative, 1 + relative, share);
-}
 
 // The ranks of the designs, in their order, for one draw of the hardware.
 std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings, std::vector<Design> designs,
@@ -51,15 +46,13 @@ RankDistribution distribution(std::vector<std::uint32_t> ranks) {
 }  // namespace
 
 Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw) {
-  const UncertaintyRanges& ranges = options.ranges;
-  const auto share = [&](std::uint32_t quantity) { return uniform(options.seed, quantity, draw); };
-  Hardware hardware = options.nominal;
-  hardware.tube.mu = between(ranges.tube_mu.low, ranges.tube_mu.high, share(0));
-  hardware.sheath.mu = between(ranges.sheath_mu.low, ranges.sheath_mu.high, share(1));
-  hardware.bearing.mu = varied(hardware.bearing.mu, ranges.bearing_mu_relative, share(2));
-  hardware.sheath.angle_rad =
-      varied(hardware.sheath.angle_rad, ranges.sheath_angle_relative, share(3));
-  return hardware;
+  std::vector<double> point;
+  for (const Interval& interval : coefficient_box(options.nominal, options.ranges)) {
+    const auto quantity = static_cast<std::uint32_t>(point.size());
+    const double share = uniform(options.seed, quantity, draw);
+    point.push_back(interval.low + (interval.high - interval.low) * share);
+  }
+  return at_point(options.nominal, point);
 }
 
 std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,

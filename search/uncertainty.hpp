@@ -1,9 +1,7 @@
 // How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated
 // and ranked anew for each draw, and each design's rank becomes a distribution.
 //
-// A draw holds for all parts of a kind at once (one spool of liner, one sort of bearing). Drawn,
-// uniformly and independently: mu of tubes, mu of sheaths, mu of bearings and the angle of sheaths.
-// What the hardware file sets for single fingers or contacts stays as it is.
+// A draw is a point of the box of uncertain coefficients (coefficient_box.hpp), uniform in it.
 #pragma once
 
 #include <cstdint>

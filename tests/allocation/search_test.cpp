@@ -1,5 +1,5 @@
-// Evaluating routing after routing, and generating them, allocates nothing once warm: memory that is
-// asked for in the inner loop of an exploration would cost more than the tensions.
+// Evaluating routing after routing, and generating them, allocates nothing once warm: memory that
+// is asked for in the inner loop of an exploration would cost more than the tensions.
 #include <cstdint>
 #include <vector>
 

@@ -1,8 +1,9 @@
 // From a routing to its tensions without the heap, once the memory of the first calls is there.
+#include "core/tension.hpp"
+
 #include <cstdint>
 #include <vector>
 
-#include "core/tension.hpp"
 #include "tests/allocation/allocations.hpp"
 #include "tests/support/random_routing.hpp"
 

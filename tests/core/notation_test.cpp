@@ -185,7 +185,7 @@ TEST(NotationError, TenMegabytesAreRefusedAtOnce) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(message(word), "routing '" + std::string(60, '-') +
                                "…': the word has 10000000 characters, at most 4096 are read");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST(NotationError, TheLongestWordThatIsReadIsReadAtOnce) {

@@ -37,9 +37,7 @@ TEST(TextTable, LeavesNoSpacesAtTheEndsOfLines) {
             "     2\n");
 }
 
-TEST(TextTable, WithoutRowsIsItsHeadings) {
-  EXPECT_EQ(TextTable({"<a", "b"}).text(), "a  b\n");
-}
+TEST(TextTable, WithoutRowsIsItsHeadings) { EXPECT_EQ(TextTable({"<a", "b"}).text(), "a  b\n"); }
 
 TEST(FixedDecimals, RoundAndShowADashWhereThereIsNoNumber) {
   EXPECT_EQ(fixed(0.12345), "0.123");

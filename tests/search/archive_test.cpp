@@ -218,6 +218,29 @@ TEST(Archive, AdmitsAgainWhateverRanksAmongEverythingSeen) {
   }
 }
 
+TEST(Archive, HoldsNoneThatEnoughOthersBeat) {
+  std::mt19937_64 engine(17);
+  for (Stream stream : streams()) {
+    SCOPED_TRACE(to_text(stream));
+    stream.size = 600;
+    const std::vector<Design> designs = random_designs(engine, stream);
+    for (const std::size_t keep : {1U, 4U, 15U}) {
+      Archive archive(stream.objectives, keep);
+      for (const Design& design : designs) archive.add(design);
+      for (const RankedDesign& entry : archive.content().ranked) {
+        const Goodness own = goodness(entry.design.values, stream.objectives);
+        const auto beaters = std::count_if(designs.begin(), designs.end(), [&](const Design& d) {
+          const Goodness other = goodness(d.values, stream.objectives);
+          return dominates(other, own) ||
+                 ((other == own).all() && precedes_within_front(d, entry.design));
+        });
+        EXPECT_LT(static_cast<std::size_t>(beaters), keep) << entry.design.word;
+      }
+      EXPECT_EQ(archive.content().ranked.size(), archive.held());
+    }
+  }
+}
+
 std::size_t most_held(const Stream& stream, std::size_t keep) {
   std::mt19937_64 engine(16);
   Archive archive(stream.objectives, keep);

@@ -425,6 +425,21 @@ TEST(ExploreReferences, ARejectedOneHasNoRank) {
   EXPECT_GT(value(result.references[0].design.values, Objective::uniformity_mean), 0.99);
 }
 
+TEST(ExploreReferences, ARejectedDesignDominatesNone) {
+  ExploreOptions options = options_for(paper_parts(), 2);
+  options.references = {parse_routing("M-1-T-2-F")};
+  const std::uint64_t of_all = explore(options).references[0].dominated_by;
+  options.constraints = {parse_constraint("sheaths<=1")};
+  const ExploreResult result = explore(options);
+  const Goodness own = goodness(result.references[0].design.values, both);
+  const Naive naive = naive_program(options);
+  const auto dominators = std::count_if(naive.kept.begin(), naive.kept.end(), [&](const Design& d) {
+    return dominates(goodness(d.values, both), own);
+  });
+  EXPECT_EQ(result.references[0].dominated_by, static_cast<std::uint64_t>(dominators));
+  EXPECT_LT(result.references[0].dominated_by, of_all);
+}
+
 TEST(ParseShard, ReadsPartAndNumberOfParts) {
   const Shard first = parse_shard("1/1");
   EXPECT_EQ(first.index, 1U);

@@ -1,4 +1,4 @@
-#include "brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "counting.hpp"
+#include "tests/support/counting.hpp"
 
 namespace reeve::testing {
 

@@ -8,7 +8,7 @@
 //
 // Symbols: t, j, e are the numbers of tip, join and end kinds, k the fingers of one tendon, n the
 // fingers of the routing.
-#include "counting.hpp"
+#include "tests/support/counting.hpp"
 
 #include <cstddef>
 #include <numeric>

@@ -65,6 +65,7 @@ Channel open_output(const ProcessOptions& options) {
     ::setrlimit(RLIMIT_CORE, &no_core);
   }
   if (options.ignore_file_size_signal) ::signal(SIGXFSZ, SIG_IGN);
+  ::unsetenv("REEVE_CATALOG");
   for (const auto& [name, value] : options.environment) {
     ::setenv(name.c_str(), value.c_str(), 1);
   }
@@ -107,7 +108,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
       ::close(channel->ours);
       channel->ours = -1;
     }
-    if (!disturbed && options.disturbance->when(child)) {
+    if (!disturbed && options.disturbance->when({child, result.out, result.err})) {
       ::kill(child, options.disturbance->signal);
       disturbed = true;
     }
@@ -138,10 +139,11 @@ bool catches(pid_t process, int signal) {
   return false;
 }
 
-std::function<bool(pid_t)> after_it_catches(int signal, std::chrono::milliseconds pause) {
+std::function<bool(const RunningProcess&)> after_it_catches(int signal,
+                                                            std::chrono::milliseconds pause) {
   const auto since = std::make_shared<std::optional<Clock::time_point>>();
-  return [=](pid_t process) {
-    if (!*since && catches(process, signal)) *since = Clock::now();
+  return [=](const RunningProcess& process) {
+    if (!*since && catches(process.id, signal)) *since = Clock::now();
     return *since && Clock::now() - **since >= pause;
   };
 }

@@ -14,10 +14,17 @@
 
 namespace reeve::testing {
 
+// What is known of a process while it runs.
+struct RunningProcess {
+  pid_t id = 0;
+  const std::string& out;
+  const std::string& err;
+};
+
 // A signal, sent once as soon as `when` says so.
 struct Disturbance {
   int signal = 0;
-  std::function<bool(pid_t)> when;
+  std::function<bool(const RunningProcess&)> when;
 };
 
 struct ProcessOptions {
@@ -45,13 +52,14 @@ struct ProcessResult {
 ProcessResult run_process(const std::vector<std::string>& command,
                           const ProcessOptions& options = {});
 
-// The executable of this build.
+// The executable of this build, with its own catalogue unless the environment names another.
 ProcessResult reeve(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
 
 // Whether the process handles the signal by now.
 bool catches(pid_t process, int signal);
 
 // True from this long after the process began to handle the signal.
-std::function<bool(pid_t)> after_it_catches(int signal, std::chrono::milliseconds pause);
+std::function<bool(const RunningProcess&)> after_it_catches(int signal,
+                                                            std::chrono::milliseconds pause);
 
 }  // namespace reeve::testing

@@ -65,6 +65,7 @@ struct Trial {
   Direction direction = Direction::pull;
 };
 
+// Of actuated routings: an override needs a contact.
 Trial random_trial(std::uint64_t seed, const RoutingRange& range = {});
 
 // What a failing test prints: seed, word, grasp, direction.

@@ -1,4 +1,4 @@
-#include "reference_model.hpp"
+#include "tests/support/reference_model.hpp"
 
 #include <Eigen/Dense>
 

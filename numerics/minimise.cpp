@@ -1,0 +1,94 @@
+#include "numerics/minimise.hpp"
+
+#include <nlopt.hpp>
+
+#include <exception>
+#include <limits>
+
+namespace reeve {
+namespace {
+
+using Function = std::function<double(const std::vector<double>&)>;
+
+// The free variables of the box, scaled to 0 … 1.
+class Problem {
+ public:
+  Problem(const Function& function, const std::vector<Interval>& box)
+      : function_(function), box_(box), best_{{}, std::numeric_limits<double>::infinity()} {
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      point_.push_back(box[i].low);
+      if (box[i].high > box[i].low) free_.push_back(i);
+    }
+  }
+
+  std::size_t dimensions() const { return free_.size(); }
+  const Minimum& best() const { return best_; }
+
+  double operator()(const std::vector<double>& scaled) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const Interval& interval = box_[free_[i]];
+      point_[free_[i]] = interval.low + (interval.high - interval.low) * scaled[i];
+    }
+    const double value = function_(point_);
+    if (value < best_.value) {
+      best_ = {point_, value};
+      best_scaled_ = scaled;
+    }
+    return value;
+  }
+
+  void search(nlopt::algorithm algorithm, int evaluations) {
+    nlopt::opt optimiser(algorithm, static_cast<unsigned>(dimensions()));
+    optimiser.set_lower_bounds(0.0);
+    optimiser.set_upper_bounds(1.0);
+    optimiser.set_maxeval(evaluations);
+    optimiser.set_xtol_abs(1e-9);
+    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                   void* self) { return (*static_cast<Problem*>(self))(x); },
+                                this);
+    std::vector<double> start =
+        best_scaled_.empty() ? std::vector<double>(dimensions(), 0.5) : best_scaled_;
+    double value = 0;
+    try {
+      optimiser.optimize(start, value);
+    } catch (const nlopt::roundoff_limited&) {
+      // As far as the numbers go; the best point is kept.
+    } catch (const nlopt::forced_stop&) {
+      std::rethrow_exception(failure_);
+    }
+  }
+
+ private:
+  // NLopt is C inside: what the function throws is carried past it.
+  double guarded(const std::vector<double>& scaled) {
+    try {
+      return (*this)(scaled);
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw nlopt::forced_stop();
+    }
+  }
+
+  const Function& function_;
+  const std::vector<Interval>& box_;
+  std::vector<std::size_t> free_;
+  std::vector<double> point_;
+  std::vector<double> best_scaled_;
+  Minimum best_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+Minimum minimise(const Function& function, const std::vector<Interval>& box, int evaluations) {
+  Problem problem(function, box);
+  if (problem.dimensions() == 0) {
+    problem({});
+  } else {
+    problem.search(nlopt::GN_DIRECT_L, evaluations);
+    problem.search(nlopt::LN_SBPLX, evaluations);
+  }
+  return problem.best();
+}
+
+}  // namespace reeve

@@ -1,0 +1,26 @@
+// Minimising a function of a few bounded variables that need not be smooth or convex.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace reeve {
+
+struct Interval {
+  double low = 0;
+  double high = 0;  // may equal low: that variable is fixed
+};
+
+struct Minimum {
+  std::vector<double> at;
+  double value = 0;
+};
+
+// Divides the box (DIRECT-L, J. M. Gablonsky, C. T. Kelley, 2001), then refines the best point
+// (Subplex, T. H. Rowan, 1990), with at most `evaluations` calls for each. Deterministic; the least
+// value that was seen, which for a function with narrow valleys need not be the least there is.
+// Exceptions of the function come through.
+Minimum minimise(const std::function<double(const std::vector<double>&)>& function,
+                 const std::vector<Interval>& box, int evaluations);
+
+}  // namespace reeve

@@ -1,0 +1,43 @@
+#include "search/margin.hpp"
+
+#include "core/notation.hpp"
+#include "numerics/minimise.hpp"
+#include "numerics/parallel.hpp"
+#include "search/coefficient_box.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve {
+namespace {
+
+double product(const Routing& routing, const Hardware& hardware, const GraspSet& grasps) {
+  return uniformity_times_efficiency(DesignEvaluator(hardware, grasps).evaluate(routing));
+}
+
+Margin margin(const Routing& first, const Design& other, const MarginOptions& options) {
+  const Routing challenger = parse_routing(other.word);
+  const auto lead = [&](const Hardware& hardware) {
+    return product(first, hardware, options.grasps) - product(challenger, hardware, options.grasps);
+  };
+  const CoefficientBox box = coefficient_box(options.nominal, options.ranges);
+  const std::vector<Interval> intervals(box.begin(), box.end());
+  const Minimum least = minimise(
+      [&](const std::vector<double>& point) { return lead(at_point(options.nominal, point)); },
+      intervals, options.evaluations);
+  return {other.word, lead(options.nominal), least.value, at_point(options.nominal, least.at)};
+}
+
+}  // namespace
+
+std::vector<Margin> margins(const std::vector<RankedDesign>& ranked, const MarginOptions& options) {
+  if (ranked.empty()) return {};
+  const Routing first = parse_routing(ranked.front().design.word);
+  std::vector<Margin> result(ranked.size() - 1);
+  Workers(options.threads).for_each_block(result.size(), 1, [&](const IndexBlock& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      result[i] = margin(first, ranked[i + 1].design, options);
+    }
+  });
+  return result;
+}
+
+}  // namespace reeve

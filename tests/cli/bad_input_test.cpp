@@ -1,0 +1,300 @@
+// Bad usage and bad input: exit code 2, one line on stderr that names the culprit and what was
+// expected, nothing on stdout, nothing written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+struct BadLine {
+  Arguments arguments;
+  std::string message;  // without "reeve: "; a piece of it is enough
+  std::map<std::string, std::string> environment;
+};
+
+std::string text(const Arguments& arguments) {
+  std::string line = "reeve";
+  for (const std::string& argument : arguments) line += " '" + argument.substr(0, 80) + "'";
+  return line;
+}
+
+std::vector<std::string> everything_in(const std::filesystem::path& directory) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    names.push_back(entry.path().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void fill(const TemporaryFolder& folder) {
+  folder.write("empty.toml", "");
+  folder.write("negative.toml", "[tube]\nmu = -0.1\n");
+  folder.write("nan.toml", "[tube]\nmu = nan\n");
+  folder.write("unknown.toml", "[tube]\nnu = 0.1\n");
+  folder.write("type.toml", "[tube]\nmu = \"smooth\"\n");
+  folder.write("syntax.toml", "[tube\n");
+  folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
+  std::filesystem::create_directory(folder.path() / "no_catalogue");
+  std::filesystem::create_directory(folder.path() / "broken_catalogue");
+  folder.write("broken_catalogue/tr1.toml", "name = \n");
+}
+
+void expect_bad(const BadLine& line) {
+  SCOPED_TRACE(text(line.arguments));
+  const TemporaryFolder folder;
+  fill(folder);
+  const std::vector<std::string> before = everything_in(folder.path());
+  ProcessOptions options;
+  options.directory = folder.path();
+  options.environment = line.environment;
+  const ProcessResult result = reeve(line.arguments, options);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+  EXPECT_TRUE(result.err.starts_with("reeve: ")) << result.err;
+  EXPECT_NE(result.err.find(line.message), std::string::npos)
+      << "  said: " << result.err << "  should: " << line.message;
+  EXPECT_LT(result.err.size(), 1000U);
+  EXPECT_EQ(everything_in(folder.path()), before);
+}
+
+void expect_all_bad(const std::vector<BadLine>& lines) {
+  for (const BadLine& line : lines) expect_bad(line);
+}
+
+BadLine show(const std::string& routing, const std::string& message) {
+  return {{"show", routing}, message, {}};
+}
+
+BadLine show_tr1(Arguments options, const std::string& message) {
+  options.insert(options.begin(), {"show", "TR1"});
+  return {options, message, {}};
+}
+
+BadLine explore(Arguments options, const std::string& message) {
+  options.insert(options.begin(), {"explore", "--out", "out"});
+  return {options, message, {}};
+}
+
+TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
+  expect_all_bad({
+      show("M-1-Q-2-F",
+           "routing 'M-1-Q-2-F', column 5: unknown token 'Q': expected M, F, T, B, P or a finger "
+           "number such as 1 or 2b"),
+      show("m-1-t-2-f", "routing 'm-1-t-2-f', column 1: unknown token 'm'"),
+      show("TR9",
+           "routing 'TR9': no such name in the catalogue; expected one of TR1, TR2, TR3, TR4, TR5, "
+           "TR6, TR7, or a word such as M-1-T-2-F"),
+      show("M-1-T-1-F", "routing 'M-1-T-1-F', column 7: finger 1 is passed twice"),
+      show("M-0-F", "routing 'M-0-F', column 3: '0': expected a finger number from 1 to 64"),
+      show("M-1",
+           "routing 'M-1', column 3: a walk must begin and end with M or F, or come back to the "
+           "finger that it began with, and '1' does neither"),
+      show("P", "routing 'P', column 1: a walk must begin and end with M or F"),
+      show("", "routing '': the word is empty; expected e.g. M-1-T-2-F"),
+      show("M-2-F", "finger 1 is missing; fingers are numbered 1 to 2 without a gap"),
+      show("F-1-Y1-2-F+Y1-M", "column 5: 'Y1': floating pulleys (Y) are not yet supported"),
+      show("M-1x",
+           "column 3: '1x': a tendon anchored at the fingertip (suffix x) is not yet supported"),
+      show("F-1-F",
+           "routing 'F-1-F': the tendon with T1 is not actuated: it has no M and no P, so the "
+           "motor cannot pull it"),
+      show("M-1-F+F-2-F", "the tendon with T3 is not actuated"),
+  });
+}
+
+TEST(BadRouting, IsShortenedInTheMessageIfItIsHuge) {
+  const std::string huge(120000, '1');
+  expect_all_bad({
+      show(huge, "…': the word has 120000 characters, at most 4096 are read"),
+      show("M-" + huge + "-F", "…': the word has 120004 characters, at most 4096 are read"),
+  });
+}
+
+TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
+  expect_all_bad({
+      {{"show"}, "routing is required", {}},
+      show_tr1({"--held", "3"},
+               "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2"),
+      show_tr1({"--held", "1,1"}, "held '1,1': finger 1 is named twice"),
+      show_tr1({"--held", ""}, "held '': '': expected none, or finger numbers from 1 to 2"),
+      show_tr1({"--held", "one"}, "held 'one': 'one': expected none, or finger numbers"),
+      show_tr1({"--direction", "sideways"}, "--direction: sideways not in {pull,release}"),
+      show_tr1({"--format", "xml"}, "--format: xml not in {table,json,dot}"),
+      show_tr1({"--format", "dot", "--held", "1", "--held", "2"},
+               "--format dot draws one grasp: expected --held once at most"),
+      show_tr1({"--colour"}, "--colour"),
+      show_tr1({"TR2"}, "TR2"),
+  });
+}
+
+TEST(BadHardware, IsNamedWithFileLineAndColumn) {
+  expect_all_bad({
+      show_tr1({"--hardware", "missing.toml"},
+               "missing.toml: cannot be read: No such file or directory"),
+      show_tr1({"--hardware", "."}, ".: is a directory: expected a TOML file"),
+      show_tr1({"--hardware", "negative.toml"},
+               "negative.toml:2:6: tube.mu = -0.1: expected a finite number, not negative"),
+      show_tr1({"--hardware", "nan.toml"},
+               "nan.toml:2:6: tube.mu = nan: expected a finite number, not negative"),
+      show_tr1({"--hardware", "unknown.toml"},
+               "unknown.toml:2:1: unknown key 'tube.nu': expected one of mu, angle_rad"),
+      show_tr1({"--hardware", "type.toml"},
+               "type.toml:2:6: tube.mu = \"smooth\": expected a finite number, not negative"),
+      show_tr1({"--hardware", "syntax.toml"}, "syntax.toml:1:6: not valid TOML: "),
+      show_tr1({"--hardware", "contact.toml"},
+               "hardware: contact 'a-T9': routing M-1-T-2-F has no contact between these segments"),
+      explore({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
+      {{"rank", "TR1", "--hardware", "nan.toml"}, "nan.toml:2:6: tube.mu = nan", {}},
+  });
+}
+
+TEST(EmptyHardwareFile, IsThePapersHardware) {
+  const TemporaryFolder folder;
+  fill(folder);
+  ProcessOptions options;
+  options.directory = folder.path();
+  const ProcessResult result = reeve({"show", "TR1", "--hardware", "empty.toml"}, options);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, reeve({"show", "TR1"}).out);
+}
+
+TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
+  const std::string shard = "': expected i/N with 1 <= i <= N, such as 2/8";
+  const std::string fingers = " not in range 1 to 64";
+  const std::string held = "expected none, or finger numbers from 1 to 2 such as 1,2";
+  const std::string constraint =
+      "expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2";
+  expect_all_bad({
+      explore({"--shard", "3/2"}, "--shard '3/2" + shard),
+      explore({"--shard", "0/2"}, "--shard '0/2" + shard),
+      explore({"--shard", "half"}, "--shard 'half" + shard),
+      explore({"--fingers", "0"}, "--fingers: Value 0" + fingers),
+      explore({"--fingers", "65"}, "--fingers: Value 65" + fingers),
+      explore({"--fingers", "abc"}, "--fingers: Value abc" + fingers),
+      explore({"--fingers", "1e3"}, "--fingers: Value 1e3" + fingers),
+      explore({"--parts", "none"}, "--parts: none not in {paper,full}"),
+      explore({"--tips", "glass"},
+              "--tips 'glass': 'glass': expected a comma-separated list of tube, bearing"),
+      explore({"--tips", ""}, "--tips '': expected at least one of tube, bearing"),
+      explore({"--joins", "T,,P"}, "--joins 'T,,P': '': expected a comma-separated list of T, B"),
+      explore({"--joins", "", "--ends", ""},
+              "--joins '' --ends '': expected at least one join or one end"),
+      explore({"--tendons", "two"}, "--tendons: two not in {one,any}"),
+      explore({"--objectives", "foo"},
+              "--objectives 'foo': unknown objective 'foo'; expected one of uniformity_mean, "),
+      explore({"--objectives", ""}, "--objectives '': unknown objective ''; expected one of "),
+      explore({"--objectives", "uniformity,uniformity"},
+              "--objectives 'uniformity,uniformity': 'uniformity' is named twice"),
+      explore({"--objectives", "uniformity,uniformity_mean"}, "is named twice"),
+      explore({"--constraint", "sheaths<="}, "--constraint 'sheaths<=': " + constraint),
+      explore({"--constraint", "sheaths=2"}, "--constraint 'sheaths=2': " + constraint),
+      explore({"--constraint", "sheaths<=nan"}, "--constraint 'sheaths<=nan': " + constraint),
+      explore({"--constraint", "foo<=2"}, "--constraint 'foo<=2': unknown objective 'foo'"),
+      explore({"--top", "0"}, "--top: Value 0 not in range 1 to 1000000"),
+      explore({"--threads", "-1"}, "--threads: Value -1 not in range 0 to 1024"),
+      explore({"--draws", "0"}, "--draws: Value 0 not in range 1 to 100000"),
+      explore({"--seed", "1.5"}, "--seed = 1.5"),
+      explore({"--grasps", "9"}, "'9': " + held),
+      explore({"--grasps", "some"}, "'some': " + held),
+      explore({"--grasps", "1:0"},
+              "grasps '1:0': '1:0': expected a held list and a weight from above 0 to 1e6"),
+      explore({"--fingers", "20", "--grasps", "all"},
+              "grasps 'all': 20 fingers have 2^20 grasps; expected at most 16 fingers"),
+      explore({"--format", "csv"}, "--format: csv not in {table,json}"),
+      explore({"extra"}, "extra"),
+  });
+}
+
+TEST(BadOutFolder, IsNamedBeforeAnythingIsComputed) {
+  const std::string expected = "': expected a folder that can be written to: ";
+  const auto into = [](const std::string& folder) {
+    return Arguments{"explore", "--fingers", "9", "--out", folder};
+  };
+  expect_all_bad({
+      {into("empty.toml"), "--out 'empty.toml" + expected + "Not a directory", {}},
+      {into("empty.toml/below"), "--out 'empty.toml/below" + expected + "Not a directory", {}},
+      {into("/dev/null/x"), "--out '/dev/null/x" + expected + "Not a directory", {}},
+      {into("/proc/x"), "--out '/proc/x" + expected, {}},
+      {into(""), "--out '" + expected, {}},
+  });
+}
+
+TEST(BadRank, IsNamedWithTheRoutings) {
+  expect_all_bad({
+      {{"rank"}, "rank: nothing to rank; expected routings, or --catalog", {}},
+      {{"rank", "TR1", "TR1"}, "routing 'M-1-T-2-F' is given twice", {}},
+      {{"rank", "TR1", "M-1-T-2-F"}, "routing 'M-1-T-2-F' is given twice", {}},
+      {{"rank", "--catalog", "TR3"}, "routing 'F-1-P-2-F' is given twice", {}},
+      {{"rank", "TR1", "M-1-F"},
+       "and 'M-1-T-2-F' has 2; only routings with the same number of fingers can be compared",
+       {}},
+      {{"rank", "M-F"}, "routing 'M-F': it has no fingers, so there is nothing to rank", {}},
+      {{"rank", "TR1", "F-1-T-2-F"}, "routing 'F-1-T-2-F': the tendon with T1 is not actuated", {}},
+      {{"rank", "TR1", "--format", "xml"}, "--format: xml not in {table,json,csv}", {}},
+      {{"rank", "TR1", "--draws", "100001"}, "--draws: Value 100001 not in range 1 to 100000", {}},
+  });
+}
+
+TEST(BadUsage, PointsToTheHelp) {
+  expect_all_bad({
+      {{}, "A subcommand is required; see reeve --help", {}},
+      {{"frobnicate"}, "see reeve --help", {}},
+      {{"--frobnicate"}, "see reeve --help", {}},
+      {{"count", "--frobnicate"}, "--frobnicate; see reeve --help", {}},
+      {{"count", "--tendons", "one"}, "--tendons; see reeve --help", {}},
+      {{"count", "--fingers", "65"}, "--fingers: Value 65 not in range 1 to 64", {}},
+      {{"count", "--fingers", "64"}, "more than 2^63 routings", {}},
+      {{"check", "TR1"}, "TR1; see reeve --help", {}},
+      {{"check", "--format", "csv"}, "--format: csv not in {table,json}", {}},
+  });
+}
+
+TEST(BadCatalogue, IsNamedByEverySubcommandThatReadsIt) {
+  const auto with = [](const std::string& catalogue) {
+    return std::map<std::string, std::string>{{"REEVE_CATALOG", catalogue}};
+  };
+  for (const Arguments& arguments : {Arguments{"show", "M-1-F"}, Arguments{"rank", "--catalog"},
+                                     Arguments{"explore", "--out", "out"}, Arguments{"check"}}) {
+    expect_all_bad({
+        {arguments, "catalogue missing: cannot be read: No such file or directory",
+         with("missing")},
+        {arguments, "catalogue empty.toml: cannot be read: Not a directory", with("empty.toml")},
+        {arguments, "catalogue no_catalogue: has no file *.toml: expected one for each routing",
+         with("no_catalogue")},
+        {arguments, "broken_catalogue/tr1.toml:1:8: not valid TOML: ", with("broken_catalogue")},
+    });
+  }
+}
+
+// What is not rejected yet, or not with a message that names option, value and expectation, or
+// not before the folder for the results is made.
+TEST(BadInput, DISABLED_IsNamedInTheseCasesToo) {
+  expect_all_bad({
+      explore({"--seed", "-1"}, "--seed"),
+      explore({"--fingers", "40"}, "--fingers 40: "),
+      explore({"--grasps", "9"}, "--grasps '9': "),
+      show_tr1({"--held", "3"}, "--held '3': "),
+      show_tr1({"--hardware", ""}, "--hardware"),
+      {{"frobnicate"}, "frobnicate", {}},
+      {{"--frobnicate"}, "--frobnicate", {}},
+      {{"rank", "--catalog", "--hardware", "contact.toml"}, "a-T9", {}},
+      explore({"--hardware", "contact.toml"}, "a-T9"),
+      {{"rank", "TR1", "M-1-F"}, "it has 1 finger and", {}},
+  });
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,176 @@
+// What users' scripts read, compared with files in expected/: keys, their order and strings
+// exactly, numbers to within 1e-9. Seconds, rates and the version are left out.
+//
+// REEVE_UPDATE_GOLDEN=1 in the environment rewrites the files instead; look at the difference
+// before you keep it, and at docs/json.md.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::filesystem::path file_of(const std::string& name) {
+  return std::filesystem::path(REEVE_SOURCE_DIR) / "tests" / "golden" / "expected" / name;
+}
+
+bool updating() {
+  const char* value = std::getenv("REEVE_UPDATE_GOLDEN");
+  return value != nullptr && std::string(value) == "1";
+}
+
+// Relative; or the rounding of the objectives, which a last bit can tip over.
+bool near(double a, double b) {
+  return std::abs(a - b) <= std::max(1e-9 * std::max(std::abs(a), std::abs(b)), 1.5e-10);
+}
+
+void leave_out_what_varies(Json& json) {
+  for (const char* key : {"seconds", "designs_per_second", "version"}) {
+    if (json.contains(key)) json[key] = "varies";
+  }
+}
+
+std::string kind(const Json& json) {
+  return json.is_number_integer() ? "integer" : json.type_name();
+}
+
+void compare(const Json& actual, const Json& expected, const std::string& path) {
+  if (kind(actual) != kind(expected)) {
+    ADD_FAILURE() << path << ": " << actual.dump() << ", expected " << expected.dump();
+  } else if (actual.is_number()) {
+    EXPECT_TRUE(near(actual, expected))
+        << path << ": " << actual.dump() << ", expected " << expected.dump();
+  } else if (actual.is_structured()) {
+    ASSERT_EQ(actual.size(), expected.size()) << path;
+    for (auto a = actual.begin(), e = expected.begin(); a != actual.end(); ++a, ++e) {
+      const std::string at =
+          actual.is_object() ? a.key() : std::to_string(std::distance(actual.begin(), a));
+      if (actual.is_object()) {
+        EXPECT_EQ(a.key(), e.key()) << path;
+      }
+      compare(*a, *e, path + "/" + at);
+    }
+  } else {
+    EXPECT_EQ(actual, expected) << path;
+  }
+}
+
+void expect_json(const std::string& text, const std::string& name) {
+  Json actual = Json::parse(text);
+  leave_out_what_varies(actual);
+  if (updating()) std::ofstream(file_of(name)) << actual.dump(2) << '\n';
+  compare(actual, Json::parse(read_text(file_of(name))), name);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+bool read_number(const std::string& text, double& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+void expect_same_field(const std::string& actual, const std::string& expected) {
+  double a = 0;
+  double e = 0;
+  if (read_number(actual, a) && read_number(expected, e)) {
+    EXPECT_TRUE(near(a, e)) << actual << ", expected " << expected;
+  } else {
+    EXPECT_EQ(actual, expected);
+  }
+}
+
+void expect_csv(const std::string& text, const std::string& name) {
+  if (updating()) std::ofstream(file_of(name)) << text;
+  const std::vector<std::string> lines = split(text, '\n');
+  const std::vector<std::string> expected = split(read_text(file_of(name)), '\n');
+  ASSERT_EQ(lines.size(), expected.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    SCOPED_TRACE(name + ":" + std::to_string(i + 1));
+    const std::vector<std::string> fields = split(lines[i], ',');
+    const std::vector<std::string> expected_fields = split(expected[i], ',');
+    ASSERT_EQ(fields.size(), expected_fields.size());
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      expect_same_field(fields[k], expected_fields[k]);
+    }
+  }
+}
+
+std::string output_of(const std::vector<std::string>& arguments) {
+  const ProcessResult result = reeve(arguments);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  return result.out;
+}
+
+TEST(GoldenShow, OfAGraspInWhichFrictionStopsAFinger) {
+  expect_json(output_of({"show", "TR5", "--held", "1", "--format", "json"}),
+              "show_tr5_held_1.json");
+}
+
+TEST(GoldenShow, OverTheGraspsThatAreTheDefault) {
+  expect_json(output_of({"show", "TR2", "--format", "json"}), "show_tr2.json");
+}
+
+TEST(GoldenShow, OfATestBenchWithoutFingers) {
+  expect_json(output_of({"show", "M-F", "--format", "json"}), "show_bench.json");
+}
+
+TEST(GoldenShow, OfReleasing) {
+  expect_json(output_of({"show", "TR4", "--direction", "release", "--format", "json"}),
+              "show_tr4_release.json");
+}
+
+TEST(GoldenShow, OfATendonThatJamsBesideAnother) {
+  expect_json(output_of({"show", "M-1-F+M-2-F", "--held", "1", "--format", "json"}),
+              "show_jam.json");
+}
+
+TEST(GoldenRank, OfTheCatalogue) {
+  expect_json(output_of({"rank", "--catalog", "--format", "json"}), "rank_catalog.json");
+  expect_csv(output_of({"rank", "--catalog", "--format", "csv"}), "rank_catalog.csv");
+}
+
+TEST(GoldenRank, OfTheCatalogueWithUncertainty) {
+  std::vector<std::string> arguments{"rank",   "--catalog", "--uncertainty", "--draws", "50",
+                                     "--seed", "7",         "--format",      "json"};
+  expect_json(output_of(arguments), "rank_catalog_uncertain.json");
+  arguments.back() = "csv";
+  expect_csv(output_of(arguments), "rank_catalog_uncertain.csv");
+}
+
+TEST(GoldenExplore, OfTwoFingers) {
+  const TemporaryFolder folder;
+  output_of({"explore", "--fingers", "2", "--out", folder.path().string()});
+  expect_json(read_text(folder.path() / "summary.json"), "explore_summary.json");
+  expect_csv(read_text(folder.path() / "designs.csv"), "explore_designs.csv");
+  expect_csv(read_text(folder.path() / "pareto.csv"), "explore_pareto.csv");
+}
+
+TEST(GoldenCount, OfThreeFingers) {
+  expect_json(output_of({"count", "--fingers", "3", "--format", "json"}), "count.json");
+}
+
+TEST(GoldenCheck, OfTheShippedCatalogue) {
+  expect_json(output_of({"check", "--format", "json"}), "check.json");
+}
+
+}  // namespace
+}  // namespace reeve::testing

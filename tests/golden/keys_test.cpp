@@ -1,0 +1,179 @@
+// The keys of the JSON interface, which docs/json.md promises to keep: names and order.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string objectives =
+    " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction";
+const std::string common_settings = "objectives grasps hardware uncertainty";
+
+Json json_of(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--format", "json"});
+  return Json::parse(reeve(arguments).out);
+}
+
+Json summary(std::vector<std::string> options = {}) {
+  const TemporaryFolder folder;
+  options.insert(options.begin(), {"explore", "--out", folder.path().string()});
+  return json_of(options);
+}
+
+std::string keys(const Json& json) {
+  std::string text;
+  for (const auto& [key, value] : json.items()) text += (text.empty() ? "" : " ") + key;
+  return text;
+}
+
+void expect_pair(const Json& json) {
+  EXPECT_EQ(keys(json["uniformity"]), "mean worst");
+  EXPECT_EQ(keys(json["efficiency"]), "mean worst");
+}
+
+void expect_settings(const Json& settings) {
+  EXPECT_EQ(keys(settings["grasps"][0]), "held weight");
+  EXPECT_EQ(keys(settings["hardware"]), "tube bearing sheath lengths fingers contacts");
+  EXPECT_EQ(keys(settings["hardware"]["tube"]), "mu angle_rad");
+  EXPECT_EQ(keys(settings["hardware"]["lengths"]), "strand_mm motor_side_mm hand_mm");
+}
+
+TEST(KeysOfShow, AreThePromisedOnes) {
+  const Json json = json_of({"show", "TR5", "--held", "1"});
+  EXPECT_EQ(keys(json), "routing name canonical direction grasps" + objectives);
+  EXPECT_EQ(keys(json["grasps"][0]),
+            "held jams tensions shares contacts uniformity efficiency force_transmission");
+  EXPECT_EQ(keys(json["grasps"][0]["tensions"]), "a T1 T2 b c T3 T4 d");
+  EXPECT_EQ(keys(json["grasps"][0]["shares"]), "T1 T2 T3 T4");
+  EXPECT_EQ(keys(json["grasps"][0]["contacts"][0]), "between kind slides");
+  expect_pair(json);
+}
+
+TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
+  const Json json = json_of({"show", "M-F"});
+  EXPECT_TRUE(json["name"].is_null());
+  EXPECT_TRUE(json["uniformity"]["mean"].is_null());
+  EXPECT_TRUE(json["uniformity"]["worst"].is_null());
+  EXPECT_TRUE(json["grasps"][0]["uniformity"].is_null());
+  EXPECT_TRUE(json["grasps"][0]["shares"].is_object());
+  EXPECT_TRUE(json["grasps"][0]["shares"].empty());
+}
+
+TEST(KeysOfRank, AreThePromisedOnes) {
+  const Json json = json_of({"rank", "--catalog"});
+  EXPECT_EQ(keys(json), "designs settings version");
+  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives);
+  EXPECT_EQ(keys(json["settings"]), common_settings);
+  EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
+  expect_pair(json["designs"][0]);
+  expect_settings(json["settings"]);
+}
+
+TEST(KeysOfRank, AddADistributionWithUncertainty) {
+  const Json json = json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"});
+  EXPECT_EQ(keys(json["designs"][0]),
+            "rank front routing name" + objectives + " rank_distribution");
+  EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]), "first_share median p5 p95");
+  EXPECT_EQ(keys(json["settings"]["uncertainty"]),
+            "draws seed tube_mu sheath_mu bearing_mu_relative sheath_angle_relative");
+}
+
+TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
+  const Json json = json_of({"rank", "TR3", "TR7", "--margin"});
+  EXPECT_EQ(keys(json), "designs settings margins version");
+  ASSERT_EQ(json["margins"].size(), 1U);
+  EXPECT_EQ(json["margins"][0]["over"], "F-1-P-2-F");
+  EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
+  EXPECT_EQ(keys(json["margins"][0]["at"]), "tube_mu sheath_mu bearing_mu sheath_angle_rad");
+}
+
+TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
+  const Json json = summary();
+  EXPECT_EQ(keys(json),
+            "generated rejected evaluated partial total seconds designs_per_second "
+            "front_equals_left_out front top known settings version");
+  EXPECT_EQ(keys(json["rejected"]), "not actuated");
+  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives);
+  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives);
+  EXPECT_EQ(keys(json["known"][0]), "name routing rank front dominated_by" + objectives);
+  EXPECT_EQ(keys(json["settings"]),
+            "fingers identical_fingers parts tendons shard top constraints " + common_settings);
+  EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends");
+  expect_pair(json["known"][0]);
+  expect_settings(json["settings"]);
+}
+
+TEST(KeysOfTheExploreSummary, NameEveryConstraintThatRejects) {
+  const Json json = summary({"--constraint", "sheaths<=2", "--constraint", "jams == 0"});
+  EXPECT_EQ(keys(json["rejected"]), "not actuated constraint sheaths<=2 constraint jams==0");
+  EXPECT_EQ(json["settings"]["constraints"].dump(), R"(["sheaths<=2","jams==0"])");
+}
+
+TEST(KeysOfTheExploreSummary, HaveNullRankForAKnownRoutingThatIsNotAmongTheDesigns) {
+  const Json json = summary({"--constraint", "sheaths<=1"});
+  const Json tr7 = json["known"][6];
+  ASSERT_EQ(tr7["name"], "TR7");
+  EXPECT_TRUE(tr7["rank"].is_null());
+  EXPECT_TRUE(tr7["front"].is_null());
+  EXPECT_EQ(tr7["dominated_by"], 0);
+}
+
+TEST(KeysOfCount, AreThePromisedOnes) {
+  EXPECT_EQ(keys(json_of({"count"})), "all actuated one_tendon");
+}
+
+TEST(KeysOfCheck, AreThePromisedOnes) {
+  const Json json = json_of({"check"});
+  EXPECT_EQ(keys(json), "checks misprints agrees explained differs version");
+  EXPECT_EQ(keys(json["misprints"][0]), "routing source text");
+  for (const Json& check : json["checks"]) {
+    EXPECT_EQ(keys(check), "routing source quantity published computed status reason");
+    EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees");
+  }
+}
+
+// All keys that do not depend on the input.
+void collect(const Json& json, std::set<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (value.is_structured() && key != "tensions" && key != "shares" && key != "rejected") {
+      collect(value, keys);
+    }
+  }
+}
+
+TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "json.md");
+  const TemporaryFolder folder;
+  const std::string hardware =
+      (std::filesystem::path(REEVE_CATALOG_DIR) / "hardware" / "example.toml").string();
+  std::set<std::string> names;
+  collect(json_of({"show", "TR1"}), names);
+  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
+  collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
+  collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
+  collect(summary(), names);
+  collect(json_of({"count"}), names);
+  collect(json_of({"check"}), names);
+  const std::string csv =
+      reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
+  std::istringstream columns(csv.substr(0, csv.find('\n')));
+  for (std::string column; std::getline(columns, column, ',');) names.insert(column);
+  EXPECT_GT(names.size(), 60U);
+  for (const std::string& name : names) {
+    EXPECT_NE(document.find('`' + name + '`'), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,116 @@
+// What an exploration leaves on the disk, and that it does not depend on threads or shards.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+TEST(ExploreFiles, AreThreeAndNothingElse) {
+  const Explored explored({"--fingers", "2"});
+  EXPECT_EQ(explored.result.exit_code, 0);
+  EXPECT_EQ(explored.result.err, "");
+  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "pareto.csv", "summary.json"}));
+  EXPECT_NE(explored.result.out.find("Written: designs.csv, pareto.csv and summary.json in out\n"),
+            std::string::npos);
+}
+
+TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  reeve({"explore", "--fingers", "3", "--out", "a/b"}, options);
+  const std::string first = read_text(folder.path() / "a/b/designs.csv");
+  reeve({"explore", "--fingers", "2", "--out", "a/b"}, options);
+  EXPECT_NE(read_text(folder.path() / "a/b/designs.csv"), first);
+  EXPECT_EQ(read_text(folder.path() / "a/b/designs.csv"),
+            Explored({"--fingers", "2"}).file("designs.csv"));
+}
+
+TEST(ExploreFiles, HoldWhatJsonOnStdoutHolds) {
+  const Explored explored({"--fingers", "2", "--format", "json"});
+  EXPECT_EQ(explored.result.out, explored.file("summary.json"));
+}
+
+TEST(ExploreFiles, AgreeWithEachOther) {
+  const Explored explored({"--fingers", "3", "--top", "20"});
+  const Json summary = explored.summary();
+  EXPECT_EQ(words(explored.file("designs.csv")).size(), 20U);
+  ASSERT_EQ(summary["top"].size(), 20U);
+  std::vector<std::string> top;
+  for (const Json& design : summary["top"]) top.push_back(design["routing"]);
+  EXPECT_EQ(words(explored.file("designs.csv")), top);
+  std::vector<std::string> front;
+  for (const Json& design : summary["front"]) front.push_back(design["routing"]);
+  EXPECT_EQ(words(explored.file("pareto.csv")), front);
+}
+
+TEST(ExploreFiles, AreTheSameForAnyNumberOfThreads) {
+  const auto with_threads = [](const std::string& threads) {
+    return Explored(
+        {"--fingers", "4", "--top", "100", "--uncertainty", "--draws", "20", "--threads", threads});
+  };
+  const Explored one = with_threads("1");
+  for (const char* threads : {"2", "3"}) {
+    SCOPED_TRACE(threads);
+    const Explored more = with_threads(threads);
+    EXPECT_EQ(more.file("designs.csv"), one.file("designs.csv"));
+    EXPECT_EQ(more.file("pareto.csv"), one.file("pareto.csv"));
+    EXPECT_EQ(without_times(more.file("summary.json")), without_times(one.file("summary.json")));
+  }
+  EXPECT_EQ(words(one.file("designs.csv")).size(), 100U);
+}
+
+TEST(ExploreShards, AddUpToTheWhole) {
+  const Json whole = Explored({"--fingers", "3"}).summary();
+  const Explored whole_files({"--fingers", "3"});
+  std::uint64_t generated = 0;
+  std::uint64_t evaluated = 0;
+  std::uint64_t rejected = 0;
+  std::vector<std::string> designs;
+  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"}) {
+    const Explored explored({"--fingers", "3", "--shard", shard});
+    const Json summary = explored.summary();
+    EXPECT_EQ(summary["settings"]["shard"], shard);
+    EXPECT_EQ(summary["generated"], summary["total"]);
+    generated += summary["generated"].get<std::uint64_t>();
+    evaluated += summary["evaluated"].get<std::uint64_t>();
+    rejected += summary["rejected"]["not actuated"].get<std::uint64_t>();
+    for (const std::string& word : words(explored.file("designs.csv"))) designs.push_back(word);
+  }
+  EXPECT_EQ(generated, whole["generated"]);
+  EXPECT_EQ(evaluated, whole["evaluated"]);
+  EXPECT_EQ(rejected, whole["rejected"]["not actuated"]);
+  // Each design in exactly one shard.
+  std::vector<std::string> all = words(whole_files.file("designs.csv"));
+  std::sort(all.begin(), all.end());
+  std::sort(designs.begin(), designs.end());
+  EXPECT_EQ(designs, all);
+}
+
+TEST(ExploreShards, MayOutnumberTheRoutings) {
+  const Json summary = Explored({"--fingers", "1", "--parts", "paper", "--shard", "6/7"}).summary();
+  EXPECT_LE(summary["generated"], 1);
+  EXPECT_FALSE(summary["partial"]);
+}
+
+TEST(ExploreCounts, AgreeWithCount) {
+  const Json summary = Explored({"--fingers", "3", "--distinct-fingers"}).summary();
+  const Json counts =
+      Json::parse(reeve({"count", "--fingers", "3", "--distinct-fingers", "--format", "json"}).out);
+  EXPECT_EQ(summary["generated"], counts["all"]);
+  EXPECT_EQ(summary["evaluated"], counts["actuated"]);
+  EXPECT_EQ(summary["rejected"]["not actuated"],
+            counts["all"].get<int>() - counts["actuated"].get<int>());
+}
+
+}  // namespace
+}  // namespace reeve::testing

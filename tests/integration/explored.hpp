@@ -1,0 +1,77 @@
+// One run of `reeve explore` into a folder of its own.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace reeve::testing {
+
+using Json = nlohmann::ordered_json;
+
+struct Explored {
+  TemporaryFolder folder;
+  ProcessResult result;
+
+  explicit Explored(std::vector<std::string> arguments, ProcessOptions options = {}) {
+    run(std::move(arguments), std::move(options));
+  }
+
+  // Again, into the same folder.
+  void run(std::vector<std::string> arguments, ProcessOptions options = {}) {
+    arguments.insert(arguments.begin(), {"explore", "--out", "out"});
+    options.directory = folder.path();
+    result = reeve(arguments, options);
+  }
+
+  std::filesystem::path out() const { return folder.path() / "out"; }
+  std::string file(const std::string& name) const { return read_text(out() / name); }
+  Json summary() const { return Json::parse(file("summary.json")); }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(out())) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+// The third column of each line after the header. Names with commas are none of ours.
+inline std::vector<std::string> words(const std::string& csv) {
+  std::vector<std::string> result;
+  std::istringstream lines(csv);
+  bool in_header = true;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    if (!in_header) {
+      const std::size_t begin = line.find(',', line.find(',') + 1) + 1;
+      result.push_back(line.substr(begin, line.find(',', begin) - begin));
+    }
+    in_header = false;
+  }
+  return result;
+}
+
+// Text, since the rest must be the same byte for byte.
+inline std::string without_times(const std::string& summary) {
+  std::string result;
+  std::istringstream lines(summary);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("\"seconds\"") == std::string::npos &&
+        line.find("\"designs_per_second\"") == std::string::npos) {
+      result += line + '\n';
+    }
+  }
+  return result;
+}
+
+}  // namespace reeve::testing

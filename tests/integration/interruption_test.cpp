@@ -1,0 +1,162 @@
+// Stopped, killed, or out of space: what is there is whole, and says what it is.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using namespace std::chrono_literals;
+
+using Arguments = std::vector<std::string>;
+
+// Hours of work.
+const Arguments long_work{"--fingers", "9", "--parts", "full", "--threads", "2", "--top", "100"};
+// Half a megabyte of designs and more of summary.
+const Arguments long_files{"--fingers", "4", "--parts", "full", "--top", "10000"};
+
+ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
+  ProcessOptions options;
+  options.disturbance = Disturbance{signal, std::move(when)};
+  return options;
+}
+
+void expect_whole_csv(const std::string& csv, const std::string& first_line) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with(first_line)) << line;
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with("rank,front,routing,name,")) << line;
+  const auto columns = std::count(line.begin(), line.end(), ',');
+  while (std::getline(lines, line)) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);
+  EXPECT_TRUE(csv.ends_with('\n'));
+}
+
+class StoppingSignal : public ::testing::TestWithParam<int> {};
+
+TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
+  const Explored explored(long_work, disturbed(GetParam(), after_it_catches(GetParam(), 1s)));
+  ASSERT_FALSE(explored.result.timed_out);
+  EXPECT_EQ(explored.result.signal, 0);
+  EXPECT_EQ(explored.result.exit_code, 3);
+  EXPECT_EQ(explored.result.err, "");
+  EXPECT_NE(explored.result.out.find("\nPARTIAL: "), std::string::npos) << explored.result.out;
+  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "pareto.csv", "summary.json"}));
+
+  const Json summary = explored.summary();
+  EXPECT_TRUE(summary["partial"]);
+  EXPECT_GT(summary["generated"], 0);
+  EXPECT_LT(summary["generated"], summary["total"]);
+  EXPECT_EQ(summary["evaluated"].get<std::uint64_t>() +
+                summary["rejected"]["not actuated"].get<std::uint64_t>(),
+            summary["generated"]);
+  expect_whole_csv(explored.file("designs.csv"), "# partial: stopped after ");
+  expect_whole_csv(explored.file("pareto.csv"), "# partial: stopped after ");
+  EXPECT_EQ(words(explored.file("designs.csv")).size(), summary["top"].size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, StoppingSignal, ::testing::Values(SIGINT, SIGTERM),
+                         [](const auto& tested) {
+                           return std::string(tested.param == SIGINT ? "Interrupt" : "Terminate");
+                         });
+
+TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
+  const ProcessResult result = reeve({"rank", "--catalog", "--uncertainty", "--draws", "100000",
+                                      "--threads", "1", "--grasps", "1/1/1/1/1/1/1/1/2/2/2/2/2"},
+                                     disturbed(SIGINT, after_it_catches(SIGINT, 50ms)));
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "reeve: interrupted\n");
+}
+
+// The exploration is done by then, the distributions are not.
+TEST(Interruption, DISABLED_WhileDrawingLeavesFilesThatSaySo) {
+  const Explored explored(
+      {"--fingers", "4", "--uncertainty", "--draws", "100000", "--threads", "1"},
+      disturbed(SIGINT, after_it_catches(SIGINT, 2s)));
+  EXPECT_EQ(explored.result.exit_code, 3);
+  EXPECT_NE(explored.result.out.find("PARTIAL"), std::string::npos);
+  EXPECT_TRUE(explored.summary()["partial"]);
+  EXPECT_TRUE(explored.file("designs.csv").starts_with("# partial"));
+}
+
+TEST(Killing, WhileExploringLeavesNoFile) {
+  const Explored explored(long_work, disturbed(SIGKILL, after_it_catches(SIGINT, 300ms)));
+  EXPECT_EQ(explored.result.signal, SIGKILL);
+  EXPECT_EQ(explored.files(), Arguments{});
+}
+
+TEST(Killing, WhileWritingLeavesNoPieceUnderAFinalName) {
+  const Explored whole(long_files);
+  const std::filesystem::path out = "out";
+  for (const char* file : {"designs.csv", "summary.json"}) {
+    SCOPED_TRACE(file);
+    TemporaryFolder folder;
+    ProcessOptions options = disturbed(SIGKILL, [&](const RunningProcess&) {
+      std::error_code ignored;
+      for (const auto& entry :
+           std::filesystem::directory_iterator(folder.path() / "out", ignored)) {
+        if (entry.path().filename().string().starts_with(std::string(file) + '.')) return true;
+      }
+      return false;
+    });
+    options.directory = folder.path();
+    Arguments arguments{"explore", "--out", "out"};
+    arguments.insert(arguments.end(), long_files.begin(), long_files.end());
+    reeve(arguments, options);
+    for (const char* name : {"designs.csv", "pareto.csv"}) {
+      if (!std::filesystem::exists(folder.path() / out / name)) continue;
+      EXPECT_EQ(read_text(folder.path() / out / name), whole.file(name));
+    }
+    if (std::filesystem::exists(folder.path() / out / "summary.json")) {
+      EXPECT_EQ(without_times(read_text(folder.path() / out / "summary.json")),
+                without_times(whole.file("summary.json")));
+    }
+  }
+}
+
+// The kernel kills it in the middle of a file, every time.
+TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
+  Explored explored({"--fingers", "2"});
+  const std::string designs = explored.file("designs.csv");
+  const std::string summary = explored.file("summary.json");
+  ProcessOptions options;
+  options.file_size_limit = 64 * 1024;
+  explored.run(long_files, options);
+  ASSERT_EQ(explored.result.signal, SIGXFSZ);
+  EXPECT_EQ(explored.file("designs.csv"), designs);
+  EXPECT_EQ(explored.file("summary.json"), summary);
+}
+
+TEST(Killing, InTheMiddleOfTheLastFileLeavesTheOthersWhole) {
+  const Explored whole(long_files);
+  ASSERT_GT(whole.file("summary.json").size(), 1024U * 1024);
+  ASSERT_LT(whole.file("designs.csv").size(), 1024U * 1024);
+  ProcessOptions options;
+  options.file_size_limit = 1024 * 1024;
+  const Explored killed(long_files, options);
+  ASSERT_EQ(killed.result.signal, SIGXFSZ);
+  EXPECT_EQ(killed.file("designs.csv"), whole.file("designs.csv"));
+  EXPECT_EQ(killed.file("pareto.csv"), whole.file("pareto.csv"));
+  EXPECT_FALSE(std::filesystem::exists(killed.out() / "summary.json"));
+}
+
+TEST(FullDisk, IsReportedWithTheFileAndLeavesNoPiece) {
+  ProcessOptions options;
+  options.file_size_limit = 64 * 1024;
+  options.ignore_file_size_signal = true;
+  const Explored explored(long_files, options);
+  EXPECT_GT(explored.result.exit_code, 0);
+  EXPECT_EQ(explored.result.err,
+            "reeve: file 'out/designs.csv' cannot be written: File too large\n");
+  EXPECT_EQ(explored.files(), Arguments{});
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,63 @@
+#include "numerics/minimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace reeve {
+namespace {
+
+TEST(Minimise, FindsTheBottomOfABowl) {
+  const Minimum found = minimise(
+      [](const std::vector<double>& x) {
+        return std::pow(x[0] - 0.3, 2) + 2 * std::pow(x[1] + 1.7, 2) + 5;
+      },
+      {{-1, 2}, {-3, 3}}, 2000);
+  EXPECT_NEAR(found.at[0], 0.3, 1e-6);
+  EXPECT_NEAR(found.at[1], -1.7, 1e-6);
+  EXPECT_NEAR(found.value, 5, 1e-12);
+}
+
+TEST(Minimise, FindsACornerOfTheBox) {
+  const Minimum found = minimise([](const std::vector<double>& x) { return x[0] - 3 * x[1]; },
+                                 {{0.05, 0.2}, {1, 4}}, 1000);
+  EXPECT_NEAR(found.at[0], 0.05, 1e-6);
+  EXPECT_NEAR(found.at[1], 4, 1e-5);
+}
+
+TEST(Minimise, IsNotCaughtInTheWrongValleyOfAKinkedFunction) {
+  const auto two_valleys = [](const std::vector<double>& x) {
+    return std::min(std::abs(x[0] - 0.2) + 0.1, 4 * std::abs(x[0] - 0.9));
+  };
+  const Minimum found = minimise(two_valleys, {{0, 1}}, 500);
+  EXPECT_NEAR(found.at[0], 0.9, 1e-6);
+  EXPECT_NEAR(found.value, 0, 1e-5);
+}
+
+TEST(Minimise, LeavesFixedVariablesAlone) {
+  const auto distance = [](const std::vector<double>& x) {
+    return std::abs(x[0] - 5) + std::abs(x[1] - 0.5);
+  };
+  EXPECT_EQ(minimise(distance, {{2, 2}, {0, 1}}, 500).at[0], 2);
+  const Minimum nothing_free = minimise(distance, {{2, 2}, {1, 1}}, 500);
+  EXPECT_EQ(nothing_free.at, (std::vector<double>{2, 1}));
+  EXPECT_EQ(nothing_free.value, 3.5);
+}
+
+TEST(Minimise, GivesTheSameAnswerEveryTime) {
+  const auto wavy = [](const std::vector<double>& x) { return std::sin(9 * x[0]) * x[1]; };
+  const Minimum first = minimise(wavy, {{0, 3}, {0, 1}}, 300);
+  const Minimum second = minimise(wavy, {{0, 3}, {0, 1}}, 300);
+  EXPECT_EQ(first.at, second.at);
+  EXPECT_EQ(first.value, second.value);
+}
+
+TEST(Minimise, LetsExceptionsThrough) {
+  EXPECT_THROW(minimise([](const std::vector<double>&) -> double { throw std::domain_error("x"); },
+                        {{0, 1}}, 10),
+               std::domain_error);
+}
+
+}  // namespace
+}  // namespace reeve

@@ -1,0 +1,94 @@
+#include "search/margin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "search/coefficient_box.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve {
+namespace {
+
+std::vector<RankedDesign> ranked(const std::vector<std::string>& words) {
+  DesignEvaluator evaluator(Hardware{}, single_grasps(2));
+  std::vector<Design> designs;
+  for (const std::string& word : words) {
+    designs.push_back({word, evaluator.evaluate(parse_routing(word))});
+  }
+  return rank(std::move(designs), {Objective::uniformity_mean, Objective::efficiency_mean});
+}
+
+MarginOptions options(const UncertaintyRanges& ranges) {
+  return {Hardware{}, ranges, single_grasps(2), 500, 2};
+}
+
+double lead(const std::string& a, const std::string& b, const Hardware& hardware) {
+  DesignEvaluator evaluator(hardware, single_grasps(2));
+  return uniformity_times_efficiency(evaluator.evaluate(parse_routing(a))) -
+         uniformity_times_efficiency(evaluator.evaluate(parse_routing(b)));
+}
+
+// The least lead on a grid over the box, corners included.
+double least_on_grid(const std::string& a, const std::string& b, const UncertaintyRanges& ranges) {
+  constexpr int steps = 4;
+  const CoefficientBox box = coefficient_box(Hardware{}, ranges);
+  double least = 1;
+  for (int i = 0; i < (steps + 1) * (steps + 1) * (steps + 1) * (steps + 1); ++i) {
+    std::vector<double> point;
+    for (int rest = i; const Interval& interval : box) {
+      point.push_back(interval.low + (interval.high - interval.low) * (rest % (steps + 1)) / steps);
+      rest /= steps + 1;
+    }
+    least = std::min(least, lead(a, b, at_point(Hardware{}, point)));
+  }
+  return least;
+}
+
+TEST(Margin, IsAtMostTheLeastLeadOnAGrid) {
+  const auto designs = ranked({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M", "M-1-P-2-F"});
+  const std::vector<Margin> found = margins(designs, options({}));
+  ASSERT_EQ(found.size(), 3U);
+  for (const Margin& margin : found) {
+    const double grid = least_on_grid("1-P-2-P-1", margin.challenger, {});
+    EXPECT_LE(margin.least_lead, grid + 1e-9) << margin.challenger;
+    EXPECT_GT(margin.least_lead, grid - 0.02) << margin.challenger;
+    EXPECT_NEAR(margin.least_lead, lead("1-P-2-P-1", margin.challenger, margin.at), 1e-9);
+    EXPECT_NEAR(margin.nominal_lead, lead("1-P-2-P-1", margin.challenger, Hardware{}), 1e-12);
+  }
+}
+
+TEST(Margin, FindsWhereTheOrderTurns) {
+  // By its mean, TR5 trails TR4 a little at the paper's coefficients; with little friction in the
+  // tubes and none to speak of in the sheaths its two motor ends pay off.
+  const auto designs = ranked({"M-1-P-2-F", "M-1-P-2-M"});
+  UncertaintyRanges wide;
+  wide.tube_mu = {0.0, 0.6};
+  wide.sheath_mu = {0.0, 0.6};
+  const Margin margin = margins(designs, options(wide)).at(0);
+  EXPECT_GT(margin.nominal_lead, 0);
+  EXPECT_LT(margin.least_lead, 0);
+}
+
+TEST(Margin, IsTheNominalLeadWhereNothingIsUncertain) {
+  const UncertaintyRanges none{{0.18, 0.18}, {0.18, 0.18}, 0, 0};
+  const Margin margin = margins(ranked({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).at(0);
+  EXPECT_EQ(margin.least_lead, margin.nominal_lead);
+}
+
+TEST(MarginThreads, DoNotChangeTheResult) {
+  const auto designs = ranked({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M"});
+  MarginOptions one = options({});
+  one.threads = 1;
+  MarginOptions three = options({});
+  three.threads = 3;
+  const auto a = margins(designs, one);
+  const auto b = margins(designs, three);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].least_lead, b[i].least_lead);
+}
+
+}  // namespace
+}  // namespace reeve
