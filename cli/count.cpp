@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "cli/commands.hpp"
@@ -15,7 +17,9 @@ struct CountFlags {
 
 void run(const CountFlags& flags) {
   const GeneratorOptions options = flags.generator.read();
-  const RoutingCounts counts = count_routings(options.parts, options.fingers, options.identity);
+  const RoutingCounts counts = for_option(fmt::format("--fingers {}: ", options.fingers), [&] {
+    return count_routings(options.parts, options.fingers, options.identity);
+  });
   std::cout << (flags.format.is("json") ? count_json(counts) : count_table(counts));
 }
 

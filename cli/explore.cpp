@@ -13,6 +13,7 @@
 #include "cli/inputs.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
+#include "core/error.hpp"
 #include "reports/explore_report.hpp"
 #include "reports/files.hpp"
 #include "search/uncertainty.hpp"
@@ -31,13 +32,26 @@ struct ExploreFlags {
   FormatOption format;
 };
 
+// Which contacts the routings will have is not known yet; which strands, is.
+void require_fingers(const Hardware& hardware, int fingers) {
+  for (const ContactHardware& contact : hardware.contacts) {
+    if (highest_finger(contact) <= fingers) continue;
+    throw InputError(fmt::format("hardware: contact '{}-{}': expected strands of fingers 1 to {}",
+                                 contact.segment, contact.other_segment, fingers));
+  }
+}
+
 ExploreOptions options(const ExploreFlags& flags, const Hardware& hardware,
                        const Catalogue& catalogue) {
   ExploreOptions options;
   options.generator = flags.generator.read();
+  // Says early, before anything is written, if there are too many to count.
+  for_option(fmt::format("--fingers {}: ", flags.generator.fingers),
+             [&] { return RoutingGenerator(options.generator).total(); });
+  require_fingers(hardware, options.generator.fingers);
   options.shard = parse_shard(flags.shard);
   options.hardware = hardware;
-  options.grasps = parse_grasps(flags.ranking.grasps, options.generator.fingers);
+  options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.objectives = parse_objectives(flags.ranking.objectives);
   for (const std::string& text : flags.constraints) {
     options.constraints.push_back(parse_constraint(text));
@@ -52,7 +66,8 @@ ExploreOptions options(const ExploreFlags& flags, const Hardware& hardware,
 }
 
 void write_files(const ExploreReport& report, const std::filesystem::path& directory) {
-  const std::string note = partial_note(report);
+  const std::string reason = partial_note(report);
+  const std::string note = reason.empty() ? "" : "partial: " + reason;
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "summary.json", explore_summary_json(report));
@@ -83,6 +98,7 @@ int run(const ExploreFlags& flags) {
   ExploreReport report =
       explore_report(explore_options, std::move(result), distributions, catalogue);
   report.uncertainty = uncertainty;
+  report.draws_stopped = uncertainty && distributions.empty();
   write_files(report, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
   if (!flags.format.is("json")) {
@@ -107,7 +123,7 @@ void add_explore(CLI::App& program, int& exit_code) {
   command->add_option("--shard", flags->shard, "i/N: only the i-th of N parts of the whole")
       ->capture_default_str();
   command->add_option("--top", flags->top, "Designs to keep besides the front")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")
       ->capture_default_str();

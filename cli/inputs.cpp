@@ -48,13 +48,30 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
 }
 
 void HardwareOption::add_to(CLI::App& command) {
-  command.add_option("--hardware", file,
-                     "TOML file with friction coefficients, angles and lengths (default: the "
-                     "paper's; see catalog/hardware/example.toml)");
+  option_ =
+      command.add_option("--hardware", file_,
+                         "TOML file with friction coefficients, angles and lengths (default: the "
+                         "paper's; see catalog/hardware/example.toml)");
 }
 
 HardwareFile HardwareOption::read() const {
-  return file.empty() ? HardwareFile{} : read_hardware_file(file);
+  if (option_->count() == 0) return {};
+  if (file_.empty()) throw InputError("--hardware '': expected a TOML file");
+  return read_hardware_file(file_);
+}
+
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
+  const MechanicsBuilder builder(hardware);
+  std::vector<std::string> unmatched;
+  for (const Routing& routing : routings) {
+    const std::vector<std::string> here = builder.unmatched_contacts(expand(routing));
+    if (here.empty()) return;
+    unmatched = here;
+  }
+  if (unmatched.empty()) return;
+  throw InputError(fmt::format(
+      "hardware: contact '{}': expected two segments with a contact between them in {}",
+      unmatched.front(), routings.size() == 1 ? to_word(routings.front()) : "one of the routings"));
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
@@ -112,10 +129,21 @@ void RankingFlags::add_to(CLI::App& command) {
   command.add_option("--draws", draws, "Draws for --uncertainty")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the draws")->capture_default_str();
+  command.add_option("--seed", seed, "Seed of the draws")
+      ->check([](const std::string& text) {
+        // The conversion itself would take -1 for the greatest number.
+        return text.find('-') == std::string::npos
+                   ? std::string()
+                   : "Value " + text + " is negative: expected a whole number from 0";
+      })
+      ->capture_default_str();
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+}
+
+GraspSet RankingFlags::read_grasps(int fingers) const {
+  return for_option("--", [&] { return parse_grasps(grasps, fingers); });
 }
 
 }  // namespace reeve::cli

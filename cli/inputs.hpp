@@ -8,6 +8,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "catalog/hardware_file.hpp"
+#include "core/error.hpp"
 #include "search/generator.hpp"
 #include "search/objectives.hpp"
 
@@ -20,12 +21,28 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
 
 Catalogue shipped_catalogue();
 
-struct HardwareOption {
-  std::string file;
+// Runs `read` and puts the option's name before whatever input error it throws.
+template <typename Read>
+auto for_option(const std::string& option, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(option + error.what());
+  }
+}
 
+struct HardwareOption {
   void add_to(CLI::App& command);
   HardwareFile read() const;  // the paper's hardware if no file is given
+
+ private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
 };
+
+// A contact that the hardware file names must be in one of the routings: else it is likely a slip
+// of the pen.
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings);
 
 struct FormatOption {
   std::string format = "table";
@@ -61,6 +78,7 @@ struct RankingFlags {
   int threads = 0;
 
   void add_to(CLI::App& command);
+  GraspSet read_grasps(int fingers) const;
 };
 
 }  // namespace reeve::cli

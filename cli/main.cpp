@@ -35,7 +35,7 @@ int complain(const std::string& message, int exit_code) {
 int run(int argc, char** argv) {
   CLI::App program(description, "reeve");
   int exit_code = done;
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   program.set_version_flag("--version", version_text());
   add_explore(program, exit_code);
   add_rank(program, exit_code);
@@ -46,10 +46,13 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      return program.exit(error);
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      return complain(std::string(error.what()) + "; see reeve --help", bad_input);
     }
-    return complain(std::string(error.what()) + "; see reeve --help", bad_input);
+    program.exit(error);
+  }
+  if (program.get_subcommands().empty() && argc < 2) {
+    return complain("a subcommand is required; see reeve --help", bad_input);
   }
   std::cout.flush();
   if (!std::cout) return complain("standard output cannot be written", interrupted);

@@ -47,9 +47,10 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
     }
     if (finger_count(routing) != finger_count(result.front())) {
       throw InputError(fmt::format(
-          "routing '{}': it has {} fingers and '{}' has {}; only routings with the same number of "
+          "routing '{}': it has {} finger{} and '{}' has {}; only routings with the same number of "
           "fingers can be compared",
-          word, finger_count(routing), to_word(result.front()), finger_count(result.front())));
+          word, finger_count(routing), finger_count(routing) == 1 ? "" : "s",
+          to_word(result.front()), finger_count(result.front())));
     }
     if (!words.insert(word).second) {
       throw InputError(fmt::format("routing '{}' is given twice", word));
@@ -62,9 +63,10 @@ int run(const RankFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const std::vector<Routing> given = routings(flags, catalogue);
   const HardwareFile hardware = flags.hardware.read();
+  require_contacts_to_match(hardware.hardware, given);
   RankReport report;
   report.objectives = parse_objectives(flags.ranking.objectives);
-  report.grasps = parse_grasps(flags.ranking.grasps, finger_count(given.front()));
+  report.grasps = flags.ranking.read_grasps(finger_count(given.front()));
   report.hardware = hardware.hardware;
   DesignEvaluator evaluator(hardware.hardware, report.grasps);
   std::vector<Design> designs;

@@ -26,17 +26,9 @@ struct ShowFlags {
 GraspSet grasps(const ShowFlags& flags, int fingers) {
   if (flags.held.empty()) return single_grasps(fingers);
   GraspSet grasps;
-  for (const std::string& held : flags.held) grasps.push_back({parse_grasp(held, fingers), 1});
+  for (const std::string& held : flags.held)
+    grasps.push_back({for_option("--", [&] { return parse_grasp(held, fingers); }), 1});
   return grasps;
-}
-
-// A contact override that hits nothing is likely a slip of the pen.
-void require_overrides_to_match(const Hardware& hardware, const Network& network,
-                                const std::string& word) {
-  const std::vector<std::string> unmatched = MechanicsBuilder(hardware).unmatched_contacts(network);
-  if (unmatched.empty()) return;
-  throw InputError("hardware: contact '" + unmatched.front() + "': routing " + word +
-                   " has no contact between these segments");
 }
 
 ShowReport report(const ShowFlags& flags) {
@@ -49,7 +41,7 @@ ShowReport report(const ShowFlags& flags) {
   report.name = name_of(catalogue, report.word);
   report.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   report.network = expand(routing);
-  require_overrides_to_match(hardware, report.network, report.word);
+  require_contacts_to_match(hardware, {routing});
   const Mechanics mechanics = reeve::mechanics(report.network, hardware);
   const GraspSet grasps = cli::grasps(flags, report.network.fingers);
   for (const WeightedGrasp& weighted : grasps) {

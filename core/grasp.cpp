@@ -28,9 +28,28 @@ bool read(const std::string& text, Number& number) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
+// `where` is what the user gave, for the message.
+Grasp read_grasp(const std::string& text, int fingers, const std::string& where) {
+  Grasp grasp;
+  if (text == "none") return grasp;
+  for (const std::string& item : split(text, ',')) {
+    int finger = 0;
+    if (!read(item, finger) || finger < 1 || finger > fingers) {
+      throw InputError(
+          fmt::format("{}: '{}': expected none, or finger numbers from 1 to {} such as 1,2", where,
+                      item, fingers));
+    }
+    if (grasp.holds(finger)) {
+      throw InputError(fmt::format("{}: finger {} is named twice", where, finger));
+    }
+    grasp.held |= hold({finger}).held;
+  }
+  return grasp;
+}
+
 WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers) {
   const std::vector<std::string> parts = split(item, ':');
-  WeightedGrasp result{parse_grasp(parts[0], fingers), 1};
+  WeightedGrasp result{read_grasp(parts[0], fingers, fmt::format("grasps '{}'", text)), 1};
   if (parts.size() == 1) return result;
   if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight > 0) ||
       !(result.weight <= 1e6)) {
@@ -62,21 +81,7 @@ std::string to_text(Grasp grasp) {
 }
 
 Grasp parse_grasp(const std::string& text, int fingers) {
-  Grasp grasp;
-  if (text == "none") return grasp;
-  for (const std::string& item : split(text, ',')) {
-    int finger = 0;
-    if (!read(item, finger) || finger < 1 || finger > fingers) {
-      throw InputError(
-          fmt::format("held '{}': '{}': expected none, or finger numbers from 1 to {} such as 1,2",
-                      text, item, fingers));
-    }
-    if (grasp.holds(finger)) {
-      throw InputError(fmt::format("held '{}': finger {} is named twice", text, finger));
-    }
-    grasp.held |= hold({finger}).held;
-  }
-  return grasp;
+  return read_grasp(text, fingers, fmt::format("held '{}'", text));
 }
 
 GraspSet single_grasps(int fingers) {

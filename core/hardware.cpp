@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -104,6 +105,11 @@ bool same(const Segment& a, const Segment& b) { return a.kind == b.kind && a.num
 
 }  // namespace
 
+int highest_finger(const ContactHardware& contact) {
+  return std::max(parse_segment(contact.segment).finger,
+                  parse_segment(contact.other_segment).finger);
+}
+
 void validate(const Hardware& hardware) {
   validate("tube", hardware.tube);
   validate("bearing", hardware.bearing);
@@ -111,7 +117,15 @@ void validate(const Hardware& hardware) {
   require_length("lengths.strand_mm", hardware.strand_mm);
   require_length("lengths.motor_side_mm", hardware.motor_side_mm);
   require_length("lengths.hand_mm", hardware.hand_mm);
-  for (const FingerHardware& finger : hardware.fingers) validate(finger, hardware);
+  std::uint64_t seen = 0;
+  for (const FingerHardware& finger : hardware.fingers) {
+    validate(finger, hardware);
+    const std::uint64_t bit = std::uint64_t{1} << (finger.finger - 1);
+    if ((seen & bit) != 0) {
+      throw InputError(fmt::format("hardware: finger {} is given twice", finger.finger));
+    }
+    seen |= bit;
+  }
   for (const ContactHardware& contact : hardware.contacts) validate(contact);
 }
 

@@ -43,6 +43,10 @@ struct ContactHardware {
   std::optional<double> angle_rad;
 };
 
+// Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is
+// none.
+int highest_finger(const ContactHardware& contact);
+
 struct Hardware {
   ContactLaw tube{0.18, std::numbers::pi};
   ContactLaw bearing{0.001, std::numbers::pi};

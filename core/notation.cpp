@@ -28,13 +28,15 @@ struct Placed {
 };
 
 std::string quoted(std::string_view word) {
-  constexpr std::size_t longest = 60;
+  std::size_t shown_bytes = std::min<std::size_t>(word.size(), 60);
+  // Not in the middle of a UTF-8 sequence.
+  while (shown_bytes < word.size() && (word[shown_bytes] & '\xC0') == '\x80') --shown_bytes;
   std::string shown;
-  for (const char c : word.substr(0, longest)) {
+  for (const char c : word.substr(0, shown_bytes)) {
     const bool plain = std::isprint(static_cast<unsigned char>(c)) != 0 || (c & '\x80') != 0;
     shown += plain ? c : '?';
   }
-  return fmt::format("'{}{}'", shown, word.size() > longest ? "…" : "");
+  return fmt::format("'{}{}'", shown, shown_bytes < word.size() ? "…" : "");
 }
 
 [[noreturn]] void fail(std::string_view word, std::size_t column, const std::string& problem) {

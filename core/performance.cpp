@@ -21,7 +21,12 @@ Performance performance(const Network& network, const TensionState& state, Direc
   if (direction == Direction::release && result.efficiency > 0) {
     result.efficiency = 1 / result.efficiency;
   }
-  result.uniformity = most > 0 ? least / most : std::numeric_limits<double>::quiet_NaN();
+  const bool has_strands = least <= most;
+  if (!has_strands) {
+    result.uniformity = std::numeric_limits<double>::quiet_NaN();
+  } else if (most > 0) {
+    result.uniformity = least / most;
+  }
   return result;
 }
 

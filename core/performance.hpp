@@ -7,7 +7,8 @@
 //   force transmission  Σ_i T_i / T_M over the strands
 //
 // Efficiency is 1 without friction and never more than the best sheath's e^{-phi}. All are numbers
-// without unit; a routing without strands (a test bench) has no uniformity (NaN).
+// without unit; where all strands are slack uniformity is 0, and a routing without strands (a test
+// bench) has none (NaN).
 #pragma once
 
 #include "core/network.hpp"

@@ -17,16 +17,19 @@ double cone_excess(double left, double right, double decay) {
   return std::max(left, right) * decay / std::min(left, right) - 1;
 }
 
+void require_in_range(double tension) {
+  if (std::isnormal(tension)) return;
+  throw InputError(
+      "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
+      "that tensions fall out of range");
+}
+
 void scale_to_unit_motor_tension(const Network& network, std::vector<double>& tension) {
   double motor = 0;
   for (std::size_t i = 0; i < tension.size(); ++i) {
     if (network.segments[i].kind == SegmentKind::motor_side) motor += tension[i];
   }
-  if (!std::isnormal(motor)) {
-    throw InputError(
-        "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
-        "that tensions fall out of range");
-  }
+  require_in_range(motor);
   for (double& t : tension) t /= motor;
 }
 
@@ -50,6 +53,7 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   chain_.solve(segments_, contacts_, chain_tension_);
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t k = first + j < n ? first + j : first + j - n;
+    require_in_range(chain_tension_[j]);
     state.tension[tendon.first_segment + k] = chain_tension_[j];
   }
 }

@@ -44,7 +44,7 @@ class Problem {
     optimiser.set_maxeval(evaluations);
     optimiser.set_xtol_abs(1e-9);
     optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                   void* self) { return (*static_cast<Problem*>(self))(x); },
+                                   void* self) { return static_cast<Problem*>(self)->guarded(x); },
                                 this);
     std::vector<double> start =
         best_scaled_.empty() ? std::vector<double>(dimensions(), 0.5) : best_scaled_;
@@ -53,8 +53,9 @@ class Problem {
       optimiser.optimize(start, value);
     } catch (const nlopt::roundoff_limited&) {
       // As far as the numbers go; the best point is kept.
-    } catch (const nlopt::forced_stop&) {
-      std::rethrow_exception(failure_);
+    } catch (...) {
+      if (failure_) std::rethrow_exception(failure_);
+      throw;
     }
   }
 

@@ -120,7 +120,8 @@ std::string explore_table(const ExploreReport& report) {
   std::string text = counts_text(report.result);
   text +=
       fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
-  if (report.result.partial) text += "PARTIAL: " + partial_note(report) + "\n";
+  const std::string note = partial_note(report);
+  if (!note.empty()) text += "PARTIAL: " + note + "\n";
   text += "Uniformity and efficiency are given as mean/worst over the grasps " +
           to_text(report.options.grasps) + "\n\n" + front_text(report);
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
@@ -129,8 +130,11 @@ std::string explore_table(const ExploreReport& report) {
 }
 
 std::string partial_note(const ExploreReport& report) {
+  if (report.draws_stopped) {
+    return "stopped while drawing coefficients; the ranks have no distributions";
+  }
   if (!report.result.partial) return "";
-  return fmt::format("partial: stopped after {} of {} routings; ranks are among these",
+  return fmt::format("stopped after {} of {} routings; ranks are among these",
                      report.result.generated, report.result.total);
 }
 
@@ -142,7 +146,7 @@ std::string explore_summary_json(const ExploreReport& report) {
     json["rejected"][rejection.reason] = rejection.count;
   }
   json["evaluated"] = result.evaluated;
-  json["partial"] = result.partial;
+  json["partial"] = result.partial || report.draws_stopped;
   json["total"] = result.total;
   json["seconds"] = result.seconds;
   json["designs_per_second"] = rate(result);

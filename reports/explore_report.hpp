@@ -20,6 +20,7 @@ struct ExploreReport {
   std::vector<std::string> reference_names;  // parallel to result.references
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
+  bool draws_stopped = false;  // before there were distributions
 };
 
 // Distributions are parallel to result.top, or empty. Designs of the front beyond the top have

@@ -186,6 +186,7 @@ Shard parse_shard(const std::string& text) {
 }
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
+  if (options.top == 0) throw InputError("top 0: expected at least one design to keep");
   return Exploration(options).run(supervision);
 }
 

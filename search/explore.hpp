@@ -34,9 +34,9 @@ struct ExploreOptions {
   GraspSet grasps;
   std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
   std::vector<Constraint> constraints;
-  std::size_t top = 1000;
+  std::size_t top = 1000;           // at least 1
   int threads = 0;                  // 0: all
-  std::vector<Routing> references;  // routings whose place among the others is wanted
+  std::vector<Routing> references;  // canonical routings whose place among the others is wanted
 };
 
 struct Progress {

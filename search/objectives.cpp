@@ -76,6 +76,16 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      }},
 }};
 
+double on_grid(double value) {
+  constexpr double grid = 1e10;
+  return std::round(value * grid) / grid;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
 std::string names() {
   std::string list;
   for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
@@ -89,10 +99,7 @@ const std::array<ObjectiveRow, objective_count>& objective_table() { return tabl
 const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
 
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
-  constexpr double grid = 1e10;
-  for (std::size_t i = 0; i < objective_count; ++i) {
-    values[i] = std::round(table[i].compute(outcome) * grid) / grid;
-  }
+  for (std::size_t i = 0; i < objective_count; ++i) values[i] = on_grid(table[i].compute(outcome));
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {
@@ -130,24 +137,23 @@ bool Constraint::admits(const ObjectiveValues& values) const {
 
 Constraint parse_constraint(const std::string& text) {
   const std::string option = fmt::format("--constraint '{}'", text);
-  std::string plain = text;
-  std::erase(plain, ' ');
-  const std::size_t at = plain.find_first_of("<>=");
-  const std::size_t end = std::min(plain.find_first_not_of("<>=", at), plain.size());
-  const std::string comparison =
-      at == std::string::npos ? std::string() : plain.substr(at, end - at);
+  const std::size_t at = std::min(text.find_first_of("<>="), text.size());
+  const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
+  const std::string comparison = text.substr(at, end - at);
+  const std::string number = trimmed(text.substr(end));
   constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
   double bound = 0;
-  const auto [stop, error] =
-      std::from_chars(plain.data() + end, plain.data() + plain.size(), bound);
-  const bool is_number = error == std::errc{} && stop == plain.data() + plain.size() &&
-                         end < plain.size() && std::isfinite(bound);
+  const char* last = number.data() + number.size();
+  const auto [stop, error] = std::from_chars(number.data(), last, bound);
+  const bool is_number = error == std::errc{} && stop == last && std::isfinite(bound);
   if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
     throw InputError(fmt::format(
         "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
         option));
   }
-  return {parse_objective(plain.substr(0, at), option), comparison, bound, plain};
+  const std::string name = trimmed(text.substr(0, at));
+  // On the grid of the values, so that a bound copied with all its digits holds.
+  return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
 }
 
 }  // namespace reeve

@@ -20,7 +20,7 @@ struct UncertaintyOptions {
   UncertaintyRanges ranges;
   GraspSet grasps;
   std::vector<Objective> objectives;
-  std::size_t draws = 1000;
+  std::size_t draws = 1000;  // at least 1
   std::uint64_t seed = 1;
   int threads = 0;
 };
@@ -35,7 +35,7 @@ struct RankDistribution {
 // The hardware of draw number `draw`: a function of seed and number alone.
 Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw);
 
-// Ranks among the given designs, parallel to them. Empty if stopped.
+// Ranks among the given designs, whose words differ, parallel to them. Empty if stopped.
 std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,
                                                  const UncertaintyOptions& options,
                                                  const Supervision& supervision = {});

@@ -10,7 +10,7 @@
 #include "catalog/entry_file.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {

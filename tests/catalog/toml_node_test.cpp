@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {

@@ -108,9 +108,9 @@ TEST(GraspSetError, NamesTheItemWhoseWeightIsWrong) {
 
 TEST(GraspSetError, NamesTheFingerThatDoesNotExist) {
   EXPECT_EQ(set_message("none/3", 2),
-            "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2");
+            "grasps 'none/3': '3': expected none, or finger numbers from 1 to 2 such as 1,2");
   EXPECT_EQ(set_message("", 2),
-            "held '': '': expected none, or finger numbers from 1 to 2 such as 1,2");
+            "grasps '': '': expected none, or finger numbers from 1 to 2 such as 1,2");
 }
 
 }  // namespace

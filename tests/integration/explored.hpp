@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/catalog/temporary_folder.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
 

@@ -76,7 +76,7 @@ TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
 }
 
 // The exploration is done by then, the distributions are not.
-TEST(Interruption, DISABLED_WhileDrawingLeavesFilesThatSaySo) {
+TEST(Interruption, WhileDrawingLeavesFilesThatSaySo) {
   const Explored explored(
       {"--fingers", "4", "--uncertainty", "--draws", "100000", "--threads", "1"},
       disturbed(SIGINT, after_it_catches(SIGINT, 2s)));

@@ -60,7 +60,7 @@ TEST(FullStdout, IsAnError) {
   }
 }
 
-TEST(FullStdout, DISABLED_IsAnErrorForHelpAndVersionToo) {
+TEST(FullStdout, IsAnErrorForHelpAndVersionToo) {
   ProcessOptions options;
   options.stdout_to = "/dev/full";
   EXPECT_EQ(reeve({"--help"}, options).exit_code, 3);

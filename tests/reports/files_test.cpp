@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/catalog/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {
