@@ -7,6 +7,7 @@
 
 #include "catalog/toml_node.hpp"
 #include "core/error.hpp"
+#include "core/mechanics.hpp"
 #include "core/routing.hpp"
 
 namespace reeve {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hardware.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/tension.hpp"
 

@@ -7,13 +7,11 @@
 // its tables I, II, III and VI (the paper does not print it).
 #pragma once
 
-#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "core/network.hpp"
 
 namespace reeve {
 
@@ -43,10 +41,6 @@ struct ContactHardware {
   std::optional<double> angle_rad;
 };
 
-// Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is
-// none.
-int highest_finger(const ContactHardware& contact);
-
 struct Hardware {
   ContactLaw tube{0.18, std::numbers::pi};
   ContactLaw bearing{0.001, std::numbers::pi};
@@ -58,47 +52,12 @@ struct Hardware {
   std::vector<ContactHardware> contacts;
 };
 
-// Throws InputError that names the quantity, its value and its range.
+// Beyond any physical contact (rope three times round pine has phi = 3), and small enough that
+// e^{-phi} along a whole tendon stays a number.
+inline constexpr double max_exponent = 10;
+
+// Throw InputError that names the quantity, its value and its range.
+void require_exponent(std::string_view where, double phi);
 void validate(const Hardware& hardware);
-
-// A network with numbers: arrays parallel to its segments, contacts and fingers.
-struct Mechanics {
-  std::vector<double> length;   // segment lengths
-  std::vector<double> phi;      // friction exponents of the contacts
-  std::vector<double> decay;    // e^{-phi}
-  std::vector<double> closing;  // closing weights of fingers 1 … n
-};
-
-// Prepared hardware: what does not depend on the routing is computed once, so that `apply` costs a
-// table look-up a contact.
-class MechanicsBuilder {
- public:
-  explicit MechanicsBuilder(const Hardware& hardware);
-
-  // Keeps the memory of `mechanics`.
-  void apply(const Network& network, Mechanics& mechanics) const;
-
-  // Contact overrides that name no contact of this network; as the user wrote them.
-  std::vector<std::string> unmatched_contacts(const Network& network) const;
-
- private:
-  struct ContactOverride {
-    Segment a;
-    Segment b;
-    ContactHardware law;
-  };
-
-  const ContactLaw& law(ContactKind kind) const;
-  ContactLaw law(const Contact& contact) const;
-  void apply_overrides(const Network& network, Mechanics& mechanics) const;
-
-  Hardware hardware_;
-  std::array<double, 3> phi_{};
-  std::array<double, 3> decay_{};
-  std::vector<std::optional<FingerHardware>> by_finger_;
-  std::vector<ContactOverride> by_contact_;
-};
-
-Mechanics mechanics(const Network& network, const Hardware& hardware);
 
 }  // namespace reeve

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 
 namespace reeve {

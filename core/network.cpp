@@ -1,6 +1,11 @@
 #include "core/network.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
+
+#include "core/error.hpp"
 
 namespace reeve {
 namespace {
@@ -90,6 +95,15 @@ class Expansion {
   int hand_ = 0;
 };
 
+int number_from_letters(std::string_view text) {
+  int number = 0;
+  for (const char c : text) {
+    if (c < 'a' || c > 'z' || number > 10000) return 0;
+    number = 26 * number + (c - 'a' + 1);
+  }
+  return number;
+}
+
 std::string letters(int number) {
   std::string text;
   for (; number > 0; number = (number - 1) / 26) {
@@ -140,6 +154,25 @@ const char* name(ContactKind kind) {
       return "sheath";
   }
   return "";
+}
+
+Segment parse_segment(const std::string& text) {
+  const bool numbered = text.size() > 1 && text.size() < 6 && (text[0] == 'T' || text[0] == 'h') &&
+                        text.find_first_not_of("0123456789", 1) == std::string::npos &&
+                        text[1] != '0';
+  if (numbered) {
+    const int number = std::stoi(text.substr(1));
+    if (text[0] == 'T') return {SegmentKind::strand, number, (number + 1) / 2};
+    return {SegmentKind::hand, number, 0};
+  }
+  const int number = number_from_letters(text);
+  if (number == 0) {
+    throw InputError(fmt::format(
+        "hardware: contact: segment '{}': expected a strand (T1), a motor-side segment (a) or a "
+        "stretch at the hand (h1)",
+        text));
+  }
+  return {SegmentKind::motor_side, number, 0};
 }
 
 }  // namespace reeve

@@ -75,6 +75,8 @@ inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
 
 // T1, a, h1.
 std::string name(const Segment& segment);
+// The reverse. Throws InputError on what is no such name.
+Segment parse_segment(const std::string& name);
 const char* name(ContactKind kind);
 
 }  // namespace reeve

@@ -21,8 +21,8 @@
 
 #include "core/elastic_chain.hpp"
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
 #include "core/kinematics.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 
 namespace reeve {

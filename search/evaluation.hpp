@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/tension.hpp"
 #include "search/objectives.hpp"

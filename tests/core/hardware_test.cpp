@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mechanics.hpp"
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
 

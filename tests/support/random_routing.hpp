@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/routing.hpp"
 

@@ -1,0 +1,58 @@
+// A network with numbers: what the hardware makes of each segment and contact.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/hardware.hpp"
+#include "core/network.hpp"
+
+namespace reeve {
+
+// Arrays parallel to the network's segments, contacts and fingers.
+struct Mechanics {
+  std::vector<double> length;   // segment lengths
+  std::vector<double> phi;      // friction exponents of the contacts
+  std::vector<double> decay;    // e^{-phi}
+  std::vector<double> closing;  // closing weights of fingers 1 … n
+};
+
+// Prepared hardware: what does not depend on the routing is computed once, so that `apply` costs a
+// table look-up a contact.
+class MechanicsBuilder {
+ public:
+  explicit MechanicsBuilder(const Hardware& hardware);
+
+  // Keeps the memory of `mechanics`.
+  void apply(const Network& network, Mechanics& mechanics) const;
+
+  // Contact overrides that name no contact of this network; as the user wrote them.
+  std::vector<std::string> unmatched_contacts(const Network& network) const;
+
+ private:
+  struct ContactOverride {
+    Segment a;
+    Segment b;
+    ContactHardware law;
+  };
+
+  const ContactLaw& law(ContactKind kind) const;
+  ContactLaw law(const Contact& contact) const;
+  void apply_overrides(const Network& network, Mechanics& mechanics) const;
+
+  Hardware hardware_;
+  std::array<double, 3> phi_{};
+  std::array<double, 3> decay_{};
+  std::vector<std::optional<FingerHardware>> by_finger_;
+  std::vector<ContactOverride> by_contact_;
+};
+
+// Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is
+// none.
+int highest_finger(const ContactHardware& contact);
+
+Mechanics mechanics(const Network& network, const Hardware& hardware);
+
+}  // namespace reeve
