@@ -27,7 +27,7 @@ std::size_t ElasticChain::start(std::span<const ChainSegment> segments,
     offset += segments[k].take_up;
   }
   pieces_.clear();
-  pieces_.push_back({infinity, slope, offset});
+  pieces_.push_back({slope, infinity, offset});
   return k;
 }
 
@@ -63,13 +63,13 @@ void ElasticChain::hold(double decay, double rest) {
   auto piece = previous_.begin();
   if (rest > 0) {
     for (; piece->upto < rest; ++piece) {
-      pieces_.push_back({piece->upto * decay, piece->slope / decay, piece->offset});
+      pieces_.push_back({piece->slope / decay, piece->upto * decay, piece->offset});
     }
-    pieces_.push_back({rest * decay, piece->slope / decay, piece->offset});
-    pieces_.push_back({rest / decay, 0, 0});
+    pieces_.push_back({piece->slope / decay, rest * decay, piece->offset});
+    pieces_.push_back({0, rest / decay, 0});
   }
   for (; piece != previous_.end(); ++piece) {
-    pieces_.push_back({piece->upto / decay, piece->slope * decay, piece->offset});
+    pieces_.push_back({piece->slope * decay, piece->upto / decay, piece->offset});
   }
 }
 

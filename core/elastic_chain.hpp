@@ -39,10 +39,11 @@ class ElasticChain {
              std::span<double> tension);
 
  private:
-  // The derivative is slope * t − offset for t up to `upto`.
+  // The derivative is slope * t − offset for t up to `upto`. Slope and offset stand apart: side by
+  // side they are loaded as one word, which has to wait for the slope that was just stored.
   struct Piece {
-    double upto;
     double slope;
+    double upto;
     double offset;
   };
 
