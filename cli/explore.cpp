@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +56,12 @@ ExploreOptions options(const ExploreFlags& flags, const Hardware& hardware,
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.objectives = parse_objectives(flags.ranking.objectives);
   for (const std::string& text : flags.constraints) {
-    options.constraints.push_back(parse_constraint(text));
+    const Constraint constraint = parse_constraint(text);
+    for (const Constraint& other : options.constraints) {
+      if (other.text != constraint.text) continue;
+      throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));
+    }
+    options.constraints.push_back(constraint);
   }
   options.top = flags.top;
   options.threads = flags.ranking.threads;
@@ -73,39 +80,53 @@ void write_files(const ExploreReport& report, const std::filesystem::path& direc
   write_file(directory / "summary.json", explore_summary_json(report));
 }
 
+UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const HardwareFile& hardware,
+                                       const ExploreOptions& options) {
+  return {hardware.hardware,   hardware.uncertainty, options.grasps,       options.objectives,
+          flags.ranking.draws, flags.ranking.seed,   flags.ranking.threads};
+}
+
+ExploreResult explore_supervised(const ExploreOptions& options, const std::atomic<bool>& stop) {
+  ProgressLine progress("exploring");
+  return explore(options, {std::ref(progress), &stop});
+}
+
+// Of the longer of top and front: both are the beginning of one ranking.
+std::optional<std::vector<RankDistribution>> draw(const ExploreResult& result,
+                                                  const UncertaintyOptions& options,
+                                                  const std::atomic<bool>& stop) {
+  ProgressLine progress("drawing");
+  const auto& longer = result.front.size() > result.top.size() ? result.front : result.top;
+  return rank_distributions(plain_designs(longer), options, {std::ref(progress), &stop});
+}
+
 int run(const ExploreFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const HardwareFile hardware = flags.hardware.read();
   const ExploreOptions explore_options = options(flags, hardware.hardware, catalogue);
+  const UncertaintyOptions uncertainty = uncertainty_options(flags, hardware, explore_options);
+  if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   prepare_directory(flags.out, "--out");
   const std::atomic<bool>& stop = stop_on_interrupt();
-  ExploreResult result;
-  {
-    ProgressLine progress("exploring");
-    result = explore(explore_options, {std::ref(progress), &stop});
-  }
-  std::optional<UncertaintyOptions> uncertainty;
+  ExploreResult result = explore_supervised(explore_options, stop);
   std::vector<RankDistribution> distributions;
+  bool draws_stopped = false;
   if (flags.ranking.uncertainty && !result.partial) {
-    uncertainty =
-        UncertaintyOptions{hardware.hardware,          hardware.uncertainty, explore_options.grasps,
-                           explore_options.objectives, flags.ranking.draws,  flags.ranking.seed,
-                           flags.ranking.threads};
-    ProgressLine progress("drawing");
-    distributions =
-        rank_distributions(plain_designs(result.top), *uncertainty, {std::ref(progress), &stop});
+    const auto drawn = draw(result, uncertainty, stop);
+    draws_stopped = !drawn;
+    distributions = drawn.value_or(std::vector<RankDistribution>{});
   }
   ExploreReport report =
       explore_report(explore_options, std::move(result), distributions, catalogue);
-  report.uncertainty = uncertainty;
-  report.draws_stopped = uncertainty && distributions.empty();
-  write_files(report, flags.out);
+  if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
+  report.draws_stopped = draws_stopped;
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
+  write_files(report, flags.out);
   if (!flags.format.is("json")) {
     std::cout << fmt::format("\nWritten: designs.csv, pareto.csv and summary.json in {}\n",
                              flags.out);
   }
-  return stop.load() ? interrupted : done;
+  return partial_note(report).empty() ? done : interrupted;
 }
 
 }  // namespace
@@ -122,7 +143,9 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--shard", flags->shard, "i/N: only the i-th of N parts of the whole")
       ->capture_default_str();
-  command->add_option("--top", flags->top, "Designs to keep besides the front")
+  command
+      ->add_option("--top", flags->top,
+                   "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")

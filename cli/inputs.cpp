@@ -62,11 +62,12 @@ HardwareFile HardwareOption::read() const {
 
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
   const MechanicsBuilder builder(hardware);
-  std::vector<std::string> unmatched;
+  std::vector<std::string> unmatched = builder.unmatched_contacts({});
   for (const Routing& routing : routings) {
     const std::vector<std::string> here = builder.unmatched_contacts(expand(routing));
-    if (here.empty()) return;
-    unmatched = here;
+    std::erase_if(unmatched, [&](const std::string& contact) {
+      return std::find(here.begin(), here.end(), contact) == here.end();
+    });
   }
   if (unmatched.empty()) return;
   throw InputError(fmt::format(

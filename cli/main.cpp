@@ -35,6 +35,7 @@ int complain(const std::string& message, int exit_code) {
 int run(int argc, char** argv) {
   CLI::App program(description, "reeve");
   int exit_code = done;
+  bool answered = false;  // by the help or the version
   program.require_subcommand(0, 1);
   program.set_version_flag("--version", version_text());
   add_explore(program, exit_code);
@@ -50,8 +51,9 @@ int run(int argc, char** argv) {
       return complain(std::string(error.what()) + "; see reeve --help", bad_input);
     }
     program.exit(error);
+    answered = true;
   }
-  if (program.get_subcommands().empty() && argc < 2) {
+  if (program.get_subcommands().empty() && !answered) {
     return complain("a subcommand is required; see reeve --help", bad_input);
   }
   std::cout.flush();

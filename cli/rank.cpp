@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <iostream>
 #include <set>
 #include <string>
@@ -8,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/supervision.hpp"
+#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "reports/rank_report.hpp"
@@ -21,6 +24,7 @@ namespace {
 struct RankFlags {
   std::vector<std::string> routings;
   bool catalog = false;
+  int fingers = 2;
   bool margin = false;
   RankingFlags ranking;
   HardwareOption hardware;
@@ -29,11 +33,14 @@ struct RankFlags {
 
 std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue) {
   std::vector<Routing> result;
-  if (flags.catalog) {
-    for (const CatalogueEntry& entry : catalogue.entries) result.push_back(entry.routing);
-  }
   for (const std::string& text : flags.routings) {
     result.push_back(read_actuated_routing(text, catalogue));
+  }
+  if (flags.catalog) {
+    const int fingers = result.empty() ? flags.fingers : finger_count(result.front());
+    for (const CatalogueEntry& entry : catalogue.entries) {
+      if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+    }
   }
   if (result.empty()) {
     throw InputError("rank: nothing to rank; expected routings, or --catalog");
@@ -52,11 +59,20 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
           word, finger_count(routing), finger_count(routing) == 1 ? "" : "s",
           to_word(result.front()), finger_count(result.front())));
     }
-    if (!words.insert(word).second) {
+    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
       throw InputError(fmt::format("routing '{}' is given twice", word));
     }
   }
   return result;
+}
+
+// Otherwise the first design need not have the greatest product, and a lead says nothing.
+void require_the_two_means(std::vector<Objective> objectives) {
+  std::sort(objectives.begin(), objectives.end());
+  if (objectives == std::vector{Objective::uniformity_mean, Objective::efficiency_mean}) return;
+  throw InputError(
+      "--margin is a lead in mean uniformity x mean efficiency: expected --objectives "
+      "uniformity,efficiency with it");
 }
 
 int run(const RankFlags& flags) {
@@ -66,6 +82,7 @@ int run(const RankFlags& flags) {
   require_contacts_to_match(hardware.hardware, given);
   RankReport report;
   report.objectives = parse_objectives(flags.ranking.objectives);
+  if (flags.margin) require_the_two_means(report.objectives);
   report.grasps = flags.ranking.read_grasps(finger_count(given.front()));
   report.hardware = hardware.hardware;
   DesignEvaluator evaluator(hardware.hardware, report.grasps);
@@ -80,14 +97,16 @@ int run(const RankFlags& flags) {
         hardware.hardware,   hardware.uncertainty, report.grasps,        report.objectives,
         flags.ranking.draws, flags.ranking.seed,   flags.ranking.threads};
     ProgressLine progress("drawing");
-    distributions = rank_distributions(plain_designs(ranked), *report.uncertainty,
-                                       {std::ref(progress), &stop_on_interrupt()});
-    if (distributions.empty()) throw Interrupted();
+    const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
+                                          {std::ref(progress), &stop_on_interrupt()});
+    if (!drawn) throw Interrupted();
+    distributions = *drawn;
   }
   if (flags.margin) {
     MarginOptions options{hardware.hardware, hardware.uncertainty, report.grasps};
     options.threads = flags.ranking.threads;
-    report.margins = margins(ranked, options);
+    report.margins = margins(ranked, options, {{}, &stop_on_interrupt()});
+    if (!report.margins) throw Interrupted();
   }
   report.designs = list_designs(ranked, distributions, catalogue);
   if (flags.format.is("json")) {
@@ -107,7 +126,12 @@ void add_rank(CLI::App& program, int& exit_code) {
       program.add_subcommand("rank", "Compare routings that you have in mind, best first");
   auto flags = std::make_shared<RankFlags>();
   command->add_option("routing", flags->routings, "Catalogue names or words");
-  command->add_flag("--catalog", flags->catalog, "All routings of the catalogue");
+  command->add_flag("--catalog", flags->catalog,
+                    "All routings of the catalogue with as many fingers as the routings given, or "
+                    "with --fingers of them");
+  command->add_option("--fingers", flags->fingers, "For --catalog alone: number of fingers")
+      ->check(CLI::Range(1, max_fingers))
+      ->capture_default_str();
   command->add_flag("--margin", flags->margin,
                     "Search the ranges of the coefficients for where the first design's lead over "
                     "each other one is least");

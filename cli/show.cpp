@@ -26,8 +26,13 @@ struct ShowFlags {
 GraspSet grasps(const ShowFlags& flags, int fingers) {
   if (flags.held.empty()) return single_grasps(fingers);
   GraspSet grasps;
-  for (const std::string& held : flags.held)
-    grasps.push_back({for_option("--", [&] { return parse_grasp(held, fingers); }), 1});
+  for (const std::string& held : flags.held) {
+    const Grasp grasp = for_option("--", [&] { return parse_grasp(held, fingers); });
+    for (const WeightedGrasp& other : grasps) {
+      if (other.grasp == grasp) throw InputError("--held " + held + " is given twice");
+    }
+    grasps.push_back({grasp, 1});
+  }
   return grasps;
 }
 

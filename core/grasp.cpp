@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "core/routing.hpp"
@@ -51,13 +51,29 @@ WeightedGrasp parse_weighted(const std::string& item, const std::string& text, i
   const std::vector<std::string> parts = split(item, ':');
   WeightedGrasp result{read_grasp(parts[0], fingers, fmt::format("grasps '{}'", text)), 1};
   if (parts.size() == 1) return result;
-  if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight > 0) ||
+  if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight >= 1e-6) ||
       !(result.weight <= 1e6)) {
     throw InputError(fmt::format(
-        "grasps '{}': '{}': expected a held list and a weight from above 0 to 1e6, such as 1,2:0.5",
+        "grasps '{}': '{}': expected a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5",
         text, item));
   }
   return result;
+}
+
+double weight_of(Grasp grasp, const GraspSet& grasps) {
+  double weight = 0;
+  for (const WeightedGrasp& weighted : grasps) {
+    if (weighted.grasp == grasp) weight += weighted.weight;
+  }
+  return weight;
+}
+
+// The grasp with this finger and the next one renamed to each other.
+Grasp exchanged(Grasp grasp, int finger) {
+  if (grasp.holds(finger) != grasp.holds(finger + 1)) {
+    grasp.held ^= hold({finger, finger + 1}).held;
+  }
+  return grasp;
 }
 
 }  // namespace
@@ -111,9 +127,23 @@ GraspSet parse_grasps(const std::string& text, int fingers) {
   if (text == "paper") return paper_grasps();
   GraspSet grasps;
   for (const std::string& item : split(text, '/')) {
-    grasps.push_back(parse_weighted(item, text, fingers));
+    const WeightedGrasp grasp = parse_weighted(item, text, fingers);
+    if (weight_of(grasp.grasp, grasps) > 0) {
+      throw InputError(fmt::format("grasps '{}': '{}' is given twice", text, to_text(grasp.grasp)));
+    }
+    grasps.push_back(grasp);
   }
   return grasps;
+}
+
+bool treats_fingers_alike(const GraspSet& grasps, int fingers) {
+  for (const WeightedGrasp& weighted : grasps) {
+    // Exchanges of neighbours make every renaming.
+    for (int finger = 1; finger < fingers; ++finger) {
+      if (weight_of(exchanged(weighted.grasp, finger), grasps) != weighted.weight) return false;
+    }
+  }
+  return true;
 }
 
 std::string to_text(const GraspSet& grasps) {

@@ -42,6 +42,8 @@ GraspSet all_grasps(int fingers);
 GraspSet paper_grasps();
 // "single", "all", "paper", or held lists with weights such as "none:2/1/1,2:0.5"
 GraspSet parse_grasps(const std::string& text, int fingers);
+// Whether renaming fingers 1 … n leaves the set as it is.
+bool treats_fingers_alike(const GraspSet& grasps, int fingers);
 std::string to_text(const GraspSet& grasps);
 
 }  // namespace reeve

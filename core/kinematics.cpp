@@ -33,12 +33,14 @@ TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechan
   return tally;
 }
 
-void impose_jam(const Network& network, const TendonSpan& tendon, Direction direction,
-                Motion& motion) {
+// Pulled, the carriage stretches its own segments; released, the hand's keep their strain.
+void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                Direction direction, Motion& motion) {
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const bool motor_side = network.segments[i].kind == SegmentKind::motor_side;
     motion.imposed[i] = 0;
-    motion.take_up[i] = motor_side == (direction == Direction::pull) ? 1 : 0;
+    const bool pull = direction == Direction::pull;
+    motion.take_up[i] = motor_side != pull ? 0 : pull ? 1 : mechanics.length[i];
   }
 }
 
@@ -121,7 +123,7 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
     if (sums.closing_weight == 0) {
       motion.jams[t] = 1;
       blocked = true;
-      impose_jam(network, tendon, direction, motion);
+      impose_jam(network, tendon, mechanics, direction, motion);
     } else {
       impose_travel(network, tendon, mechanics, grasp, direction, sums, motion);
     }

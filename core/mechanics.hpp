@@ -13,7 +13,7 @@ namespace reeve {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct Mechanics {
-  std::vector<double> length;   // segment lengths
+  std::vector<double> length;   // of the segments, mm
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n

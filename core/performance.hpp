@@ -1,9 +1,8 @@
 // How well a routing pulls the fingers in one grasp.
 //
 //   uniformity          min_i T_i / max_i T_i over the strands
-//   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work; releasing, the other
-//   way
-//                       round: what the fingers give back arrives at the motor
+//   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work
+//                       (releasing, the inverse: how much of the fingers' work the motor gets)
 //   force transmission  Σ_i T_i / T_M over the strands
 //
 // Efficiency is 1 without friction and never more than the best sheath's e^{-phi}. All are numbers

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <limits>
+#include <stdexcept>
 
 namespace reeve {
 namespace {
@@ -88,6 +89,9 @@ Minimum minimise(const Function& function, const std::vector<Interval>& box, int
   } else {
     problem.search(nlopt::GN_DIRECT_L, evaluations);
     problem.search(nlopt::LN_SBPLX, evaluations);
+  }
+  if (problem.best().at.empty()) {
+    throw std::domain_error("minimise: the function has no finite value in the box");
   }
   return problem.best();
 }

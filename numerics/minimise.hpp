@@ -19,7 +19,7 @@ struct Minimum {
 // Divides the box (DIRECT-L, J. M. Gablonsky, C. T. Kelley, 2001), then refines the best point
 // (Subplex, T. H. Rowan, 1990), with at most `evaluations` calls for each. Deterministic; the least
 // value that was seen, which for a function with narrow valleys need not be the least there is.
-// Exceptions of the function come through.
+// Exceptions of the function come through; std::domain_error if it has no finite value there.
 Minimum minimise(const std::function<double(const std::vector<double>&)>& function,
                  const std::vector<Interval>& box, int evaluations);
 

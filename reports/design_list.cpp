@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "reports/names.hpp"
@@ -11,7 +12,8 @@ namespace reeve {
 namespace {
 
 bool with_distributions(const std::vector<ListedDesign>& designs) {
-  return !designs.empty() && designs.front().distribution.has_value();
+  return std::any_of(designs.begin(), designs.end(),
+                     [](const ListedDesign& design) { return design.distribution.has_value(); });
 }
 
 std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
@@ -67,7 +69,7 @@ std::string design_table(const std::vector<ListedDesign>& designs) {
         cell(Objective::knots, 0),
         cell(Objective::travel, 2),
         cell(Objective::return_friction, 3)};
-    if (uncertain) {
+    if (design.distribution) {
       cells.push_back(percent(design.distribution->first));
       cells.push_back(fixed(design.distribution->median, 0));
       cells.push_back(range(*design.distribution));
@@ -87,9 +89,11 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
                        design.ranked.design.word, csv_field(design.name));
     for (const double v : design.ranked.design.values) csv += fmt::format(",{}", v);
-    if (uncertain) {
+    if (design.distribution) {
       const RankDistribution& d = *design.distribution;
       csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);
+    } else if (uncertain) {
+      csv += ",,,,";
     }
     csv += '\n';
   }

@@ -30,8 +30,9 @@ std::string counts_text(const ExploreResult& result) {
 }
 
 std::string front_text(const ExploreReport& report) {
-  std::string text = fmt::format("Pareto front over {}: {} designs",
-                                 objective_names(report.options.objectives), report.front.size());
+  std::string text =
+      fmt::format("Pareto front over {}: {} design{}", objective_names(report.options.objectives),
+                  report.front.size(), report.front.size() == 1 ? "" : "s");
   if (report.result.front_equals_left_out > 0) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
@@ -42,8 +43,8 @@ std::string front_text(const ExploreReport& report) {
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
   if (reference.rank > 0) return std::to_string(reference.rank);
-  return report.result.evaluated > report.options.top ? fmt::format(">{}", report.options.top)
-                                                      : "-";
+  if (!reference.rejected_by.empty()) return "not " + reference.rejected_by;
+  return reference.generated ? fmt::format(">{}", report.options.top) : "not among them";
 }
 
 std::string known_text(const ExploreReport& report) {
@@ -69,7 +70,10 @@ Json known_json(const ExploreReport& report) {
                {"routing", reference.design.word},
                {"rank", reference.rank > 0 ? Json(reference.rank) : Json(nullptr)},
                {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
-               {"dominated_by", reference.dominated_by}};
+               {"dominated_by", reference.dominated_by},
+               {"generated", reference.generated},
+               {"rejected_by",
+                reference.rejected_by.empty() ? Json(nullptr) : Json(reference.rejected_by)}};
     add_objectives(entry, reference.design.values);
     json.push_back(entry);
   }
@@ -105,10 +109,7 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   ExploreReport report;
   report.options = options;
   report.top = list_designs(result.top, distributions, catalogue);
-  report.front = list_designs(result.front, {}, catalogue);
-  for (std::size_t i = 0; i < std::min(report.front.size(), report.top.size()); ++i) {
-    report.front[i].distribution = report.top[i].distribution;
-  }
+  report.front = list_designs(result.front, distributions, catalogue);
   for (const ReferenceStanding& reference : result.references) {
     report.reference_names.push_back(name_of(catalogue, reference.design.word));
   }
@@ -122,11 +123,23 @@ std::string explore_table(const ExploreReport& report) {
       fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
   const std::string note = partial_note(report);
   if (!note.empty()) text += "PARTIAL: " + note + "\n";
+  for (const std::string& line : notes(report)) text += "Note: " + line + "\n";
   text += "Uniformity and efficiency are given as mean/worst over the grasps " +
           to_text(report.options.grasps) + "\n\n" + front_text(report);
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   text += fmt::format("\nTop {}\n{}", top.size(), design_table(top));
   return text + known_text(report);
+}
+
+std::vector<std::string> notes(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
+                     options.hardware.fingers.empty() && options.hardware.contacts.empty();
+  if (alike || options.generator.identity == FingerIdentity::distinct) return {};
+  return {
+      "the grasps or the hardware tell the fingers apart, but routings were listed for identical "
+      "fingers: each was evaluated with the finger numbers of its word only; --distinct-fingers "
+      "evaluates all"};
 }
 
 std::string partial_note(const ExploreReport& report) {
@@ -147,6 +160,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   }
   json["evaluated"] = result.evaluated;
   json["partial"] = result.partial || report.draws_stopped;
+  json["notes"] = notes(report);
   json["total"] = result.total;
   json["seconds"] = result.seconds;
   json["designs_per_second"] = rate(result);

@@ -1,7 +1,7 @@
-// What `explore` and `rank` leave behind: tables for the terminal, CSV and JSON for everything
-// else.
+// What `explore` leaves behind: a table for the terminal, JSON for everything else.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +23,16 @@ struct ExploreReport {
   bool draws_stopped = false;  // before there were distributions
 };
 
-// Distributions are parallel to result.top, or empty. Designs of the front beyond the top have
-// none.
+// Distributions are parallel to the longer of top and front, or empty.
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
                              const std::vector<RankDistribution>& distributions,
                              const Catalogue& catalogue);
 
 std::string explore_table(const ExploreReport& report);
 std::string explore_summary_json(const ExploreReport& report);
+// What the user should know of how the ranking came about; usually nothing.
+std::vector<std::string> notes(const ExploreReport& report);
+
 // Set in the files of an exploration that was stopped; otherwise "".
 std::string partial_note(const ExploreReport& report);
 

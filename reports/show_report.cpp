@@ -76,6 +76,25 @@ std::string tension_table(const ShowReport& report) {
   return table.text();
 }
 
+std::string share_table(const ShowReport& report) {
+  const std::vector<Segment>& segments = report.network.segments;
+  std::vector<std::string> headings{"<held"};
+  for (const Segment& segment : segments) {
+    if (segment.kind == SegmentKind::strand) headings.push_back(name(segment));
+  }
+  TextTable table(headings);
+  for (const ShownGrasp& shown : report.grasps) {
+    std::vector<std::string> cells{held_text(shown)};
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (segments[i].kind != SegmentKind::strand) continue;
+      cells.push_back(
+          fixed(100 * shown.state.tension[i] / shown.performance.force_transmission, 1));
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
 std::string contact_table(const ShowReport& report) {
   std::vector<std::string> headings{"<contact", "<kind"};
   for (const ShownGrasp& shown : report.grasps) headings.push_back("<held " + to_text(shown.grasp));
@@ -105,9 +124,11 @@ std::string objective_lines(const ObjectiveValues& values) {
 
 std::string show_table(const ShowReport& report) {
   return fmt::format(
-      "{}\n\nTensions at motor tension 1, {}\n{}\nSliding\n{}\nOver these grasps\n{}",
+      "{}\n\nTensions at motor tension 1, {}\n{}\nShares of the strands, %\n{}\nSliding\n{}\n"
+      "Over these grasps, pulling\n{}",
       heading(report), report.direction == Direction::pull ? "pulling" : "releasing",
-      tension_table(report), contact_table(report), objective_lines(report.values));
+      tension_table(report), share_table(report), contact_table(report),
+      objective_lines(report.values));
 }
 
 std::string show_json(const ShowReport& report) {

@@ -1,5 +1,7 @@
 #include "search/coefficient_box.hpp"
 
+#include <algorithm>
+
 namespace reeve {
 namespace {
 
@@ -7,11 +9,15 @@ Interval around(double value, double relative) {
   return {value * (1 - relative), value * (1 + relative)};
 }
 
+// What the user has in hand is possible, whatever the literature says.
+Interval widened(const MuRange& range, double nominal) {
+  return {std::min(range.low, nominal), std::max(range.high, nominal)};
+}
+
 }  // namespace
 
 CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges& ranges) {
-  return {Interval{ranges.tube_mu.low, ranges.tube_mu.high},
-          Interval{ranges.sheath_mu.low, ranges.sheath_mu.high},
+  return {widened(ranges.tube_mu, nominal.tube.mu), widened(ranges.sheath_mu, nominal.sheath.mu),
           around(nominal.bearing.mu, ranges.bearing_mu_relative),
           around(nominal.sheath.angle_rad, ranges.sheath_angle_relative)};
 }

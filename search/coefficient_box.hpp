@@ -1,6 +1,7 @@
 // The coefficients that are uncertain, as a box: mu of tubes, sheaths and bearings, angle of
 // sheaths. A point of it holds for all parts of a kind at once (one spool of liner, one sort of
-// bearing); what the hardware file sets for single fingers or contacts stays as it is.
+// bearing); what the hardware file sets for single fingers or contacts stays as it is. The ranges
+// of mu are widened to hold the nominal values, if need be.
 #pragma once
 
 #include <array>

@@ -20,8 +20,14 @@ class DesignEvaluator {
 
   ObjectiveValues evaluate(const Routing& routing);
 
+  // All objectives but return friction, which is left at 0, in half the time: one solve a grasp.
+  ObjectiveValues evaluate_pulling(const Routing& routing);
+
  private:
-  GraspOutcome in_grasp(const WeightedGrasp& grasp);
+  enum class Extent { pulling, pulling_and_releasing };
+
+  const DesignOutcome& outcome(const Routing& routing, Extent extent);
+  GraspOutcome in_grasp(const WeightedGrasp& grasp, Extent extent);
 
   MechanicsBuilder builder_;
   GraspSet grasps_;

@@ -35,12 +35,14 @@ class Exploration {
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         archive_(options.objectives, options.top),
-        constraint_failures_(options.constraints.size(), 0) {
+        constraint_failures_(options.constraints.size(), 0),
+        needs_release_(judges_return_friction(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.hardware, options.grasps);
     }
     for (const Routing& routing : options.references) {
-      references_.push_back({{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0});
+      references_.push_back(
+          {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, ""});
       reference_goodness_.push_back(goodness(references_.back().design.values, options.objectives));
     }
     dominators_.assign(workers_.count(), std::vector<std::uint64_t>(references_.size(), 0));
@@ -87,10 +89,20 @@ class Exploration {
     DesignEvaluator& evaluator = evaluators_[block.worker];
     for (std::size_t i = block.begin; i < block.end; ++i) {
       Slot& slot = slots_[i];
-      slot.values = evaluator.evaluate(slot.routing);
+      slot.values = needs_release_ ? evaluator.evaluate(slot.routing)
+                                   : evaluator.evaluate_pulling(slot.routing);
       slot.failed_constraint = first_failure(slot.values);
       slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
-      if (slot.failed_constraint == 0) compare_with_references(slot.values, block.worker);
+      // Return friction alone decides nothing here, so only what is kept needs it.
+      if (slot.may_rank && !needs_release_) slot.values = evaluator.evaluate(slot.routing);
+      compare_with_references(slot, block.worker);
+    }
+  }
+
+  void note_generated(ReferenceStanding& reference, const Slot& slot) const {
+    reference.generated = true;
+    if (slot.failed_constraint > 0) {
+      reference.rejected_by = options_.constraints[slot.failed_constraint - 1].text;
     }
   }
 
@@ -102,9 +114,14 @@ class Exploration {
     return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
   }
 
-  void compare_with_references(const ObjectiveValues& values, std::size_t worker) {
+  void compare_with_references(const Slot& slot, std::size_t worker) {
     if (references_.empty()) return;
-    const Goodness candidate = goodness(values, options_.objectives);
+    for (std::size_t r = 0; r < references_.size(); ++r) {
+      // Each routing is generated once, so no two workers write here.
+      if (slot.routing == options_.references[r]) note_generated(references_[r], slot);
+    }
+    if (slot.failed_constraint > 0) return;
+    const Goodness candidate = goodness(slot.values, options_.objectives);
     for (std::size_t r = 0; r < references_.size(); ++r) {
       if (dominates(candidate, reference_goodness_[r])) ++dominators_[worker][r];
     }
@@ -153,12 +170,23 @@ class Exploration {
     }
   }
 
+  static bool judges_return_friction(const ExploreOptions& options) {
+    const auto& objectives = options.objectives;
+    return std::find(objectives.begin(), objectives.end(), Objective::return_friction) !=
+               objectives.end() ||
+           std::any_of(options.constraints.begin(), options.constraints.end(),
+                       [](const Constraint& constraint) {
+                         return constraint.objective == Objective::return_friction;
+                       });
+  }
+
   const ExploreOptions& options_;
   RoutingGenerator generator_;
   Range range_;
   Workers workers_;
   Archive archive_;
   std::vector<std::uint64_t> constraint_failures_;
+  bool needs_release_;
   std::vector<DesignEvaluator> evaluators_;
   std::vector<ReferenceStanding> references_;
   std::vector<Goodness> reference_goodness_;

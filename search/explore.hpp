@@ -1,8 +1,8 @@
 // The main job: generate every routing of a set of parts, evaluate it, keep the best.
 //
-// Memory does not grow with the number of designs (archive.hpp), and the result is the same for any
-// number of threads: batches of routings are generated in order, evaluated slot by slot, and
-// offered to the archive in order.
+// Memory does not grow with the number of designs (archive.hpp), and the result, but for the time
+// it took, is the same for any number of threads: batches of routings are generated in order,
+// evaluated slot by slot, and offered to the archive in order.
 #pragma once
 
 #include <atomic>
@@ -60,6 +60,8 @@ struct ReferenceStanding {
   std::uint64_t dominated_by = 0;  // designs that dominate it
   std::size_t rank = 0;  // 0: not generated, rejected, or beyond the designs that are kept
   int front = 0;
+  bool generated = false;   // among the routings of these parts and this shard
+  std::string rejected_by;  // the constraint that it fails, or ""
 };
 
 struct ExploreResult {

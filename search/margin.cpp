@@ -28,15 +28,19 @@ Margin margin(const Routing& first, const Design& other, const MarginOptions& op
 
 }  // namespace
 
-std::vector<Margin> margins(const std::vector<RankedDesign>& ranked, const MarginOptions& options) {
-  if (ranked.empty()) return {};
+std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& ranked,
+                                           const MarginOptions& options,
+                                           const Supervision& supervision) {
+  const auto stopped = [&] { return supervision.stop != nullptr && supervision.stop->load(); };
+  if (ranked.empty()) return std::vector<Margin>{};
   const Routing first = parse_routing(ranked.front().design.word);
   std::vector<Margin> result(ranked.size() - 1);
   Workers(options.threads).for_each_block(result.size(), 1, [&](const IndexBlock& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
+    for (std::size_t i = block.begin; i < block.end && !stopped(); ++i) {
       result[i] = margin(first, ranked[i + 1].design, options);
     }
   });
+  if (stopped()) return std::nullopt;
   return result;
 }
 

@@ -7,11 +7,13 @@
 // looks for the worst case.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
+#include "search/explore.hpp"
 #include "search/ranking.hpp"
 
 namespace reeve {
@@ -31,7 +33,10 @@ struct MarginOptions {
   int threads = 0;
 };
 
-// Of the first design over each of the others, in their order.
-std::vector<Margin> margins(const std::vector<RankedDesign>& ranked, const MarginOptions& options);
+// Of the first design over each of the others, in their order. Nothing if stopped. The front must
+// be that of the two means: then the first has the greatest product.
+std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& ranked,
+                                           const MarginOptions& options,
+                                           const Supervision& supervision = {});
 
 }  // namespace reeve

@@ -115,7 +115,7 @@ std::vector<Objective> parse_objectives(const std::string& text) {
   std::vector<Objective> objectives;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string name = text.substr(at, comma - at);
+    const std::string name = trimmed(text.substr(at, comma - at));
     const Objective objective = parse_objective(name, fmt::format("--objectives '{}'", text));
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
       throw InputError(fmt::format("--objectives '{}': '{}' is named twice", text, name));

@@ -1,8 +1,12 @@
 #include "search/uncertainty.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 
+#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random.hpp"
@@ -55,9 +59,29 @@ Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw) {
   return at_point(options.nominal, point);
 }
 
-std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,
-                                                 const UncertaintyOptions& options,
-                                                 const Supervision& supervision) {
+void validate(const UncertaintyOptions& options, std::size_t designs) {
+  constexpr std::size_t most = 500'000'000;  // ranks of four bytes
+  if (options.draws == 0 || designs > most / options.draws) {
+    throw InputError(fmt::format(
+        "--draws {} for {} designs: expected from 1 to {} ranks in all; keep fewer designs or draw "
+        "less",
+        options.draws, designs, most));
+  }
+  std::vector<double> highest;
+  for (const Interval& interval : coefficient_box(options.nominal, options.ranges)) {
+    highest.push_back(interval.high);
+  }
+  try {
+    validate(at_point(options.nominal, highest));
+  } catch (const InputError& error) {
+    throw InputError(std::string("at the upper end of the uncertainty's ranges: ") + error.what());
+  }
+}
+
+std::optional<std::vector<RankDistribution>> rank_distributions(const std::vector<Design>& designs,
+                                                                const UncertaintyOptions& options,
+                                                                const Supervision& supervision) {
+  validate(options, designs.size());
   std::vector<Routing> routings;
   for (const Design& design : designs) routings.push_back(parse_routing(design.word));
   std::vector<std::vector<std::uint32_t>> by_draw(options.draws);
@@ -72,7 +96,8 @@ std::vector<RankDistribution> rank_distributions(const std::vector<Design>& desi
       }
     });
     if (supervision.report) supervision.report({begin + size, options.draws});
-    if (supervision.stop != nullptr && supervision.stop->load()) return {};
+    const bool more = begin + size < options.draws;
+    if (more && supervision.stop != nullptr && supervision.stop->load()) return std::nullopt;
   }
   std::vector<RankDistribution> result;
   for (std::size_t i = 0; i < designs.size(); ++i) {

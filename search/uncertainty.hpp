@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/grasp.hpp"
@@ -35,9 +36,13 @@ struct RankDistribution {
 // The hardware of draw number `draw`: a function of seed and number alone.
 Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw);
 
-// Ranks among the given designs, whose words differ, parallel to them. Empty if stopped.
-std::vector<RankDistribution> rank_distributions(const std::vector<Design>& designs,
-                                                 const UncertaintyOptions& options,
-                                                 const Supervision& supervision = {});
+// Throws InputError if the upper end of the ranges is out of the range of the hardware, or if draws
+// and designs together are more than memory should hold.
+void validate(const UncertaintyOptions& options, std::size_t designs);
+
+// Ranks among the given designs, whose words differ, parallel to them. Nothing if stopped.
+std::optional<std::vector<RankDistribution>> rank_distributions(
+    const std::vector<Design>& designs, const UncertaintyOptions& options,
+    const Supervision& supervision = {});
 
 }  // namespace reeve

@@ -57,11 +57,8 @@ TEST(HardwareFile, GivesEveryKeyOfTheExampleToCore) {
   EXPECT_EQ(hardware.fingers[0].sheath_angle_rad, 7.0);
   EXPECT_EQ(hardware.fingers[0].strand_mm, 90);
   EXPECT_EQ(hardware.fingers[0].closing, 0.8);
-  ASSERT_EQ(hardware.contacts.size(), 1U);
-  EXPECT_EQ(hardware.contacts[0].segment, "a");
-  EXPECT_EQ(hardware.contacts[0].other_segment, "T1");
-  EXPECT_EQ(hardware.contacts[0].mu, 0.2);
-  EXPECT_EQ(hardware.contacts[0].angle_rad, 6.0);
+  // Its contact is commented out, so that the file serves every routing.
+  EXPECT_TRUE(hardware.contacts.empty());
 }
 
 TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {

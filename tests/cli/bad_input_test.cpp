@@ -211,7 +211,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       explore({"--grasps", "9"}, "'9': " + held),
       explore({"--grasps", "some"}, "'some': " + held),
       explore({"--grasps", "1:0"},
-              "grasps '1:0': '1:0': expected a held list and a weight from above 0 to 1e6"),
+              "grasps '1:0': '1:0': expected a held list and a weight from 1e-6 to 1e6"),
       explore({"--fingers", "20", "--grasps", "all"},
               "grasps 'all': 20 fingers have 2^20 grasps; expected at most 16 fingers"),
       explore({"--format", "csv"}, "--format: csv not in {table,json}"),

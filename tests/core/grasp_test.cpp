@@ -102,7 +102,7 @@ TEST(GraspSetError, NamesTheItemWhoseWeightIsWrong) {
        {"1:0", "1:-1", "1:nan", "1:inf", "1:1e7", "1:", "1:x", "1:1:1", "1:2 "}) {
     EXPECT_EQ(set_message("none/" + item, 2),
               "grasps 'none/" + item + "': '" + item +
-                  "': expected a held list and a weight from above 0 to 1e6, such as 1,2:0.5");
+                  "': expected a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5");
   }
 }
 
@@ -111,6 +111,20 @@ TEST(GraspSetError, NamesTheFingerThatDoesNotExist) {
             "grasps 'none/3': '3': expected none, or finger numbers from 1 to 2 such as 1,2");
   EXPECT_EQ(set_message("", 2),
             "grasps '': '': expected none, or finger numbers from 1 to 2 such as 1,2");
+}
+
+TEST(GraspSet, TreatsFingersAlikeIfRenamingThemChangesNothing) {
+  EXPECT_TRUE(treats_fingers_alike(single_grasps(4), 4));
+  EXPECT_TRUE(treats_fingers_alike(all_grasps(4), 4));
+  EXPECT_TRUE(treats_fingers_alike(parse_grasps("none:3/1,2/1,3/2,3", 3), 3));
+  EXPECT_FALSE(treats_fingers_alike(paper_grasps(), 2));
+  EXPECT_FALSE(treats_fingers_alike(parse_grasps("none/1:2/2", 2), 2));
+  EXPECT_FALSE(treats_fingers_alike(parse_grasps("1,2/2,3", 3), 3));
+}
+
+TEST(GraspSetError, RefusesAGraspThatIsGivenTwice) {
+  EXPECT_THROW(parse_grasps("1/2/1:0.5", 2), InputError);
+  EXPECT_THROW(parse_grasps("1,2/2,1", 3), InputError);
 }
 
 }  // namespace

@@ -101,9 +101,10 @@ TEST(Kinematics, AJamPullsTheMotorSidesAndMovesNothing) {
   EXPECT_EQ(jammed.closing, Values{0});
 }
 
+// Each segment as much as it is long: one strain.
 TEST(Kinematics, AJamInReleaseLeavesTheHandSideStretched) {
-  EXPECT_EQ(motion("M-1-F", hold({1}), Direction::release).take_up, (Values{0, 1, 1}));
-  EXPECT_EQ(motion("M-T-F", Grasp{}, Direction::release).take_up, (Values{0, 1, 1}));
+  EXPECT_EQ(motion("M-1-F", hold({1}), Direction::release).take_up, (Values{0, 100, 100}));
+  EXPECT_EQ(motion("M-T-F", Grasp{}, Direction::release).take_up, (Values{0, 100, 100}));
 }
 
 TEST(Kinematics, OneJammedTendonBlocksTheCarriageForAll) {

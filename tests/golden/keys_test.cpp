@@ -99,12 +99,13 @@ TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
 TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
   EXPECT_EQ(keys(json),
-            "generated rejected evaluated partial total seconds designs_per_second "
+            "generated rejected evaluated partial notes total seconds designs_per_second "
             "front_equals_left_out front top known settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives);
   EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives);
-  EXPECT_EQ(keys(json["known"][0]), "name routing rank front dominated_by" + objectives);
+  EXPECT_EQ(keys(json["known"][0]),
+            "name routing rank front dominated_by generated rejected_by" + objectives);
   EXPECT_EQ(keys(json["settings"]),
             "fingers identical_fingers parts tendons shard top constraints " + common_settings);
   EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends");

@@ -106,7 +106,7 @@ TEST(Help, MentionsEveryOption) {
                           "--seed",   "--threads",    "--hardware",    "--format"};
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show", {"routing", "--held", "--direction", "--hardware", "--format"}},
-      {"rank", {"routing", "--catalog", "--margin"}},
+      {"rank", {"routing", "--catalog", "--margin", "--fingers"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},
       {"check", {"--format"}}};
@@ -166,6 +166,52 @@ TEST(Drawing, IsAcceptedByGraphviz) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     expect_drawable(result.out);
   }
+}
+
+TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
+  const Explored explored({"--top", "1", "--objectives",
+                           "uniformity,efficiency,sheaths,pulleys,knots", "--uncertainty",
+                           "--draws", "20"});
+  const Json summary = explored.summary();
+  ASSERT_GT(summary["front"].size(), 1U);
+  for (const Json& design : summary["front"]) {
+    ASSERT_TRUE(design.contains("rank_distribution")) << design["routing"];
+    EXPECT_GE(design["rank_distribution"]["median"], 1);
+  }
+}
+
+TEST(Explore, ThatKeepsNothingIsNotPartial) {
+  const Explored explored({"--constraint", "sheaths<=0", "--uncertainty", "--draws", "5"});
+  EXPECT_EQ(explored.result.exit_code, 0);
+  EXPECT_FALSE(explored.summary()["partial"]);
+  EXPECT_TRUE(explored.summary()["top"].empty());
+}
+
+TEST(Explore, SaysWhyAKnownRoutingHasNoRank) {
+  const Json without_pulleys = Explored({"--joins", "T", "--constraint", "sheaths<=1"}).summary();
+  for (const Json& known : without_pulleys["known"]) {
+    if (known["name"] == "TR7") {
+      EXPECT_FALSE(known["generated"]);
+      EXPECT_TRUE(known["rejected_by"].is_null());
+    }
+    if (known["name"] == "TR2") {
+      EXPECT_TRUE(known["generated"]);
+      EXPECT_EQ(known["rejected_by"], "sheaths<=1");
+    }
+  }
+}
+
+TEST(Explore, NotesThatIdenticalFingersAreToldApart) {
+  EXPECT_EQ(Explored({"--grasps", "paper"}).summary()["notes"].size(), 1U);
+  EXPECT_TRUE(Explored({"--grasps", "paper", "--distinct-fingers"}).summary()["notes"].empty());
+  EXPECT_TRUE(Explored({}).summary()["notes"].empty());
+}
+
+TEST(Rank, ComparesAMarginOnlyOverTheTwoMeans) {
+  const ProcessResult result =
+      reeve({"rank", "--catalog", "--margin", "--objectives", "force_transmission"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--margin"), std::string::npos);
 }
 
 }  // namespace

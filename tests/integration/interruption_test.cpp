@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, StoppingSignal, ::testing::Values(SIGINT, SIGT
 
 TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
   const ProcessResult result = reeve({"rank", "--catalog", "--uncertainty", "--draws", "100000",
-                                      "--threads", "1", "--grasps", "1/1/1/1/1/1/1/1/2/2/2/2/2"},
+                                      "--threads", "1", "--grasps", "none/1/2/1,2"},
                                      disturbed(SIGINT, after_it_catches(SIGINT, 50ms)));
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");

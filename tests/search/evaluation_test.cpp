@@ -237,5 +237,17 @@ TEST(Evaluation, AReusedEvaluatorMayGoFromManyFingersToFew) {
   }
 }
 
+TEST(DesignEvaluator, PullingAloneGivesAllButReturnFriction) {
+  DesignEvaluator evaluator(Hardware{}, single_grasps(2));
+  for (const char* word : {"M-1-T-2-F", "1-P-2b-P-1", "M-1-F+M-2-F"}) {
+    const Routing routing = parse_routing(word);
+    ObjectiveValues full = evaluator.evaluate(routing);
+    const ObjectiveValues pulling = evaluator.evaluate_pulling(routing);
+    EXPECT_EQ(value(pulling, Objective::return_friction), 0);
+    full[static_cast<std::size_t>(Objective::return_friction)] = 0;
+    EXPECT_EQ(full, pulling) << word;
+  }
+}
+
 }  // namespace
 }  // namespace reeve

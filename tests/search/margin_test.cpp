@@ -50,7 +50,7 @@ double least_on_grid(const std::string& a, const std::string& b, const Uncertain
 
 TEST(Margin, IsAtMostTheLeastLeadOnAGrid) {
   const auto designs = ranked({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M", "M-1-P-2-F"});
-  const std::vector<Margin> found = margins(designs, options({}));
+  const std::vector<Margin> found = margins(designs, options({})).value();
   ASSERT_EQ(found.size(), 3U);
   for (const Margin& margin : found) {
     const double grid = least_on_grid("1-P-2-P-1", margin.challenger, {});
@@ -68,14 +68,14 @@ TEST(Margin, FindsWhereTheOrderTurns) {
   UncertaintyRanges wide;
   wide.tube_mu = {0.0, 0.6};
   wide.sheath_mu = {0.0, 0.6};
-  const Margin margin = margins(designs, options(wide)).at(0);
+  const Margin margin = margins(designs, options(wide)).value().at(0);
   EXPECT_GT(margin.nominal_lead, 0);
   EXPECT_LT(margin.least_lead, 0);
 }
 
 TEST(Margin, IsTheNominalLeadWhereNothingIsUncertain) {
   const UncertaintyRanges none{{0.18, 0.18}, {0.18, 0.18}, 0, 0};
-  const Margin margin = margins(ranked({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).at(0);
+  const Margin margin = margins(ranked({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).value().at(0);
   EXPECT_EQ(margin.least_lead, margin.nominal_lead);
 }
 
@@ -85,8 +85,8 @@ TEST(MarginThreads, DoNotChangeTheResult) {
   one.threads = 1;
   MarginOptions three = options({});
   three.threads = 3;
-  const auto a = margins(designs, one);
-  const auto b = margins(designs, three);
+  const auto a = margins(designs, one).value();
+  const auto b = margins(designs, three).value();
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].least_lead, b[i].least_lead);
 }
 

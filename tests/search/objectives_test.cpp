@@ -128,7 +128,7 @@ TEST(ParseObjectives, UniformityAndEfficiencyAreShortForTheirMeans) {
 TEST(ParseObjectivesError, NamesAnUnknownObjectiveAndListsAll) {
   EXPECT_EQ(objectives_message("uniformity,speed"),
             unknown("--objectives 'uniformity,speed'", "speed"));
-  for (const std::string name : {"Sheaths", " sheaths", "sheath", "mean", "uniformity_", "-"}) {
+  for (const std::string name : {"Sheaths", "she aths", "sheath", "mean", "uniformity_", "-"}) {
     EXPECT_EQ(objectives_message(name), unknown("--objectives '" + name + "'", name));
   }
 }

@@ -8,11 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluation.hpp"
 
 namespace reeve {
 namespace {
+
+std::vector<RankDistribution> drawn(const std::vector<Design>& designs,
+                                    const UncertaintyOptions& options) {
+  return rank_distributions(designs, options).value();
+}
 
 const std::vector<std::string>& published() {
   static const std::vector<std::string> words{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
@@ -188,7 +194,7 @@ TEST(Uncertainty, AgreesWithCountingRanksDrawByDraw) {
     SCOPED_TRACE(draws);
     const UncertaintyOptions options = varying(draws);
     const auto ranks = ranks_by_draw(close_rivals(), options);
-    const auto distributions = rank_distributions(designs_of(options, close_rivals()), options);
+    const auto distributions = drawn(designs_of(options, close_rivals()), options);
     ASSERT_EQ(distributions.size(), ranks.size());
     for (std::size_t i = 0; i < ranks.size(); ++i) {
       const auto first = static_cast<double>(std::count(ranks[i].begin(), ranks[i].end(), 1U));
@@ -204,8 +210,7 @@ TEST(Uncertainty, ShowsThatCloseRivalsChangePlaces) {
   const UncertaintyOptions options = varying(100);
   int sometimes_first = 0;
   double first = 0;
-  for (const RankDistribution& d :
-       rank_distributions(designs_of(options, close_rivals()), options)) {
+  for (const RankDistribution& d : drawn(designs_of(options, close_rivals()), options)) {
     EXPECT_LT(d.low, d.high);
     EXPECT_LE(d.low, d.median);
     EXPECT_LE(d.median, d.high);
@@ -219,21 +224,21 @@ TEST(Uncertainty, ShowsThatCloseRivalsChangePlaces) {
 TEST(UncertaintyThreads, DoNotChangeTheDistributions) {
   UncertaintyOptions options = varying(75);
   const std::vector<Design> designs = designs_of(options, close_rivals());
-  const auto one = rank_distributions(designs, options);
+  const auto one = drawn(designs, options);
   for (const int threads : {2, 3, 8}) {
     SCOPED_TRACE(threads);
     options.threads = threads;
-    expect_equal(rank_distributions(designs, options), one);
+    expect_equal(drawn(designs, options), one);
   }
 }
 
 TEST(Uncertainty, BelongsToItsDesignsInWhateverOrderTheyCome) {
   const UncertaintyOptions options = varying(30);
   std::vector<Design> designs = designs_of(options, close_rivals());
-  std::vector<RankDistribution> expected = rank_distributions(designs, options);
+  std::vector<RankDistribution> expected = drawn(designs, options);
   std::reverse(designs.begin(), designs.end());
   std::reverse(expected.begin(), expected.end());
-  expect_equal(rank_distributions(designs, options), expected);
+  expect_equal(drawn(designs, options), expected);
 }
 
 TEST(Uncertainty, OtherSeedsGiveOtherDistributions) {
@@ -242,7 +247,7 @@ TEST(Uncertainty, OtherSeedsGiveOtherDistributions) {
   std::set<std::vector<double>> seen;
   for (options.seed = 1; options.seed <= 5; ++options.seed) {
     std::vector<double> first;
-    for (const RankDistribution& d : rank_distributions(designs, options)) first.push_back(d.first);
+    for (const RankDistribution& d : drawn(designs, options)) first.push_back(d.first);
     seen.insert(first);
   }
   EXPECT_GT(seen.size(), 1U);
@@ -255,7 +260,7 @@ TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
                     0,
                     0};
   const std::vector<Design> designs = designs_of(options);
-  const auto distributions = rank_distributions(designs, options);
+  const auto distributions = drawn(designs, options);
   for (const RankedDesign& ranked : rank(designs, options.objectives)) {
     for (std::size_t i = 0; i < designs.size(); ++i) {
       if (designs[i].word != ranked.design.word) continue;
@@ -272,7 +277,7 @@ TEST(Uncertainty, Tr7IsFirstInEveryDraw) {
   for (const GraspSet& grasps : {single_grasps(2), paper_grasps()}) {
     UncertaintyOptions options = options_for(300);
     options.grasps = grasps;
-    const auto distributions = rank_distributions(designs_of(options), options);
+    const auto distributions = drawn(designs_of(options), options);
     EXPECT_EQ(distributions.back().first, 1);
     EXPECT_EQ(distributions.back().high, 1);
     for (std::size_t i = 0; i + 1 < distributions.size(); ++i) {
@@ -286,7 +291,7 @@ TEST(Uncertainty, StoppedItIsEmpty) {
   const std::atomic<bool> stop{true};
   Supervision supervision;
   supervision.stop = &stop;
-  EXPECT_TRUE(rank_distributions(designs_of(options), options, supervision).empty());
+  EXPECT_FALSE(rank_distributions(designs_of(options), options, supervision).has_value());
 }
 
 TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
@@ -301,6 +306,45 @@ TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
   ASSERT_GE(heard.size(), 2U);
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.back(), 100U);
+}
+
+TEST(Uncertainty, WidensTheRangesToHoldWhatTheUserHasInHand) {
+  UncertaintyOptions options;
+  options.nominal.tube.mu = 0.30;
+  options.nominal.sheath.mu = 0.02;
+  bool above_the_literature = false;
+  bool below_the_literature = false;
+  for (std::uint64_t draw = 0; draw < 200; ++draw) {
+    const Hardware hardware = draw_hardware(options, draw);
+    EXPECT_LE(hardware.tube.mu, 0.30);
+    EXPECT_GE(hardware.sheath.mu, 0.02);
+    above_the_literature |= hardware.tube.mu > 0.25;
+    below_the_literature |= hardware.sheath.mu < 0.04;
+  }
+  EXPECT_TRUE(above_the_literature);
+  EXPECT_TRUE(below_the_literature);
+}
+
+TEST(Uncertainty, RefusesRangesBeyondTheHardwareBeforeDrawing) {
+  UncertaintyOptions options;
+  options.nominal.sheath.angle_rad = 50;
+  try {
+    validate(options, 10);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "at the upper end of the uncertainty's ranges: hardware: sheath: mu * angle = 12: "
+              "expected at most 10");
+  }
+}
+
+TEST(Uncertainty, RefusesMoreRanksThanMemoryShouldHold) {
+  UncertaintyOptions options;
+  options.draws = 100000;
+  EXPECT_NO_THROW(validate(options, 5000));
+  EXPECT_THROW(validate(options, 5001), InputError);
+  options.draws = 0;
+  EXPECT_THROW(validate(options, 1), InputError);
 }
 
 }  // namespace

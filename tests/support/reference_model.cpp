@@ -197,7 +197,8 @@ void impose_jam(const Tendon& tendon, ReferenceDirection direction, Problem& pro
   problem.slip.setZero(problem.phi.size());
   for (Index i = 0; i < problem.elastic.size(); ++i) {
     const bool motor_side = tendon.segments[static_cast<std::size_t>(i)].place == Place::motor_side;
-    problem.elastic(i) = motor_side == (direction == ReferenceDirection::pull) ? 1 : 0;
+    const bool pull = direction == ReferenceDirection::pull;
+    problem.elastic(i) = motor_side != pull ? Real(0) : pull ? Real(1) : problem.length(i);
   }
 }
 

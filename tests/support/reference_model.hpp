@@ -13,7 +13,7 @@
 //                      E = +dl on those strands
 //     release          e0 reversed; E = +1 on motor-side segments
 //     jammed pull      e0 = 0; E = 1 on motor-side segments
-//     jammed release   e0 = 0; E = 1 on all the others
+//     jammed release   e0 = 0; E = L (the same strain) on all the others
 //
 // dl is shared among the closing fingers of a tendon by weight so that its e0 sums to zero; a
 // tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
