@@ -166,8 +166,8 @@ TEST(Summaries, AreMeanAndRootMeanSquareOfTheResiduals) {
 }
 
 TEST(Summaries, HaveNoRelativeErrorWhereAllReadingsAreZero) {
-  const Comparison result = compared("run,routing,motor_tension_N,T1_N\nA,M-1-F,0,0\n");
-  EXPECT_EQ(result.tension.all.rms, 0);
+  const Comparison result = compared("run,routing,motor_tension_N,T1_N\nA,M-1-F,10,0\n");
+  EXPECT_NEAR(result.tension.all.rms, 10 * sheath, 1e-9);
   EXPECT_TRUE(std::isnan(result.tension.all.relative_rms));
 }
 
