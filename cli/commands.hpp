@@ -18,5 +18,6 @@ void add_rank(CLI::App& program, int& exit_code);
 void add_explore(CLI::App& program, int& exit_code);
 void add_count(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
+void add_compare(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reports/csv_field.hpp"
 #include "reports/names.hpp"
 #include "reports/text_table.hpp"
 
@@ -17,14 +18,6 @@ bool with_distributions(const std::vector<ListedDesign>& designs) {
 }
 
 std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
-
-// Names are the user's text, from catalogue files.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
 
 std::string range(const RankDistribution& distribution) {
   return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);

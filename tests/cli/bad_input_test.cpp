@@ -2,76 +2,13 @@
 // expected, nothing on stdout, nothing written.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "tests/support/process.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/cli/bad_line.hpp"
 
 namespace reeve::testing {
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-struct BadLine {
-  Arguments arguments;
-  std::string message;  // without "reeve: "; a piece of it is enough
-  std::map<std::string, std::string> environment;
-};
-
-std::string text(const Arguments& arguments) {
-  std::string line = "reeve";
-  for (const std::string& argument : arguments) line += " '" + argument.substr(0, 80) + "'";
-  return line;
-}
-
-std::vector<std::string> everything_in(const std::filesystem::path& directory) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
-    names.push_back(entry.path().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-void fill(const TemporaryFolder& folder) {
-  folder.write("empty.toml", "");
-  folder.write("negative.toml", "[tube]\nmu = -0.1\n");
-  folder.write("nan.toml", "[tube]\nmu = nan\n");
-  folder.write("unknown.toml", "[tube]\nnu = 0.1\n");
-  folder.write("type.toml", "[tube]\nmu = \"smooth\"\n");
-  folder.write("syntax.toml", "[tube\n");
-  folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
-  std::filesystem::create_directory(folder.path() / "no_catalogue");
-  std::filesystem::create_directory(folder.path() / "broken_catalogue");
-  folder.write("broken_catalogue/tr1.toml", "name = \n");
-}
-
-void expect_bad(const BadLine& line) {
-  SCOPED_TRACE(text(line.arguments));
-  const TemporaryFolder folder;
-  fill(folder);
-  const std::vector<std::string> before = everything_in(folder.path());
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.environment = line.environment;
-  const ProcessResult result = reeve(line.arguments, options);
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
-  EXPECT_TRUE(result.err.starts_with("reeve: ")) << result.err;
-  EXPECT_NE(result.err.find(line.message), std::string::npos)
-      << "  said: " << result.err << "  should: " << line.message;
-  EXPECT_LT(result.err.size(), 1000U);
-  EXPECT_EQ(everything_in(folder.path()), before);
-}
-
-void expect_all_bad(const std::vector<BadLine>& lines) {
-  for (const BadLine& line : lines) expect_bad(line);
-}
 
 BadLine show(const std::string& routing, const std::string& message) {
   return {{"show", routing}, message, {}};

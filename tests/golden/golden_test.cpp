@@ -172,5 +172,18 @@ TEST(GoldenCheck, OfTheShippedCatalogue) {
   expect_json(output_of({"check", "--format", "json"}), "check.json");
 }
 
+TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = REEVE_SOURCE_DIR;  // the file's name is printed as it was given
+  const ProcessResult result = reeve(
+      {"compare", "tests/golden/readings.csv", "--format", "json", "--out", folder.path().string()},
+      options);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  expect_json(result.out, "compare.json");
+  expect_csv(read_text(folder.path() / "residuals.csv"), "compare_residuals.csv");
+}
+
 }  // namespace
 }  // namespace reeve::testing

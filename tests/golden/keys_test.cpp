@@ -142,6 +142,34 @@ TEST(KeysOfCheck, AreThePromisedOnes) {
   }
 }
 
+const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
+
+TEST(KeysOfCompare, AreThePromisedOnes) {
+  const Json json = json_of({"compare", readings});
+  EXPECT_EQ(keys(json), "data fitted tension share notes settings version");
+  EXPECT_EQ(keys(json["data"]), "file simulated readings runs routings channels covariates");
+  EXPECT_EQ(keys(json["data"]["routings"][0]), "routing name");
+  EXPECT_EQ(json["fitted"], false);
+  for (const char* quantity : {"tension", "share"}) {
+    const Json& summary = json[quantity];
+    EXPECT_EQ(keys(summary), "all by_routing by_channel by_grasp by_direction by_run");
+    for (const Json& groups : summary) {
+      EXPECT_EQ(keys(groups.is_array() ? groups[0] : groups),
+                "group count mean_measured mean_residual rms relative_rms");
+    }
+  }
+  EXPECT_EQ(keys(json["notes"][0]), "kind text lines");
+  EXPECT_EQ(keys(json["settings"]), "hardware");
+}
+
+TEST(KeysOfCompare, HaveNullWhereThereIsNothingToSummarise) {
+  const Json json =
+      json_of({"compare", std::string(REEVE_CATALOG_DIR) + "/measured/canyons_and_crags.csv"});
+  EXPECT_FALSE(json["tension"].is_null());
+  EXPECT_TRUE(json["share"].is_null());
+  EXPECT_TRUE(json["notes"].empty());
+}
+
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
@@ -166,10 +194,18 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(summary(), names);
   collect(json_of({"count"}), names);
   collect(json_of({"check"}), names);
+  collect(json_of({"compare", readings}), names);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
-  std::istringstream columns(csv.substr(0, csv.find('\n')));
-  for (std::string column; std::getline(columns, column, ',');) names.insert(column);
+  reeve({"compare", readings, "--out", folder.path().string()});
+  const std::string residuals = read_text(folder.path() / "residuals.csv");
+  const std::size_t second = residuals.find('\n') + 1;  // below a comment
+  for (const std::string& header :
+       {csv.substr(0, csv.find('\n')),
+        residuals.substr(second, residuals.find('\n', second) - second)}) {
+    std::istringstream columns(header);
+    for (std::string column; std::getline(columns, column, ',');) names.insert(column);
+  }
   EXPECT_GT(names.size(), 60U);
   for (const std::string& name : names) {
     EXPECT_NE(document.find('`' + name + '`'), std::string::npos) << name;

@@ -13,6 +13,8 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
+
 TEST(Rank, FindsTr7BestAndExitsWithZero) {
   const ProcessResult result = reeve({"rank", "--catalog", "--format", "json"});
   EXPECT_EQ(result.exit_code, 0);
@@ -90,6 +92,41 @@ TEST(Check, ExitsWithOneIfAPrintedNumberIsAnother) {
   EXPECT_FALSE(first["reason"].is_null());
 }
 
+TEST(Compare, WritesWhatItPrintsAndOneLineForEachValue) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "new" / "out").string();
+  const ProcessResult result = reeve({"compare", readings, "--format", "json", "--out", out});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(read_text(out + "/comparison.json"), result.out);
+  const Json json = Json::parse(result.out);
+  const std::string csv = read_text(out + "/residuals.csv");
+  // The header, and the line that says that the data are simulated.
+  EXPECT_EQ(
+      std::count(csv.begin(), csv.end(), '\n'),
+      2 + json["tension"]["all"]["count"].get<int>() + json["share"]["all"]["count"].get<int>());
+  EXPECT_NE(csv.find("\n4,\"May 3, left\",M-1-P-2-M,1,pull,T1,tension,3.4,"), std::string::npos);
+  EXPECT_NE(csv.find("\n8,C,M-1-P-2-M,1;2,pull,"), std::string::npos);
+}
+
+TEST(Compare, SaysThatNothingIsFittedAndWhichDataAreSimulated) {
+  const std::string simulated = reeve({"compare", readings}).out;
+  EXPECT_NE(simulated.find("\nNothing is fitted: "), std::string::npos);
+  EXPECT_NE(simulated.find("\nThe data are simulated: "), std::string::npos);
+  EXPECT_NE(simulated.find(" (line 5)\n"), std::string::npos);
+  const std::string measured =
+      reeve({"compare", std::string(REEVE_CATALOG_DIR) + "/measured/canyons_and_crags.csv"}).out;
+  EXPECT_NE(measured.find("\nNothing is fitted: "), std::string::npos);
+  EXPECT_EQ(measured.find("simulated"), std::string::npos);
+}
+
+TEST(Compare, ReadsAPipe) {
+  const ProcessResult result = run_process(
+      {"bash", "-c", "cat \"$1\" | \"$0\" compare /dev/stdin", REEVE_EXECUTABLE, readings});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("6 readings in 3 runs"), std::string::npos);
+}
+
 TEST(Version, NamesReleaseAndCommit) {
   const ProcessResult result = reeve({"--version"});
   EXPECT_EQ(result.exit_code, 0);
@@ -109,7 +146,8 @@ TEST(Help, MentionsEveryOption) {
       {"rank", {"routing", "--catalog", "--margin", "--fingers"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},
-      {"check", {"--format"}}};
+      {"check", {"--format"}},
+      {"compare", {"data", "--out", "--hardware", "--format"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());

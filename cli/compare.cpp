@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+#include "diagnosis/comparison.hpp"
+#include "diagnosis/measured_data.hpp"
+#include "reports/compare_report.hpp"
+#include "reports/files.hpp"
+#include "reports/names.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct CompareFlags {
+  std::string data;
+  std::string out;
+  CLI::Option* out_given = nullptr;
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+CompareReport report(const CompareFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  CompareReport report;
+  report.hardware = flags.hardware.read().hardware;
+  report.data = read_measured_data(
+      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  std::vector<Routing> routings;
+  for (const MeasuredRouting& measured : report.data.routings) {
+    routings.push_back(measured.routing);
+    report.names.push_back(name_of(catalogue, measured.word));
+  }
+  require_contacts_to_match(report.hardware, routings);
+  report.comparison = compare(report.data, report.hardware);
+  return report;
+}
+
+// The readings cannot be made again.
+void require_not_the_data(const std::filesystem::path& file, const CompareFlags& flags) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(file, flags.data, ignored)) return;
+  throw InputError(
+      fmt::format("--out '{}': '{}' would be written over the data: expected another "
+                  "folder",
+                  flags.out, file.string()));
+}
+
+void write_files(const CompareReport& report, const CompareFlags& flags) {
+  const std::filesystem::path residuals = std::filesystem::path(flags.out) / "residuals.csv";
+  const std::filesystem::path json = std::filesystem::path(flags.out) / "comparison.json";
+  prepare_directory(flags.out, "--out");
+  require_not_the_data(residuals, flags);
+  require_not_the_data(json, flags);
+  write_file(residuals, residuals_csv(report));
+  write_file(json, compare_json(report));
+}
+
+void run(const CompareFlags& flags) {
+  const CompareReport result = report(flags);
+  if (flags.out_given->count() > 0) write_files(result, flags);
+  std::cout << (flags.format.is("json") ? compare_json(result) : compare_table(result));
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "compare", "Measured tensions beside the model's, as it stands: nothing is fitted");
+  auto flags = std::make_shared<CompareFlags>();
+  command
+      ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
+      ->required();
+  flags->out_given = command->add_option(
+      "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, {"table", "json"});
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,67 @@
+// Measured tensions beside those of the model as it stands: nothing is fitted, nothing is tuned.
+//
+// Let t_i be the model's tension of segment i at T_M = 1, in the row's routing, grasp and
+// direction.
+//   with motor_tension_N     every measured segment: T_i in newton beside T_M t_i
+//   without                  the measured strands: the share T_i / Σ T beside t_i / Σ t, both sums
+//                            over the strands that the row has (as the Exo-Glove II paper does)
+// Residuals are measured − predicted. A row's sheath_angle_rad stands for the wrap angle of every
+// sheath in that row, over whatever the hardware says of it, also for one finger or one contact.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/hardware.hpp"
+#include "diagnosis/measured_data.hpp"
+
+namespace reeve {
+
+enum class Quantity : std::uint8_t {
+  tension,  // N
+  share,    // of the measured strands' sum, 1
+};
+const char* name(Quantity quantity);
+
+struct ComparedValue {
+  std::size_t reading = 0;  // in MeasuredData::readings
+  std::size_t channel = 0;  // in MeasuredData::channels
+  Quantity quantity = Quantity::tension;
+  double measured = 0;
+  double predicted = 0;
+
+  double residual() const { return measured - predicted; }
+};
+
+// In the quantity's unit. All but the count are NaN where there is nothing to divide by.
+struct ResidualSummary {
+  std::string group;
+  std::size_t count = 0;
+  double mean_measured = 0;
+  double mean_residual = 0;
+  double rms = 0;           // root of the mean squared residual, about zero
+  double relative_rms = 0;  // rms / mean_measured, 1
+};
+
+struct QuantitySummary {
+  ResidualSummary all;
+  std::vector<ResidualSummary> by_routing;    // words, in the order of the file
+  std::vector<ResidualSummary> by_channel;    // in the order of the columns
+  std::vector<ResidualSummary> by_grasp;      // "none", "1", "1,2"
+  std::vector<ResidualSummary> by_direction;  // "pull", "release"
+  std::vector<ResidualSummary> by_run;        // in the order of the file
+};
+
+struct Comparison {
+  std::vector<ComparedValue> values;  // in the order of readings and channels
+  QuantitySummary tension;            // count 0 where no row has a motor tension
+  QuantitySummary share;              // count 0 where all rows have one
+  std::vector<DataNote> notes;        // on the comparison; those on the data are in the data
+};
+
+// Throws InputError that names the line, and if there is nothing at all to compare.
+Comparison compare(const MeasuredData& data, const Hardware& hardware);
+
+}  // namespace reeve

@@ -1,0 +1,86 @@
+// Reads a CSV file (RFC 4180) row by row, and keeps line numbers, so that whoever reads the fields
+// can name the place of what is wrong.
+//
+//   - The first row is the header; every other row has as many fields as it.
+//   - Fields may be quoted ("a ""quoted"" field"), over several lines too. A quote elsewhere in a
+//     field is an error.
+//   - Lines end with LF or CRLF. A UTF-8 byte order mark at the beginning is passed over.
+//   - A line that begins with # is a comment (a first field that begins with # must be quoted);
+//     empty lines are passed over.
+//   - The separator is what the header has outside quotes: commas or semicolons. A header with both
+//     is refused, one with tabs alone too.
+//
+// Time is linear in the size. Errors are "file:line:column: …", columns counted in bytes from 1.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reeve {
+
+struct CsvRow {
+  std::size_t line = 0;  // where it begins, from 1
+  std::vector<std::string> fields;
+};
+
+struct CsvComment {
+  std::size_t line = 0;
+  std::string text;  // behind the #
+};
+
+// 512 MiB. A wrong path (a recording, a device) is refused, not swallowed.
+inline constexpr std::size_t max_csv_size = std::size_t{1} << 29;
+inline constexpr std::size_t max_csv_columns = 10000;
+
+class CsvReader {
+ public:
+  // Both read the header, and throw InputError. `name` stands for the file in messages.
+  CsvReader(std::string text, std::string name);
+  static CsvReader open(const std::filesystem::path& path);
+
+  const std::string& name() const { return name_; }
+  char separator() const { return separator_; }
+  const CsvRow& header() const { return header_; }
+  // Those passed so far.
+  const std::vector<CsvComment>& comments() const { return comments_; }
+
+  // The next row below the header; false at the end. Keeps the memory of `row`.
+  bool next(CsvRow& row);
+
+ private:
+  struct Place {
+    std::size_t line = 1;
+    std::size_t column = 1;
+  };
+
+  Place here() const { return {line_, at_ - line_begin_ + 1}; }
+  [[noreturn]] void fail(Place place, std::string_view message) const;
+
+  void require_no_nul();
+  char find_separator() const;
+  bool at_row();
+  void read_row(CsvRow& row);
+  void read_field(std::string& field);
+  void read_quoted(std::string& field);
+  bool at_line_end() const;
+  void end_line();
+  bool take_separator(std::size_t fields);
+
+  std::string text_;
+  std::string name_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_begin_ = 0;
+  char separator_ = ',';
+  CsvRow header_;
+  std::size_t columns_ = 0;  // 0 while the header is read
+  std::vector<CsvComment> comments_;
+};
+
+// The text with what would break a message of one line replaced, and shortened to some forty bytes.
+std::string for_message(std::string_view text);
+
+}  // namespace reeve

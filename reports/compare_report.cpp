@@ -1,0 +1,178 @@
+#include "reports/compare_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/csv.hpp"
+#include "reports/csv_field.hpp"
+#include "reports/json.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr const char* simulated_text = "simulated: a comment line of the data says so";
+
+struct Grouping {
+  const char* name;
+  std::vector<ResidualSummary> QuantitySummary::*summaries;
+};
+constexpr Grouping groupings[] = {
+    {"routing", &QuantitySummary::by_routing}, {"channel", &QuantitySummary::by_channel},
+    {"grasp", &QuantitySummary::by_grasp},     {"direction", &QuantitySummary::by_direction},
+    {"run", &QuantitySummary::by_run},
+};
+
+// Residuals of shares cancel but for rounding.
+std::string figure(double value) {
+  if (!std::isfinite(value)) return "-";
+  return fmt::format("{:.4g}", std::abs(value) < 1e-12 ? 0.0 : value);
+}
+
+std::string percent(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "-";
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+void add_row(TextTable& table, const std::string& by, const ResidualSummary& summary) {
+  table.add({by, for_message(summary.group), std::to_string(summary.count),
+             figure(summary.mean_measured), figure(summary.mean_residual), figure(summary.rms),
+             percent(summary.relative_rms)});
+}
+
+// The first groups of a kind; the JSON has all.
+std::string summary_table(const QuantitySummary& summary, const std::string& heading) {
+  constexpr std::size_t most = 20;
+  if (summary.all.count == 0) return "";
+  TextTable table({"<by", "<group", "values", "mean measured", "mean residual", "rms", "rms/mean"});
+  add_row(table, "all", summary.all);
+  for (const Grouping& grouping : groupings) {
+    const std::vector<ResidualSummary>& groups = summary.*grouping.summaries;
+    for (std::size_t i = 0; i < groups.size() && i < most; ++i) {
+      add_row(table, grouping.name, groups[i]);
+    }
+    if (groups.size() > most) {
+      table.add(
+          {grouping.name, fmt::format("… {} more", groups.size() - most), "", "", "", "", ""});
+    }
+  }
+  return "\n" + heading + "\n" + table.text();
+}
+
+std::string lines_text(const std::vector<std::size_t>& lines) {
+  constexpr std::size_t most = 8;
+  if (lines.empty()) return "";
+  std::string text = lines.size() == 1 ? " (line " : " (lines ";
+  for (std::size_t i = 0; i < lines.size() && i < most; ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(lines[i]);
+  }
+  if (lines.size() > most) text += fmt::format(" and {} more", lines.size() - most);
+  return text + ")";
+}
+
+std::string notes_text(const CompareReport& report) {
+  std::string text;
+  for (const auto* notes : {&report.data.notes, &report.comparison.notes}) {
+    for (const DataNote& note : *notes) text += "- " + note.text + lines_text(note.lines) + "\n";
+  }
+  return text.empty() ? "" : "\nNotes\n" + text;
+}
+
+Json to_json(const ResidualSummary& summary) {
+  return {{"group", summary.group},
+          {"count", summary.count},
+          {"mean_measured", number(summary.mean_measured)},
+          {"mean_residual", number(summary.mean_residual)},
+          {"rms", number(summary.rms)},
+          {"relative_rms", number(summary.relative_rms)}};
+}
+
+Json to_json(const QuantitySummary& summary) {
+  if (summary.all.count == 0) return nullptr;
+  Json json{{"all", to_json(summary.all)}};
+  for (const Grouping& grouping : groupings) {
+    Json& groups = json[std::string("by_") + grouping.name] = Json::array();
+    for (const ResidualSummary& group : summary.*grouping.summaries) {
+      groups.push_back(to_json(group));
+    }
+  }
+  return json;
+}
+
+Json data_json(const CompareReport& report) {
+  const MeasuredData& data = report.data;
+  Json json{{"file", data.file},
+            {"simulated", data.simulated},
+            {"readings", data.readings.size()},
+            {"runs", data.runs.size()}};
+  json["routings"] = Json::array();
+  for (std::size_t i = 0; i < data.routings.size(); ++i) {
+    const std::string& name = report.names[i];
+    json["routings"].push_back(
+        {{"routing", data.routings[i].word}, {"name", name.empty() ? Json(nullptr) : Json(name)}});
+  }
+  json["channels"] = Json::array();
+  for (const Channel& channel : data.channels) json["channels"].push_back(channel.name);
+  json["covariates"] = data.covariates;
+  return json;
+}
+
+std::string held_field(Grasp grasp) {
+  return fmt::format("{}", fmt::join(held_fingers(grasp), ";"));
+}
+
+}  // namespace
+
+std::string compare_table(const CompareReport& report) {
+  const MeasuredData& data = report.data;
+  std::string text =
+      fmt::format("{}: {} in {}\n", data.file, plural(data.readings.size(), "reading"),
+                  plural(data.runs.size(), "run"));
+  if (data.simulated) text += fmt::format("The data are {}.\n", simulated_text);
+  text +=
+      "Nothing is fitted: predicted are the tensions of the model with its hardware as given.\n";
+  text += summary_table(report.comparison.tension, "Tensions in N, measured - predicted");
+  text += summary_table(report.comparison.share,
+                        "Shares of the measured strands, measured - predicted (no motor tension)");
+  return text + notes_text(report);
+}
+
+std::string compare_json(const CompareReport& report) {
+  Json json{{"data", data_json(report)},
+            {"fitted", false},
+            {"tension", to_json(report.comparison.tension)},
+            {"share", to_json(report.comparison.share)}};
+  json["notes"] = Json::array();
+  for (const auto* notes : {&report.data.notes, &report.comparison.notes}) {
+    for (const DataNote& note : *notes) {
+      json["notes"].push_back(
+          {{"kind", name(note.kind)}, {"text", note.text}, {"lines", note.lines}});
+    }
+  }
+  json["settings"] = {{"hardware", to_json(report.hardware)}};
+  json["version"] = version_json();
+  return print(json);
+}
+
+std::string residuals_csv(const CompareReport& report) {
+  const MeasuredData& data = report.data;
+  std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
+  csv += "line,run,routing,held,direction,channel,quantity,measured,predicted,residual\n";
+  for (const ComparedValue& value : report.comparison.values) {
+    const Reading& reading = data.readings[value.reading];
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", reading.line,
+                       csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
+                       held_field(reading.grasp),
+                       reading.direction == Direction::pull ? "pull" : "release",
+                       data.channels[value.channel].name, name(value.quantity), value.measured,
+                       value.predicted, value.residual());
+  }
+  return csv;
+}
+
+}  // namespace reeve

@@ -1,0 +1,25 @@
+// Measured tensions beside the model's: summaries for people and programs, and every value.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/hardware.hpp"
+#include "diagnosis/comparison.hpp"
+#include "diagnosis/measured_data.hpp"
+
+namespace reeve {
+
+struct CompareReport {
+  MeasuredData data;
+  std::vector<std::string> names;  // of data.routings; "" where there is none
+  Hardware hardware;
+  Comparison comparison;
+};
+
+std::string compare_table(const CompareReport& report);
+std::string compare_json(const CompareReport& report);
+// One line for each reading and channel; a comment line at the top if the data are simulated.
+std::string residuals_csv(const CompareReport& report);
+
+}  // namespace reeve

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace reeve {
+
+// Quoted where RFC 4180 needs it: text of the user's, such as a name.
+std::string csv_field(const std::string& text);
+
+}  // namespace reeve

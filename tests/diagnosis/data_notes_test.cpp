@@ -1,0 +1,88 @@
+#include "diagnosis/data_notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::count_notes;
+using testing::noted_lines;
+using testing::read_data;
+
+using Lines = std::vector<std::size_t>;
+
+const std::string header = "run,routing,held,motor_tension_N,T1_N,Ta_N,x\n";
+
+Lines lines(const std::string& rows, NoteKind kind) {
+  return noted_lines(read_data(header + rows).notes, kind);
+}
+
+TEST(DuplicateRows, AreNotedByLineAndKept) {
+  const MeasuredData data = read_data(header +
+                                      "A,TR5,,20,4,10,1\n"
+                                      "A,TR5,,20,5,10,1\n"
+                                      "A,M-1-P-2-M,,20.0,4,1e1,1\n"
+                                      "A,TR5,,20,4,10,1\n");
+  EXPECT_EQ(noted_lines(data.notes, NoteKind::duplicate), (Lines{4, 5}));
+  EXPECT_EQ(count_notes(data.notes, NoteKind::duplicate_across_runs), 0U);
+  EXPECT_EQ(data.readings.size(), 4U);
+}
+
+TEST(DuplicateRows, AreNotedAsLeakageUnderAnotherRun) {
+  const std::string rows =
+      "A,TR5,,20,4,10,1\n"
+      "B,TR5,,20,4,10,1\n"
+      "B,TR5,,20,4,10,1\n"
+      "C,TR5,,20,4,10,1\n";
+  EXPECT_EQ(lines(rows, NoteKind::duplicate_across_runs), (Lines{3, 5}));
+  EXPECT_EQ(lines(rows, NoteKind::duplicate), Lines{4});
+}
+
+TEST(RowsThatDifferInOneValue, AreNoDuplicates) {
+  const std::string first = "A,TR5,,20,4,10,1\n";
+  for (const char* other : {"A,TR3,,20,4,10,1\n", "A,TR5,1,20,4,10,1\n", "A,TR5,,21,4,10,1\n",
+                            "A,TR5,,20,4.1,10,1\n", "A,TR5,,20,4,,1\n", "A,TR5,,20,4,10,2\n"}) {
+    EXPECT_EQ(lines(first + other, NoteKind::duplicate), Lines{}) << other;
+  }
+}
+
+TEST(AMotorSideSegment, WithMoreThanTheMotorGivesIsNoted) {
+  EXPECT_EQ(lines("A,TR5,,20,4,20.9,1\nA,TR5,,20,4,21.1,1\n", NoteKind::motor_side_above_motor),
+            Lines{3});
+  // Strands may carry more than the motor: releasing, or behind a pulley.
+  EXPECT_EQ(lines("A,TR5,,20,30,10,1\n", NoteKind::motor_side_above_motor), Lines{});
+}
+
+std::size_t unit_notes(const std::string& rows) {
+  return count_notes(read_data("run,routing,motor_tension_N,T1_N\n" + rows).notes, NoteKind::units);
+}
+
+TEST(UnitsOffByAThousand, AreSuspected) {
+  EXPECT_EQ(unit_notes("A,TR5,20,4\nA,TR5,25,5\n"), 0U);
+  EXPECT_EQ(unit_notes("A,TR5,20,4000\nA,TR5,25,5000\n"), 1U);        // mN over N
+  EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.03\n"), 1U);        // kN over N
+  EXPECT_EQ(unit_notes("A,TR5,20000,4000\nA,TR5,25000,3000\n"), 1U);  // motor in mN
+  EXPECT_EQ(unit_notes("A,TR5,,0.004\nA,TR5,,0.005\n"), 1U);
+  EXPECT_EQ(unit_notes("A,TR5,20,0\nA,TR5,25,0\n"), 0U);
+  const auto notes = read_data("run,routing,motor_tension_N,T1_N\nA,TR5,20,4000\n").notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(
+      notes[0].text,
+      "the median of T1_N over motor_tension_N is 200, and from 0.002 to 20 is plausible: is it "
+      "in another unit than newton?");
+}
+
+TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
+  const MeasuredData data =
+      read_data("# source\n" + header + "A,TR5,,20,4,10,1\n#A,TR5,,20,5,10,1\n");
+  EXPECT_EQ(count_notes(data.notes, NoteKind::covariate), 1U);
+  EXPECT_EQ(noted_lines(data.notes, NoteKind::comment), Lines{4});
+}
+
+}  // namespace
+}  // namespace reeve

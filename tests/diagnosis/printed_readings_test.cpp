@@ -1,0 +1,84 @@
+// The readings in catalog/measured: that they are what their sources print, and that the model says
+// of each what the capstan law says by hand: T2 = T_M e^{-mu pi} lifting, T_M e^{mu pi} lowering.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "catalog/hardware_file.hpp"
+#include "core/notation.hpp"
+#include "diagnosis/comparison.hpp"
+
+namespace reeve {
+namespace {
+
+const std::filesystem::path catalogue = REEVE_CATALOG_DIR;
+
+MeasuredData read(const std::string& name) {
+  return read_measured_data(catalogue / "measured" / name,
+                            [](const std::string& word) { return parse_routing(word); });
+}
+
+Hardware rope_bench() { return read_hardware(catalogue / "hardware" / "rope_bench.toml"); }
+
+void expect_predicted(const Comparison& comparison, std::size_t at, double expected) {
+  EXPECT_NEAR(comparison.values[at].predicted, expected, 1e-9 * expected) << at;
+}
+
+TEST(PrintedReadings, OfCanyonsAndCragsFollowTheCapstanLaw) {
+  const MeasuredData data = read("canyons_and_crags.csv");
+  const Comparison comparison = compare(data, rope_bench());
+  ASSERT_EQ(data.readings.size(), 4U);
+  EXPECT_TRUE(data.notes.empty());
+  const double pulls[] = {13, 8, 23, 5};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(*data.readings[i].motor_tension_N, pulls[i] * 4.4482216, 1e-4);
+    EXPECT_NEAR(*data.readings[i].tension_N[0], 11 * 4.4482216, 1e-4);
+  }
+  const double tube = std::exp(-0.18 * std::numbers::pi);
+  const double bearing = std::exp(-0.001 * std::numbers::pi);
+  expect_predicted(comparison, 0, 57.8269 * bearing);
+  expect_predicted(comparison, 1, 35.5858 / bearing);
+  expect_predicted(comparison, 2, 102.3091 * tube);
+  expect_predicted(comparison, 3, 22.2411 / tube);
+}
+
+// The coefficient that the printed forces give by hand makes the model exact: lifting and lowering
+// are each other's inverse.
+TEST(PrintedReadings, OfCanyonsAndCragsAreMetWithTheirOwnCoefficient) {
+  Hardware hardware = rope_bench();
+  hardware.tube.mu = std::log(23.0 / 11) / std::numbers::pi;
+  const Comparison lifting = compare(read("canyons_and_crags.csv"), hardware);
+  EXPECT_NEAR(lifting.values[2].residual(), 0, 1e-3);
+  hardware.tube.mu = std::log(11.0 / 5) / std::numbers::pi;
+  const Comparison lowering = compare(read("canyons_and_crags.csv"), hardware);
+  EXPECT_NEAR(lowering.values[3].residual(), 0, 1e-3);
+}
+
+TEST(PrintedReadings, OfOverTheEdgeRescueFollowTheCapstanLaw) {
+  const MeasuredData data = read("over_the_edge_rescue.csv");
+  const Comparison comparison = compare(data, rope_bench());
+  const double pulls[] = {200, 180, 180, 180, 200, 120, 120, 120, 120, 120};
+  ASSERT_EQ(data.readings.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(*data.readings[i].motor_tension_N, pulls[i]);
+    EXPECT_EQ(*data.readings[i].tension_N[0], 100);
+    const double phi = (i < 5 ? 0.18 : 0.001) * std::numbers::pi;
+    expect_predicted(comparison, i, pulls[i] * std::exp(-phi));
+  }
+}
+
+TEST(PrintedReadings, AreAllTested) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(catalogue / "measured")) {
+    names.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"canyons_and_crags.csv", "over_the_edge_rescue.csv"}));
+}
+
+}  // namespace
+}  // namespace reeve
