@@ -131,7 +131,12 @@ TEST(BadRow, NamesTheRoutingThatIsNone) {
 
 // In quotes, a cell may have line ends.
 TEST(BadRow, IsNamedInOneLine) {
-  EXPECT_EQ(data_error("run,routing,T1_N\nA,\"M-\n1-F\",1\n").find('\n'), std::string::npos);
+  const RoutingResolver refuse = [](const std::string& text) -> Routing {
+    throw InputError("no such routing: " + text);
+  };
+  EXPECT_EQ(testing::input_error(
+                [&] { parse_measured_data("run,routing,T1_N\nA,\"M-\nF\",1\n", "d.csv", refuse); }),
+            "d.csv:2: column 'routing' = 'M-?F': no such routing: M-?F");
   EXPECT_EQ(
       data_error("run,routing,T1_N,\"a\nb\"\nA,M-1-F,1,\"x\ny\"\n"),
       "d.csv:3: column 'a?b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
