@@ -49,14 +49,18 @@ std::string read_file(const std::filesystem::path& path, const std::string& name
 
 }  // namespace
 
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
+  return text;
+}
+
 std::string for_message(std::string_view text) {
   constexpr std::size_t most = 40;
   std::size_t end = std::min(text.size(), most);
   // Not in the middle of a UTF-8 character.
   while (end < text.size() && end > 0 && (text[end] & '\xC0') == '\x80') --end;
-  std::string shown(text.substr(0, end));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
+  const std::string shown = one_line(std::string(text.substr(0, end)));
   return end < text.size() ? shown + "…" : shown;
 }
 

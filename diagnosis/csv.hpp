@@ -80,7 +80,9 @@ class CsvReader {
   std::vector<CsvComment> comments_;
 };
 
-// The text with what would break a message of one line replaced, and shortened to some forty bytes.
+// The text with what would break a message of one line replaced.
+std::string one_line(std::string text);
+// The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);
 
 }  // namespace reeve

@@ -32,7 +32,14 @@ Grasp read_held(std::string_view text, int fingers) {
   held.erase(std::remove(held.begin(), held.end(), ' '), held.end());
   if (held.empty() || held == "none") return {};
   if (fingers == 0) throw InputError("expected an empty cell: the routing has no fingers");
-  return parse_grasp(held, fingers);
+  try {
+    return parse_grasp(held, fingers);
+  } catch (const InputError&) {
+    throw InputError(fmt::format(
+        "expected an empty cell (none held), or finger numbers from 1 to {}, each once, such as "
+        "{}",
+        fingers, fingers > 1 ? "1;2" : "1"));
+  }
 }
 
 Direction read_direction(std::string_view text) {
@@ -95,7 +102,7 @@ class DataReader {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}:{}: column '{}' = '{}': {}", csv_.name(), row.line,
                                    for_message(columns_[column].name), for_message(cell),
-                                   error.what()));
+                                   one_line(error.what())));
     }
   }
 

@@ -111,7 +111,9 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
   expect("sheath_angle_rad", "360", "expected a number from 0 to 100, or an empty cell");
   expect("operator", "Ann", "expected a finite number such as 12.5, or an empty cell");
   expect("direction", "push", "expected pull, release, or an empty cell (pull)");
-  expect("held", "3", "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2");
+  const std::string held =
+      "expected an empty cell (none held), or finger numbers from 1 to 2, each once, such as 1;2";
+  for (const char* cell : {"3", "0", "1;1", "1;", "one"}) expect("held", cell, held);
 }
 
 TEST(BadRow, NamesTheRoutingThatIsNone) {
@@ -125,6 +127,19 @@ TEST(BadRow, NamesTheRoutingThatIsNone) {
   EXPECT_EQ(data_error("run,routing,T1_N\nA,F-1-F,1\n"),
             "d.csv:2: column 'routing' = 'F-1-F': routing 'F-1-F': the tendon with T1 is not "
             "actuated: it has no M and no P, so the motor cannot pull it");
+}
+
+// In quotes, a cell may have line ends.
+TEST(BadRow, IsNamedInOneLine) {
+  const RoutingResolver refuse = [](const std::string& text) -> Routing {
+    throw InputError("no such routing: " + text);
+  };
+  EXPECT_EQ(testing::input_error(
+                [&] { parse_measured_data("run,routing,T1_N\nA,\"M-\nF\",1\n", "d.csv", refuse); }),
+            "d.csv:2: column 'routing' = 'M-?F': no such routing: M-?F");
+  EXPECT_EQ(
+      data_error("run,routing,T1_N,\"a\nb\"\nA,M-1-F,1,\"x\ny\"\n"),
+      "d.csv:3: column 'a?b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
 }
 
 TEST(BadRow, NamesTheStrandThatTheRoutingDoesNotHave) {
