@@ -17,9 +17,9 @@
 namespace reeve {
 namespace {
 
-// What is left has to be stranger than a cause before it is called unexplained: most data are not
-// exactly normal.
-constexpr double structure_share_of_alpha = 0.2;
+// A second name, or the claim that something is left that no cause explains, has to stand against
+// a smaller chance than the first name.
+constexpr double share_of_alpha = 0.2;
 constexpr double too_few_degrees = 8;
 
 class Diagnosis {
@@ -136,8 +136,8 @@ class Diagnosis {
 
   bool find_causes() {
     candidates_ = candidates(survey(data_), nominal_.hardware);
-    const CauseSearchOptions options{options_.alpha, options_.replicates, options_.most_causes,
-                                     options_.seed};
+    const CauseSearchOptions options{options_.alpha, share_of_alpha * options_.alpha,
+                                     options_.replicates, options_.most_causes, options_.seed};
     auto found = search_causes(
         problem_, nominal_, candidates_, options, workers_,
         [this](Problem& problem, const Model& model) { update_noise(problem, model); },
@@ -259,7 +259,7 @@ class Diagnosis {
     const auto tests = structure_tests(problem_, at, projection);
     const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
     result_.structure = found.findings;
-    if (found.p_value < structure_share_of_alpha * options_.alpha) {
+    if (found.p_value < share_of_alpha * options_.alpha) {
       result_.unexplained = {found.findings.front().about, found.where, found.p_value};
     }
   }

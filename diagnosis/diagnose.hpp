@@ -19,6 +19,7 @@
 #include "diagnosis/dataset.hpp"
 #include "diagnosis/held_out.hpp"
 #include "diagnosis/measured_data.hpp"
+#include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
 #include "diagnosis/structure.hpp"
 
@@ -39,6 +40,8 @@ struct DiagnoseOptions {
   std::size_t replicates = 400;
   std::size_t most_causes = 3;
   int threads = 0;
+  // To choose the next measurement from, beside those of the data.
+  std::vector<MeasurableRouting> routings;
   // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
   std::function<bool(const char* stage)> stage;
 };
@@ -97,8 +100,10 @@ struct DiagnosisResult {
   Verdict verdict = Verdict::none;
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
-  // The models behind the names of each group, in their order.
-  std::vector<std::vector<Model>> indistinguishable_models;
+  // Between the first two of the first group.
+  std::optional<PlannedMeasurement> separating_measurement;
+  // Which separates the leading explanations, or else most shrinks the interval of the first cause.
+  std::optional<PlannedMeasurement> next_measurement;
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
