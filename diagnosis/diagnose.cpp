@@ -114,6 +114,7 @@ class Diagnosis {
   }
 
   void note_too_few() {
+    result_.too_few = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "

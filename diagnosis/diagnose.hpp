@@ -98,6 +98,7 @@ struct ComparedCell {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
+  bool too_few = false;  // readings to say anything; the verdict is none
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
