@@ -5,6 +5,7 @@
 #include "causes/library.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/planned.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -48,6 +49,22 @@ TEST_F(NamedEffects, AreReadForEveryCauseAndSubjectOfTheLibrary) {
       EXPECT_EQ(found.subject.recorded, subject.recorded);
       EXPECT_EQ(found.subject.actual, subject.actual);
       EXPECT_EQ(found.values.size(), cause->parameters(hardware_).size());
+    }
+  }
+}
+
+TEST_F(NamedEffects, AndTheirParametersAreInTheDocument) {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "simulate.md");
+  for (const Cause* cause : cause_library()) {
+    const std::size_t at = document.find("\n| `" + std::string(cause->name()));
+    const std::size_t beside = document.find(", `" + std::string(cause->name()) + "`");
+    const std::size_t line = std::min(at, beside);
+    ASSERT_NE(line, std::string::npos) << cause->name();
+    const std::string row = document.substr(line, document.find('\n', line + 1) - line);
+    for (const Parameter& parameter : cause->parameters(hardware_)) {
+      EXPECT_NE(row.find('`' + std::string(parameter.name) + '`'), std::string::npos)
+          << cause->name() << parameter.name;
     }
   }
 }
