@@ -206,7 +206,7 @@ ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
   return plan;
 }
 
-Noise ExperimentFlags::read_noise() const {
+AddedNoise ExperimentFlags::read_noise() const {
   return {read_number("--noise-relative", noise_relative, {0, 1}),
           read_number("--noise-absolute", noise_absolute, {0, 1000})};
 }

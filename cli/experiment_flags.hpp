@@ -30,7 +30,7 @@ struct ExperimentFlags {
   void add_to(CLI::App& command);
   // Both throw InputError that names option, value and what was expected.
   ExperimentPlan read_plan(const Catalogue& catalogue) const;
-  Noise read_noise() const;
+  AddedNoise read_noise() const;
 
  private:
   CLI::Option* speed_ = nullptr;

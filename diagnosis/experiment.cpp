@@ -12,8 +12,13 @@
 namespace reeve {
 namespace {
 
-// Simulated noise has streams of its own (simulation.cpp).
-enum class Factor : std::uint32_t { grasp = 16, motor_tension = 18, speed = 20, temperature = 22 };
+// Streams of uniform numbers: of the order, and the next one of places within parts of a range.
+enum class Factor : std::uint32_t {
+  grasp = 0x51a00010,
+  motor_tension = 0x51a00012,
+  speed = 0x51a00014,
+  temperature = 0x51a00016
+};
 
 std::uint32_t order_stream(Factor factor) { return static_cast<std::uint32_t>(factor); }
 std::uint32_t place_stream(Factor factor) { return static_cast<std::uint32_t>(factor) + 1; }
@@ -131,7 +136,7 @@ void validate(const ExperimentPlan& plan) {
   require_channels(plan);
 }
 
-std::vector<PlannedReading> planned_readings(const ExperimentPlan& plan, std::uint64_t seed) {
+std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed) {
   std::vector<PlannedReading> readings;
   readings.reserve(plan.runs * plan.rows * plan.repeats);
   for (std::size_t run = 0; run < plan.runs; ++run) {

@@ -66,7 +66,7 @@ struct PlannedReading {
 };
 
 // In the order in which they are taken.
-std::vector<PlannedReading> planned_readings(const ExperimentPlan& plan, std::uint64_t seed);
+std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed);
 
 // Which causes the experiment could show. Points into the plan.
 Survey survey(const ExperimentPlan& plan);

@@ -11,9 +11,10 @@
 namespace reeve {
 namespace {
 
-// Streams of normal numbers.
-constexpr std::uint32_t relative_stream = 0;
-constexpr std::uint32_t absolute_stream = 1;
+// Streams of normal numbers. Who diagnoses the readings draws replicates of the noise with streams
+// 0, 1, …, and likely with the same seed: those must not be the noise that is in the readings.
+constexpr std::uint32_t relative_stream = 0x51a00000;
+constexpr std::uint32_t absolute_stream = 0x51a00001;
 
 // Tensions of one routing on the rig.
 class Rig {
@@ -58,10 +59,10 @@ class Rig {
 
 }  // namespace
 
-Simulation simulate(const ExperimentPlan& plan, const Model& model, const Noise& noise,
+Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedNoise& noise,
                     std::uint64_t seed) {
   Simulation simulation;
-  simulation.readings = planned_readings(plan, seed);
+  simulation.readings = schedule(plan, seed);
   simulation.tension_N.reserve(simulation.readings.size());
   const Hardware hardware = effective_hardware(model);
   std::vector<Rig> rigs;

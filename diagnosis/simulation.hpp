@@ -16,7 +16,7 @@
 
 namespace reeve {
 
-struct Noise {
+struct AddedNoise {
   double relative = 0.02;
   double absolute_N = 0.05;
 };
@@ -31,7 +31,7 @@ struct Simulation {
 
 // The seed decides the conditions and the noise. Throws InputError that names the routing if the
 // model has no solution there.
-Simulation simulate(const ExperimentPlan& plan, const Model& model, const Noise& noise,
+Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedNoise& noise,
                     std::uint64_t seed);
 
 }  // namespace reeve

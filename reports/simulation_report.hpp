@@ -14,7 +14,7 @@ namespace reeve {
 struct SimulationReport {
   ExperimentPlan plan;
   Model model;
-  Noise noise;
+  AddedNoise noise;
   std::uint64_t seed = 1;
   std::string command;  // that makes it again
   Simulation simulation;

@@ -27,7 +27,7 @@ ExperimentPlan full_plan() {
 TEST(Experiment, MountsOneRoutingInARunAndEachInTurns) {
   std::map<std::size_t, std::set<std::size_t>> routings_of_run;
   std::map<std::size_t, std::set<std::size_t>> runs_of_routing;
-  for (const PlannedReading& reading : planned_readings(full_plan(), 1)) {
+  for (const PlannedReading& reading : schedule(full_plan(), 1)) {
     routings_of_run[reading.run].insert(reading.routing);
     runs_of_routing[reading.routing].insert(reading.run);
   }
@@ -39,7 +39,7 @@ TEST(Experiment, MountsOneRoutingInARunAndEachInTurns) {
 
 TEST(Experiment, KeepsEveryConditionInItsRangeAndCoversIt) {
   std::map<std::size_t, std::set<int>> decades;
-  for (const PlannedReading& reading : planned_readings(full_plan(), 1)) {
+  for (const PlannedReading& reading : schedule(full_plan(), 1)) {
     const Conditions& conditions = reading.conditions;
     EXPECT_GE(conditions.motor_tension_N, 5);
     EXPECT_LE(conditions.motor_tension_N, 60);
@@ -55,7 +55,7 @@ TEST(Experiment, KeepsEveryConditionInItsRangeAndCoversIt) {
 
 TEST(Experiment, MeasuresGraspsAndDirectionsEquallyOftenInEveryRun) {
   std::map<std::size_t, std::map<std::pair<std::uint64_t, Direction>, int>> counts;
-  for (const PlannedReading& reading : planned_readings(full_plan(), 1)) {
+  for (const PlannedReading& reading : schedule(full_plan(), 1)) {
     ++counts[reading.run][{reading.grasp.held, reading.direction}];
   }
   for (const auto& [run, of_run] : counts) {
@@ -72,7 +72,7 @@ TEST(Experiment, MeasuresEveryGraspEvenWhereARunHasFewerRows) {
   plan.rows = 1;
   plan.runs = 9;
   std::set<std::pair<std::size_t, std::uint64_t>> seen;
-  for (const PlannedReading& reading : planned_readings(plan, 1)) {
+  for (const PlannedReading& reading : schedule(plan, 1)) {
     seen.insert({reading.routing, reading.grasp.held});
   }
   EXPECT_EQ(seen.size(), 9U);
@@ -83,7 +83,7 @@ TEST(Experiment, ChangesEachConditionInAnOrderOfItsOwn) {
   plan.runs = 100;
   double sum = 0;
   std::map<std::uint64_t, std::pair<double, int>> tension_by_grasp;
-  const std::vector<PlannedReading> readings = planned_readings(plan, 1);
+  const std::vector<PlannedReading> readings = schedule(plan, 1);
   for (const PlannedReading& reading : readings) {
     const Conditions& conditions = reading.conditions;
     sum += (conditions.motor_tension_N - 32.5) * (conditions.temperature_C - 25);
@@ -102,7 +102,7 @@ TEST(Experiment, NeverTurnsTheCycleBack) {
   for (const Levels& cycle : {Levels{{0, 3000}, {}}, Levels{{}, {0, 10, 500}}}) {
     ExperimentPlan plan = full_plan();
     plan.cycle = cycle;
-    const std::vector<PlannedReading> readings = planned_readings(plan, 1);
+    const std::vector<PlannedReading> readings = schedule(plan, 1);
     EXPECT_EQ(readings.front().conditions.cycle, 0);
     EXPECT_EQ(readings.back().conditions.cycle, cycle.list.empty() ? 3000 : 500);
     for (std::size_t i = 1; i < readings.size(); ++i) {
@@ -115,14 +115,14 @@ TEST(Experiment, TakesTheLevelsOfAListAndNoOthers) {
   ExperimentPlan plan = plan_of(three);
   plan.motor_tension_N = {{}, {5, 12.5, 40, 60}};
   std::map<double, int> counts;
-  for (const PlannedReading& reading : planned_readings(plan, 1)) {
+  for (const PlannedReading& reading : schedule(plan, 1)) {
     ++counts[reading.conditions.motor_tension_N];
   }
   EXPECT_EQ(counts, (std::map<double, int>{{5, 60}, {12.5, 60}, {40, 60}, {60, 60}}));
 }
 
 TEST(Experiment, LeavesConditionsThatItDoesNotHaveAtTheReference) {
-  for (const PlannedReading& reading : planned_readings(plan_of(three), 1)) {
+  for (const PlannedReading& reading : schedule(plan_of(three), 1)) {
     EXPECT_EQ(reading.conditions.speed_mm_s, Conditions{}.speed_mm_s);
     EXPECT_EQ(reading.conditions.cycle, Conditions{}.cycle);
     EXPECT_EQ(reading.conditions.temperature_C, Conditions{}.temperature_C);
@@ -131,9 +131,9 @@ TEST(Experiment, LeavesConditionsThatItDoesNotHaveAtTheReference) {
 
 TEST(Experiment, RepeatsReadingsUnderTheSameConditions) {
   ExperimentPlan plan = full_plan();
-  const std::vector<PlannedReading> once = planned_readings(plan, 1);
+  const std::vector<PlannedReading> once = schedule(plan, 1);
   plan.repeats = 3;
-  const std::vector<PlannedReading> readings = planned_readings(plan, 1);
+  const std::vector<PlannedReading> readings = schedule(plan, 1);
   ASSERT_EQ(readings.size(), 3 * once.size());
   for (std::size_t i = 0; i < readings.size(); ++i) {
     EXPECT_EQ(readings[i].repeat, i % 3);
@@ -145,7 +145,7 @@ TEST(Experiment, RepeatsReadingsUnderTheSameConditions) {
 TEST(Experiment, IsDecidedByPlanAndSeed) {
   const auto tensions = [](std::uint64_t seed) {
     std::vector<double> result;
-    for (const PlannedReading& reading : planned_readings(full_plan(), seed)) {
+    for (const PlannedReading& reading : schedule(full_plan(), seed)) {
       result.push_back(reading.conditions.motor_tension_N);
     }
     return result;

@@ -8,13 +8,14 @@
 #include "causes/model_solver.hpp"
 #include "causes/named_effect.hpp"
 #include "core/tension.hpp"
+#include "numerics/random.hpp"
 #include "tests/support/planned.hpp"
 
 namespace reeve::testing {
 namespace {
 
 const std::vector<std::string> three{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
-constexpr Noise no_noise{0, 0};
+constexpr AddedNoise no_noise{0, 0};
 
 Model model_with(const ExperimentPlan& plan, const std::vector<NamedEffect>& causes) {
   Model model;
@@ -88,7 +89,7 @@ struct Statistics {
   std::size_t count = 0;
 };
 
-Statistics statistics(const Noise& noise) {
+Statistics statistics(const AddedNoise& noise) {
   ExperimentPlan plan = plan_of(three);
   plan.runs = 120;
   plan.motor_tension_N = {{20, 60}, {}};
@@ -111,7 +112,8 @@ Statistics statistics(const Noise& noise) {
 }
 
 TEST(Simulation, HasNoiseOfTheStandardDeviationsAskedFor) {
-  for (const Noise& noise : {Noise{0.02, 0}, Noise{0, 0.05}, Noise{0.03, 0.04}}) {
+  for (const AddedNoise& noise :
+       {AddedNoise{0.02, 0}, AddedNoise{0, 0.05}, AddedNoise{0.03, 0.04}}) {
     const Statistics found = statistics(noise);
     const auto n = static_cast<double>(found.count);
     const double beyond_two = std::erfc(std::sqrt(2));
@@ -133,6 +135,21 @@ TEST(Simulation, CountsWhatItHadToClip) {
   }
   EXPECT_GT(zeros, 0U);
   EXPECT_EQ(simulation.clipped, zeros);
+}
+
+// The diagnosis calibrates itself with noise from the first streams of its seed.
+TEST(Simulation, SharesNoNoiseWithReplicatesOfTheSameSeed) {
+  const ExperimentPlan plan = plan_of(three);
+  const Simulation quiet = simulate(plan, {}, no_noise, 1);
+  const Simulation noisy = simulate(plan, {}, {0.01, 0}, 1);
+  for (std::uint32_t stream = 0; stream < 1000; ++stream) {
+    double product = 0;
+    for (std::uint64_t i = 0; i < 960; ++i) {
+      const double tension = *quiet.tension_N[i / 4][i % 4];
+      product += (*noisy.tension_N[i / 4][i % 4] / tension - 1) / 0.01 * normal(1, stream, i);
+    }
+    EXPECT_LT(std::abs(product / 960), 5 / std::sqrt(960)) << stream;
+  }
 }
 
 TEST(Simulation, IsDecidedByTheSeed) {

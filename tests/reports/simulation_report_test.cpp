@@ -13,7 +13,7 @@ namespace reeve::testing {
 namespace {
 
 SimulationReport report_of(ExperimentPlan plan, const std::vector<NamedEffect>& causes,
-                           const Noise& noise = {}) {
+                           const AddedNoise& noise = {}) {
   SimulationReport report;
   report.plan = std::move(plan);
   for (const NamedEffect& cause : causes) {
