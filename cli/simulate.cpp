@@ -1,18 +1,26 @@
 #include <fmt/format.h>
 
+#include <atomic>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "causes/named_effect.hpp"
 #include "cli/commands.hpp"
 #include "cli/experiment_flags.hpp"
 #include "cli/inputs.hpp"
+#include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/measured_data.hpp"
+#include "diagnosis/power.hpp"
 #include "reports/files.hpp"
+#include "reports/power_report.hpp"
 #include "reports/simulation_report.hpp"
 
 namespace reeve::cli {
@@ -28,7 +36,9 @@ struct SimulateFlags {
   std::uint64_t seed = 1;
   std::string out;
   CLI::Option* out_given = nullptr;
+  std::size_t power = 0;
   HardwareOption hardware;
+  FormatOption format;
 };
 
 struct Given {
@@ -128,9 +138,7 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   return model;
 }
 
-void run(const SimulateFlags& flags) {
-  const bool to_file = flags.out_given->count() > 0;
-  if (to_file && flags.out.empty()) throw InputError("-o '': expected a file");
+SimulationReport report_of(const SimulateFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   SimulationReport report;
   report.plan = flags.experiment.read_plan(catalogue);
@@ -138,6 +146,52 @@ void run(const SimulateFlags& flags) {
   report.model = read_model(flags, report.plan, catalogue);
   report.seed = flags.seed;
   report.command = command_text(flags);
+  return report;
+}
+
+// As their user would diagnose them: from the file.
+MeasuredData read_back(const SimulationReport& report) {
+  return parse_measured_data(simulation_csv(report), "simulated readings",
+                             [&](const std::string& text) {
+                               for (const PlannedRouting& routing : report.plan.routings) {
+                                 if (routing.label == text) return parse_routing(routing.word);
+                               }
+                               return parse_routing(text);
+                             });
+}
+
+PowerReport power_of(SimulationReport experiment, std::size_t experiments) {
+  PowerReport report;
+  std::vector<std::string> hidden;
+  for (const Effect& effect : experiment.model.effects) hidden.push_back(name(effect));
+  report.experiment = experiment;
+  const std::atomic<bool>& stop = stop_on_interrupt();
+  ProgressLine progress("diagnosing");
+  DiagnoseOptions options;
+  options.stage = [&](const char*) { return stop.load(); };
+  for (std::size_t i = 0; i < experiments; ++i) {
+    progress({i, experiments});
+    experiment.seed = report.experiment.seed + i;
+    experiment.simulation =
+        simulate(experiment.plan, experiment.model, experiment.noise, experiment.seed);
+    options.seed = experiment.seed;
+    const std::optional<DiagnosisResult> result =
+        diagnose_until(read_back(experiment), experiment.model.hardware, options);
+    if (!result || stop) throw Interrupted();
+    report.trials.push_back(judged(experiment.seed, *result, hidden));
+  }
+  return report;
+}
+
+void run(const SimulateFlags& flags) {
+  const bool to_file = flags.out_given->count() > 0;
+  if (to_file && flags.out.empty()) throw InputError("-o '': expected a file");
+  SimulationReport report = report_of(flags);
+  if (flags.power > 0) {
+    const PowerReport power = power_of(std::move(report), flags.power);
+    std::cout << (flags.format.is("json") ? power_json(power) : power_table(power));
+    return;
+  }
   report.simulation = simulate(report.plan, report.model, report.noise, report.seed);
   if (!to_file) {
     std::cout << simulation_csv(report);
@@ -171,6 +225,15 @@ void add_simulate(CLI::App& program, int&) {
       ->capture_default_str();
   flags->out_given =
       command->add_option("-o,--output", flags->out, "CSV file (default: standard output)");
+  CLI::Option* power =
+      command
+          ->add_option("--power", flags->power,
+                       "Diagnose so many experiments, of this seed and the next ones, and report "
+                       "how often what is hidden is found; no data are written")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+          ->excludes(flags->out_given);
+  flags->format.add_to(*command, {"table", "json"});
+  command->get_option("--format")->needs(power);
   command->callback([flags] { run(*flags); });
 }
 

@@ -85,6 +85,15 @@ TEST(BadHiddenCause, IsNamedWithWhatWasExpected) {
   });
 }
 
+TEST(BadPower, IsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      simulate({"--power", "0"}, "--power: Value 0 not in range 1 to 100000"),
+      simulate({"--power", "2", "-o", "a.csv"}, "--output excludes --power"),
+      simulate({"--format", "json"}, "--format requires --power"),
+      simulate({"--power", "2", "--format", "csv"}, "--format: csv not in {table,json}"),
+  });
+}
+
 TEST(BadOutput, IsNamedAndLeavesNothing) {
   expect_all_bad({
       simulate({"-o", "missing/a.csv"}, "file 'missing/a.csv' cannot be written: "),

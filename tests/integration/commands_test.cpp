@@ -178,6 +178,27 @@ TEST(Simulate, WritesWhatCompareReadsAndFindsToBeTheModelWithoutNoise) {
   EXPECT_TRUE(json["notes"].empty()) << json["notes"];
 }
 
+TEST(Simulate, WithPowerSaysHowOftenTheHiddenCauseIsFound) {
+  const Arguments options{"--cause", "sensor_gain[T3]", "--set", "gain=1.3", "--power", "3"};
+  Arguments as_json = options;
+  as_json.insert(as_json.end(), {"--format", "json"});
+  const ProcessResult result = simulate(as_json);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["findings"]["found"]["count"], 3) << json["trials"];
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(json["trials"][i]["seed"], 1 + i);
+    EXPECT_EQ(json["trials"][i]["causes"].dump(), R"(["sensor_gain[T3]"])");
+  }
+  const std::string table = simulate(options).out;
+  EXPECT_TRUE(table.starts_with(
+      "3 simulated experiments, seeds 1 to 3, with sensor_gain[T3] (gain = 1.3)\n"))
+      << table;
+  EXPECT_NE(table.find("\nfound                  3  1.000  0.292 to 1.000  all that is hidden"),
+            std::string::npos)
+      << table;
+}
+
 TEST(Version, NamesReleaseAndCommit) {
   const ProcessResult result = reeve({"--version"});
   EXPECT_EQ(result.exit_code, 0);
@@ -200,9 +221,10 @@ TEST(Help, MentionsEveryOption) {
       {"check", {"--format"}},
       {"compare", {"data", "--out", "--hardware", "--format"}},
       {"simulate",
-       {"--routings", "--grasps", "--directions", "--channels", "--motor-tension", "--speed",
-        "--cycles", "--temperature", "--noise-relative", "--noise-absolute", "--runs", "--rows",
-        "--repeats", "--cause", "--set", "--hardware", "--seed", "-o,--output"}}};
+       {"--routings", "--grasps",   "--directions",  "--channels",       "--motor-tension",
+        "--speed",    "--cycles",   "--temperature", "--noise-relative", "--noise-absolute",
+        "--runs",     "--rows",     "--repeats",     "--cause",          "--set",
+        "--power",    "--hardware", "--seed",        "--format",         "-o,--output"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());
