@@ -20,7 +20,8 @@ namespace {
 
 // A second name, or the claim that something is left that no cause explains, has to stand against
 // a smaller chance than the first name.
-constexpr double share_of_alpha = 0.2;
+constexpr double further_share_of_alpha = 0.2;
+constexpr double structure_share_of_alpha = 0.1;
 constexpr double too_few_degrees = 8;
 
 struct Indistinguishable {
@@ -144,7 +145,7 @@ class Diagnosis {
 
   bool find_causes() {
     candidates_ = candidates(survey(data_), nominal_.hardware);
-    const CauseSearchOptions options{options_.alpha, share_of_alpha * options_.alpha,
+    const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
                                      options_.replicates, options_.most_causes, options_.seed};
     auto found = search_causes(
         problem_, nominal_, candidates_, options, workers_,
@@ -262,7 +263,7 @@ class Diagnosis {
     const auto tests = structure_tests(problem_, at, projection);
     const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
     result_.structure = found.findings;
-    if (found.p_value < share_of_alpha * options_.alpha) {
+    if (found.p_value < structure_share_of_alpha * options_.alpha) {
       result_.unexplained = {found.findings.front().about, found.where, found.p_value};
     }
   }

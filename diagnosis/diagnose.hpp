@@ -37,7 +37,7 @@ struct DiagnoseOptions {
   double alpha = 0.05;
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
-  std::size_t replicates = 400;
+  std::size_t replicates = 1000;
   std::size_t most_causes = 3;
   int threads = 0;
   // To choose the next measurement from, beside those of the data.
