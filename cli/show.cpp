@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "reports/files.hpp"
 #include "reports/names.hpp"
 #include "reports/show_report.hpp"
 #include "search/evaluation.hpp"
@@ -19,6 +20,7 @@ struct ShowFlags {
   std::string routing;
   std::vector<std::string> held;
   std::string direction = "pull";
+  std::string svg;
   HardwareOption hardware;
   FormatOption format;
 };
@@ -68,8 +70,15 @@ std::string dot(const ShowFlags& flags, const ShowReport& report) {
   return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
 }
 
+void write_drawing(const ShowFlags& flags, const ShowReport& report) {
+  if (flags.held.size() > 1)
+    throw InputError("--svg draws one grasp: expected --held once at most");
+  write_file(flags.svg, show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
+}
+
 void run(const ShowFlags& flags) {
   const ShowReport shown = report(flags);
+  if (!flags.svg.empty()) write_drawing(flags, shown);
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
   } else if (flags.format.is("dot")) {
@@ -94,6 +103,9 @@ void add_show(CLI::App& program, int&) {
   command->add_option("--direction", flags->direction, "Which way the carriage moves")
       ->check(CLI::IsMember({"pull", "release"}))
       ->capture_default_str();
+  command->add_option("--svg", flags->svg,
+                      "Also draw the routing into this file, in the grasp of --held (without it: "
+                      "the parts alone, no tensions)");
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, {"table", "json", "dot"});
   command->callback([flags] { run(*flags); });
