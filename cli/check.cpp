@@ -7,7 +7,6 @@
 #include "cli/inputs.hpp"
 #include "reports/catalogue_sheet.hpp"
 #include "reports/check_report.hpp"
-#include "reports/files.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -31,15 +30,15 @@ void add_check(CLI::App& program, int& exit_code) {
       "check",
       "Recompute every published number of the catalogue, and say where and why they differ");
   auto format = std::make_shared<FormatOption>();
-  auto svg = std::make_shared<std::string>();
-  command->add_option("--svg", *svg,
-                      "Also draw the catalogue's routings into this file, in the grasps of their "
-                      "published numbers");
+  auto svg = std::make_shared<SvgOption>();
+  svg->add_to(*command,
+              "Also draw the catalogue's routings into this file, in the grasps of their published "
+              "numbers");
   format->add_to(*command, {"table", "json"});
   command->callback([format, svg, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
     const CheckReport report = check(catalogue);
-    if (!svg->empty()) write_file(*svg, catalogue_sheet(solve(catalogue)));
+    if (svg->is_given()) svg->write(catalogue_sheet(solve(catalogue)));
     std::cout << (format->is("json") ? check_json(report) : check_table(report));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;
   });

@@ -23,17 +23,19 @@ std::string description(const Schematic& schematic) {
   return text;
 }
 
-std::string file(const Box& page, const std::string& ids, const std::string& title,
-                 const std::string& description, const std::string& content) {
+// `role`: an image is one thing to a screen reader, a group has things inside.
+std::string file(const Box& page, const char* role, const std::string& ids,
+                 const std::string& title, const std::string& description,
+                 const std::string& content) {
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reeve-schematic\" role=\"img\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reeve-schematic\" role=\"{7}\" "
       "aria-labelledby=\"{0}-title {0}-desc\" viewBox=\"0 0 {1} {2}\" width=\"{1}\" "
       "height=\"{2}\" color=\"#1a1a1a\" fill=\"currentColor\" "
       "font-family=\"Helvetica, Arial, sans-serif\">\n"
       "<title id=\"{0}-title\">{3}</title>\n<desc id=\"{0}-desc\">{4}</desc>\n{5}{6}</svg>\n",
       svg::escape(ids), svg::number(page.right), svg::number(page.bottom), svg::escape(title),
       svg::escape(description), svg::rectangle(page, 0, " class=\"reeve-paper\" fill=\"#ffffff\""),
-      content);
+      content, role);
 }
 
 std::string subtitle(const GraspView& view) {
@@ -60,7 +62,7 @@ Schematic schematic(const Network& network, const std::string& title, const Gras
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
   const SchematicLayout& layout = schematic.layout;
-  return file({0, 0, layout.width, layout.height}, ids, layout.title, description(schematic),
+  return file({0, 0, layout.width, layout.height}, "img", ids, layout.title, description(schematic),
               draw(schematic));
 }
 
@@ -85,7 +87,7 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
   const bool with_tension = std::any_of(schematics.begin(), schematics.end(),
                                         [](const Schematic& s) { return s.state != nullptr; });
   const Legend key = legend({measures::margin, bottom, right - measures::margin, 0}, with_tension);
-  return file({0, 0, right, key.bottom + measures::margin / 2}, ids, title, "",
+  return file({0, 0, right, key.bottom + measures::margin / 2}, "group", ids, title, "",
               content + draw(key));
 }
 
