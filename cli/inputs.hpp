@@ -43,6 +43,17 @@ struct HardwareOption {
   CLI::Option* option_ = nullptr;
 };
 
+// A drawing besides the result on stdout.
+struct SvgOption {
+  void add_to(CLI::App& command, const std::string& what);
+  bool is_given() const { return option_->count() > 0; }
+  void write(const std::string& content) const;
+
+ private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
 // A contact that the hardware file names must be in one of the routings: else it is likely a slip
 // of the pen.
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings);
