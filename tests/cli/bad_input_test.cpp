@@ -105,7 +105,7 @@ TEST(BadModel, IsNamedWithFileLineAndColumn) {
       show_tr1({"--model", ""}, "--model '': expected a TOML file"),
       show_tr1({"--model", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
       show_tr1({"--model", "cause.toml"}, cause),
-      show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:1: unknown key 'effect'"),
+      show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:3: unknown key 'effect'"),
       show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
       show_tr1({"--model", "contact.toml"}, "hardware: contact 'a-T9'"),
       explore({"--model", "cause.toml"}, cause),
