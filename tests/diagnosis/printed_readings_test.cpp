@@ -128,7 +128,7 @@ TEST(PrintedReadings, AreAllTested) {
     names.insert(entry.path().filename().string());
   }
   EXPECT_EQ(names, (std::set<std::string>{"canyons_and_crags.csv", "hwstock.csv", "igkt.csv",
-                                           "over_the_edge_rescue.csv"}));
+                                          "over_the_edge_rescue.csv"}));
 }
 
 }  // namespace
