@@ -21,17 +21,10 @@
 #include "diagnosis/measured_data.hpp"
 #include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
+#include "diagnosis/sample.hpp"
 #include "diagnosis/structure.hpp"
 
 namespace reeve {
-
-// Two causes whose best fits differ by less than this cannot be told apart: were the worse one
-// true, noise would favour the better one by as much in at most 1 of 400 data sets, however far
-// apart their forecasts are (Φ(−√(2·4)) = 0.0023).
-inline constexpr double alias_margin = 4;
-
-// More readings than this say nothing more about which cause it is.
-inline constexpr std::size_t most_readings = 4000;
 
 struct DiagnoseOptions {
   double alpha = 0.05;
