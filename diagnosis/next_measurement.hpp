@@ -56,7 +56,6 @@ struct MeasurementPlan {
   const MeasuredData* data = nullptr;
   std::vector<MeasurableRouting> routings;
   Noise noise;
-  double median_reading_N = 1;
 };
 
 // Nothing if no measurement separates the two: they say the same of everything.
