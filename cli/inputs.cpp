@@ -47,6 +47,12 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
   return routing;
 }
 
+std::string not_negative(const std::string& text) {
+  return text.find('-') == std::string::npos
+             ? std::string()
+             : "Value " + text + " is negative: expected a whole number from 0";
+}
+
 void HardwareOption::add_to(CLI::App& command) {
   option_ =
       command.add_option("--hardware", file_,
@@ -131,12 +137,7 @@ void RankingFlags::add_to(CLI::App& command) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command.add_option("--seed", seed, "Seed of the draws")
-      ->check([](const std::string& text) {
-        // The conversion itself would take -1 for the greatest number.
-        return text.find('-') == std::string::npos
-                   ? std::string()
-                   : "Value " + text + " is negative: expected a whole number from 0";
-      })
+      ->check(not_negative)
       ->capture_default_str();
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))

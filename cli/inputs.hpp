@@ -31,6 +31,9 @@ auto for_option(const std::string& option, Read read) {
   }
 }
 
+// A check of CLI11's for seeds: its conversion would take -1 for the greatest number.
+std::string not_negative(const std::string& text);
+
 struct HardwareOption {
   void add_to(CLI::App& command);
   HardwareFile read() const;  // the paper's hardware if no file is given

@@ -141,8 +141,7 @@ std::string residuals_csv(const CompareReport& report) {
     const Reading& reading = data.readings[value.reading];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
-                       held_field(reading.grasp),
-                       direction_field(reading.direction),
+                       held_field(reading.grasp), direction_field(reading.direction),
                        data.channels[value.channel].name, name(value.quantity), value.measured,
                        value.predicted, value.residual());
   }

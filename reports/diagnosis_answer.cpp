@@ -36,9 +36,8 @@ std::string chance_sentence(const DiagnosisReport& report) {
 }
 
 std::string rest_text(const DiagnosisReport& report) {
-  return fmt::format(
-      "Nothing else is left to explain ({})",
-      p_text(report.result.structure_p_value, report.settings.replicates));
+  return fmt::format("Nothing else is left to explain ({})",
+                     p_text(report.result.structure_p_value, report.settings.replicates));
 }
 
 bool cannot_be_told_apart(const DiagnosisResult& result, const std::string& name) {
@@ -69,7 +68,8 @@ std::string indistinguishable_lines(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   std::string text;
   for (const std::vector<std::string>& names : result.indistinguishable) {
-    text += fmt::format("{} explains the data, and they cannot tell which.\n", names_text(names));
+    text += fmt::format("{} explains the data: which of them, the data cannot tell.\n",
+                        names_text(names));
     for (const NamedCause& cause : result.causes) {
       if (cause.name != names.front()) continue;
       text += fmt::format("If it is the first: {}: {}.\n", cause.meaning, cause_text(cause));
@@ -97,9 +97,8 @@ std::string none_answer(const DiagnosisReport& report) {
   }
   std::string text = "The model as it stands explains the data as well as their noise allows.\n";
   if (result.not_confirmed.empty()) {
-    text += fmt::format(
-        "No cause is named: chance alone would give what the best one gains {}.\n",
-        chance_text(result.p_value, report.settings.replicates));
+    text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
+                        chance_text(result.p_value, report.settings.replicates));
   } else {
     text += fmt::format(
         "No cause is named: {} looked likely on the training runs and failed on the held-out "

@@ -89,9 +89,9 @@ Json noise_json(const Noise& noise) {
 
 Json settings_json(const DiagnosisReport& report) {
   const DiagnosisSettings& settings = report.settings;
-  return {{"data", report.data.file},       {"alpha", settings.alpha},
-          {"hold_out", settings.hold_out},  {"seed", settings.seed},
-          {"explore", settings.explore},    {"hardware", to_json(report.hardware)}};
+  return {{"data", report.data.file},      {"alpha", settings.alpha},
+          {"hold_out", settings.hold_out}, {"seed", settings.seed},
+          {"explore", settings.explore},   {"hardware", to_json(report.hardware)}};
 }
 
 void add_findings(Json& json, const DiagnosisReport& report) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/notation.hpp"
 #include "reports/data_text.hpp"
 
 namespace reeve {
@@ -13,6 +14,17 @@ namespace {
 
 bool at_the_least(double p_value, std::size_t replicates) {
   return p_value * static_cast<double>(replicates + 1) < 1.5;
+}
+
+std::string grasp_text(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  if (held.empty()) return "no finger held";
+  return fmt::format("finger{} {} held", held.size() == 1 ? "" : "s", fmt::join(held, ", "));
+}
+
+// Of what has fingers; a test bench has none.
+std::string held_text(const Measurement& at) {
+  return finger_count(parse_routing(at.routing)) == 0 ? "" : " with " + grasp_text(at.grasp);
 }
 
 // Names such as force_N have it already.
@@ -42,12 +54,6 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
                      estimate(parameter, parameter.value), unit_text(parameter),
                      estimate(parameter, parameter.low), estimate(parameter, parameter.high),
                      nominal_text(parameter, effect), literature_text(parameter));
-}
-
-std::string grasp_text(Grasp grasp) {
-  const std::vector<int> held = held_fingers(grasp);
-  if (held.empty()) return "no finger held";
-  return fmt::format("finger{} {} held", held.size() == 1 ? "" : "s", fmt::join(held, ", "));
 }
 
 }  // namespace
@@ -81,10 +87,9 @@ std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisR
   std::string text = named == report.names.end() || named->second.empty()
                          ? at.routing
                          : fmt::format("{} ({})", named->second, at.routing);
-  text +=
-      fmt::format(" with {}, {} with {:.3g} N at the motor", grasp_text(at.grasp),
-                  at.direction == Direction::pull ? "pulled" : "released",
-                  at.conditions.motor_tension_N);
+  text += fmt::format("{}, {} with {:.3g} N at the motor", held_text(at),
+                      at.direction == Direction::pull ? "pulled" : "released",
+                      at.conditions.motor_tension_N);
   if (at.uses_speed) text += fmt::format(", at {:.3g} mm/s", at.conditions.speed_mm_s);
   if (at.uses_cycle) text += fmt::format(", after {:.0f} cycles", at.conditions.cycle);
   if (at.uses_temperature) text += fmt::format(", at {:.3g} °C", at.conditions.temperature_C);

@@ -147,7 +147,10 @@ TEST(Help, MentionsEveryOption) {
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},
       {"check", {"--format"}},
-      {"compare", {"data", "--out", "--hardware", "--format"}}};
+      {"compare", {"data", "--out", "--hardware", "--format"}},
+      {"diagnose",
+       {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
+        "--explore", "--out", "--save-model", "--format"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());
