@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "catalog/model_file.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 #include "core/version.hpp"
@@ -43,7 +44,7 @@ void add_generated(int fingers, std::vector<MeasurableRouting>& routings) {
 
 std::vector<std::string> order(const Model& model, const Catalogue& catalogue) {
   constexpr int fingers = 2;
-  DesignEvaluator evaluator(model.hardware, single_grasps(fingers));
+  DesignEvaluator evaluator(model, single_grasps(fingers));
   std::vector<Design> designs;
   for (const CatalogueEntry& entry : catalogue.entries) {
     if (finger_count(entry.routing) != fingers) continue;
@@ -94,8 +95,7 @@ std::string extended_model_toml(const DiagnosisReport& report,
   for (const auto& names : result.indistinguishable) {
     lines.push_back(fmt::format("The data cannot tell apart: {}", fmt::join(names, ", ")));
   }
-  (void)uncertainty;
-  return fmt::format("{}", fmt::join(lines, "\n"));
+  return model_toml(result.model, lines, uncertainty);
 }
 
 }  // namespace reeve::cli
