@@ -173,7 +173,7 @@ const TomlNode& TomlNode::require(std::string_view wanted, std::string_view expe
   fail_at_key(fmt::format("missing key '{}'{}: expected {}", wanted, where, expected));
 }
 
-void TomlNode::allow_only(std::initializer_list<std::string_view> keys) const {
+void TomlNode::allow_only(const std::vector<std::string_view>& keys) const {
   for (const TomlNode& child : children) {
     if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
     child.fail_at_key(fmt::format("unknown key '{}': expected one of {}", shortened(child.name),
@@ -216,6 +216,13 @@ double TomlNode::number_from_zero() const {
   return number;
 }
 
+double TomlNode::number_between(double low, double high) const {
+  if (!is_number() || !(number >= low && number <= high)) {
+    fail_expected(fmt::format("a number from {} to {}", low, high));
+  }
+  return number;
+}
+
 void TomlNode::fail_expected(std::string_view expected) const {
   fail(*this, at, fmt::format("{} = {}: expected {}", name, shown(*this), expected));
 }
@@ -236,6 +243,20 @@ TomlNode read_toml(const std::filesystem::path& path) {
     fail(root, position(error.source()), fmt::format("not valid TOML: {}", error.description()));
   }
   return root;
+}
+
+std::string toml_comment(std::string text) {
+  constexpr std::size_t longest = max_line_length - 2;
+  if (text.size() > longest) text = text.substr(0, longest - 1) + "?";
+  const auto no_text = [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == '\x7F'; };
+  std::replace_if(text.begin(), text.end(), no_text, '?');
+  try {
+    const toml::table comment_alone = toml::parse("# " + text);
+  } catch (const toml::parse_error&) {  // not UTF-8
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < 0; }, '?');
+  }
+  return "# " + text + "\n";
 }
 
 }  // namespace reeve

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,7 +36,7 @@ class TomlNode {
   // Of a table.
   const TomlNode* find(std::string_view key) const;
   const TomlNode& require(std::string_view key, std::string_view expected) const;
-  void allow_only(std::initializer_list<std::string_view> keys) const;
+  void allow_only(const std::vector<std::string_view>& keys) const;
 
   // Each throws InputError if the value is another one.
   const std::vector<TomlNode>& tables() const;  // an array of tables
@@ -45,7 +44,9 @@ class TomlNode {
   const TomlNode& table() const;
   const std::string& text() const;
   int integer(int low, int high) const;
-  double number_from_zero() const;  // finite, not negative; an integer is a number, too
+  // An integer is a number, too.
+  double number_from_zero() const;                       // finite, not negative
+  double number_between(double low, double high) const;  // both included
 
   // "file:line:column: name = value: expected …"
   [[noreturn]] void fail_expected(std::string_view expected) const;
@@ -56,5 +57,8 @@ class TomlNode {
 
 // Throws InputError for a file that cannot be read, is larger than 1 MiB, or is not TOML.
 TomlNode read_toml(const std::filesystem::path& path);
+
+// "# text" and a line end, whatever the text: what TOML does not allow in a comment becomes '?'.
+std::string toml_comment(std::string text);
 
 }  // namespace reeve

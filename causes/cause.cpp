@@ -28,6 +28,7 @@ bool is_channel(const Segment& segment, const Subject& subject) {
 }
 
 double exponent_with_force(double phi, double high_N, double force_N) {
+  if (force_N == 0) return phi;
   const double kept = std::exp(-phi) * high_N - force_N;
   if (kept <= std::exp(-max_exponent) * high_N) return max_exponent;
   return std::log(high_N / kept);
@@ -36,6 +37,15 @@ double exponent_with_force(double phi, double high_N, double force_N) {
 std::string name(const Effect& effect) {
   const std::string subject = effect.cause->subject_name(effect.subject);
   return subject.empty() ? effect.cause->name() : effect.cause->name() + ("[" + subject + "]");
+}
+
+bool is_about_the_same(const Effect& a, const Effect& b) {
+  if (a.cause != b.cause || a.subject.channel.has_value() != b.subject.channel.has_value() ||
+      (a.subject.channel && !is_channel(*a.subject.channel, b.subject))) {
+    return false;
+  }
+  return a.subject.finger == b.subject.finger && a.subject.routing == b.subject.routing &&
+         a.subject.contact == b.subject.contact && a.subject.recorded == b.subject.recorded;
 }
 
 }  // namespace reeve

@@ -94,6 +94,15 @@ enum class Reach : std::uint8_t {
   reading,     // reading
 };
 
+// Which members of the subject a cause uses.
+enum class SubjectKind : std::uint8_t {
+  rig,      // none: the cause is about the whole rig
+  channel,  // channel
+  finger,   // finger
+  grasp,    // routing, recorded, actual
+  contact,  // routing, contact
+};
+
 class Cause {
  public:
   Cause() = default;
@@ -107,6 +116,7 @@ class Cause {
   // `hardware` is the one that the effect is seen against. No parameters: it is there or not.
   virtual std::vector<Parameter> parameters(const Hardware& hardware) const = 0;
   virtual std::vector<Subject> subjects(const Survey& survey) const = 0;
+  virtual SubjectKind subject_kind() const { return SubjectKind::rig; }
   // What stands in brackets behind the name; empty if the cause is about the whole rig.
   virtual std::string subject_name(const Subject&) const { return {}; }
 
@@ -135,6 +145,9 @@ struct Effect {
 
 // "sensor_gain[T3]"
 std::string name(const Effect& effect);
+
+// Whether two effects say how large, or which, one and the same thing is.
+bool is_about_the_same(const Effect& a, const Effect& b);
 
 inline bool is_bearing(ContactKind kind) { return kind == ContactKind::bearing; }
 inline bool is_tube_or_sheath(ContactKind kind) { return kind != ContactKind::bearing; }

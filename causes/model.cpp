@@ -1,6 +1,7 @@
 #include "causes/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "causes/library.hpp"
@@ -14,6 +15,15 @@ std::ptrdiff_t place(const Cause* cause) {
 }
 
 }  // namespace
+
+std::span<const ConditionRow> condition_table() {
+  static const std::array<ConditionRow, 4> table{
+      {{"motor_tension_N", "N", &Conditions::motor_tension_N, {0.01, 1e5}},
+       {"speed_mm_s", "mm/s", &Conditions::speed_mm_s, {0.01, 1e5}},
+       {"cycle", "1", &Conditions::cycle, {0, 1e9}},
+       {"temperature_C", "C", &Conditions::temperature_C, {-100, 300}}}};
+  return table;
+}
 
 void add_effect(Model& model, Effect effect) {
   const auto at = std::upper_bound(
@@ -56,6 +66,19 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
     if (const auto k = effect.cause->seized_contact(word, network, effect)) contacts.push_back(*k);
   }
   return contacts;
+}
+
+bool belongs_to_designs(const Effect& effect) {
+  const Reach reach = effect.cause->reach();
+  return reach != Reach::reading && reach != Reach::grasp;
+}
+
+std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
+  std::vector<const Effect*> left_out;
+  for (const Effect& effect : model.effects) {
+    if (!belongs_to_designs(effect)) left_out.push_back(&effect);
+  }
+  return left_out;
 }
 
 double reading(const Model& model, const Segment& segment, double tension_N) {

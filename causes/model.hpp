@@ -2,6 +2,7 @@
 // friction model. Without effects it is that model.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "causes/cause.hpp"
@@ -14,10 +15,19 @@ namespace reeve {
 
 struct Model {
   Hardware hardware;
-  std::vector<Effect> effects;  // in the order of the library
+  std::vector<Effect> effects{};  // in the order of the library
   // Under which a design is judged, where no reading says otherwise.
-  Conditions conditions;
+  Conditions conditions{};
 };
+
+// One row for each condition.
+struct ConditionRow {
+  const char* name;
+  const char* unit;
+  double Conditions::*value;
+  Range range;  // of a model that is kept
+};
+std::span<const ConditionRow> condition_table();
 
 // Adds an effect at its place in the order of the library.
 void add_effect(Model& model, Effect effect);
@@ -32,6 +42,12 @@ bool reaches(const Model& model, Reach reach);
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded);
 std::vector<std::size_t> seized_contacts(const Model& model, const std::string& word,
                                          const Network& network);
+// The effects that a design has, whoever measures it. Those on readings and records are the rig's:
+// also pretension, which the motor does no work for and which therefore is no merit or fault of a
+// routing.
+bool belongs_to_designs(const Effect& effect);
+std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
+
 // What the sensor at this segment reads.
 double reading(const Model& model, const Segment& segment, double tension_N);
 

@@ -2,39 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace reeve {
 namespace {
 
 constexpr double tolerance = 1e-10;
-constexpr int full_steps = 30;
-constexpr int most_steps = 200;
+constexpr double growth = 1.05;
+constexpr int most_steps = 1000;
 
 template <typename T>
-std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::size_t>& from) {
+void gather(std::vector<T>& values, const std::vector<std::size_t>& from) {
   std::vector<T> result;
   result.reserve(from.size());
   for (const std::size_t i : from) result.push_back(values[i]);
-  return result;
+  values = std::move(result);
 }
 
 }  // namespace
 
-ModelSolver::ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
-                         const Network& network) {
+ModelSolver::ModelSolver(const Model& model) : model_(&model) {
   for (const Effect& effect : model.effects) {
     const Reach reach = effect.cause->reach();
     if (reach == Reach::load) depends_on_load_ = true;
     if (reach == Reach::load || reach == Reach::conditions) exponent_effects_.push_back(&effect);
   }
-  plain_ = mechanics(network, hardware);
+}
+
+ModelSolver::ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
+                         const Network& network)
+    : ModelSolver(model) {
+  set_routing(word, network, mechanics(network, hardware));
+}
+
+void ModelSolver::set_routing(const std::string& word, const Network& network,
+                              const Mechanics& plain) {
+  plain_ = plain;
   seized_.network = network;
-  const std::vector<std::size_t> contacts = seized_contacts(model, word, network);
+  const std::vector<std::size_t> contacts = seized_contacts(*model_, word, network);
   if (!contacts.empty()) {
     seized_ = seize(network, contacts);
-    plain_.length = gathered(plain_.length, seized_.segment_from);
-    plain_.phi = gathered(plain_.phi, seized_.contact_from);
-    plain_.decay = gathered(plain_.decay, seized_.contact_from);
+    gather(plain_.length, seized_.segment_from);
+    gather(plain_.phi, seized_.contact_from);
+    gather(plain_.decay, seized_.contact_from);
   }
   mechanics_ = plain_;
   left_.assign(network.contacts.size(), 0);
@@ -58,8 +68,13 @@ double ModelSolver::exponent(std::size_t contact, double high_N,
   return std::clamp(phi, 0.0, max_exponent);
 }
 
-// Moves each exponent by this share of the way to where it should be; the greatest way there was.
-double ModelSolver::change_exponents(const Conditions& conditions, double share) {
+void ModelSolver::restart_steps() {
+  share_.assign(plain_.phi.size(), 1.0);
+  way_.assign(plain_.phi.size(), 0.0);
+}
+
+// Moves each exponent by its share of the way to where it should be; the greatest way there was.
+double ModelSolver::change_exponents(const Conditions& conditions) {
   double greatest = 0;
   for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
     const double high =
@@ -69,7 +84,9 @@ double ModelSolver::change_exponents(const Conditions& conditions, double share)
     const double wanted = exponent(k, high, conditions);
     const double way = wanted - mechanics_.phi[k];
     greatest = std::max(greatest, std::abs(way) / (tolerance + wanted));
-    mechanics_.phi[k] += share * way;
+    share_[k] = way * way_[k] < 0 ? share_[k] / 2 : std::min(1.0, share_[k] * growth);
+    way_[k] = way;
+    mechanics_.phi[k] += share_[k] * way;
     mechanics_.decay[k] = std::exp(-mechanics_.phi[k]);
   }
   return greatest;
@@ -84,15 +101,15 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
   if (!exponent_effects_.empty()) {
     state_.tension.clear();
     mechanics_ = plain_;
-    change_exponents(conditions, 1);
+    restart_steps();
+    change_exponents(conditions);
+    restart_steps();
   }
   solve_once();
   if (depends_on_load_) {
     converged_ = false;
-    double share = 1;
     for (int step = 0; step < most_steps && !converged_; ++step) {
-      if (step > 0 && step % full_steps == 0) share /= 2;
-      converged_ = change_exponents(conditions, share) < tolerance;
+      converged_ = change_exponents(conditions) < tolerance;
       solve_once();
     }
   }

@@ -5,7 +5,9 @@
 // one depends on the tension, tensions and exponents are solved in turn until the exponents no
 // longer change (to 1e-10, relative). Behind a motor-side segment a contact's exponent depends on
 // those before it only, so that this ends after about as many rounds as there are contacts in a
-// row; if it does not, steps are halved.
+// row. Where the tension falls towards the motor (release), a higher exponent raises the tension on
+// which it depends, and a force lowers it in return, by F / T_low: an exponent that turns back goes
+// only half as far the next time.
 #pragma once
 
 #include <string>
@@ -18,10 +20,18 @@
 
 namespace reeve {
 
-// One routing under one model, in any grasp and under any conditions. Keeps its memory.
+// One routing after the other under one model, in any grasp and under any conditions. Keeps its
+// memory: but for routings with a seized contact, nothing is allocated in the steady state.
 class ModelSolver {
  public:
-  // `model` is kept by reference; `word` says which routing the effects on routings mean.
+  // `model` is kept by reference.
+  explicit ModelSolver(const Model& model);
+
+  // `word` says which routing the effects on routings mean; `plain` is what the effective hardware
+  // makes of the network.
+  void set_routing(const std::string& word, const Network& network, const Mechanics& plain);
+
+  // For one routing alone.
   // `hardware` is the effective one (a row's own sheath angle is in it already).
   ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
               const Network& network);
@@ -33,9 +43,11 @@ class ModelSolver {
   bool converged() const { return converged_; }
 
  private:
-  double change_exponents(const Conditions& conditions, double share);
+  double change_exponents(const Conditions& conditions);
+  void restart_steps();
   double exponent(std::size_t contact, double high_N, const Conditions& conditions) const;
 
+  const Model* model_;
   std::vector<const Effect*> exponent_effects_;
   bool depends_on_load_ = false;
   SeizedNetwork seized_;
@@ -43,6 +55,8 @@ class ModelSolver {
   Mechanics mechanics_;
   std::vector<std::size_t> left_;  // of each contact; equal to right_ if it is seized
   std::vector<std::size_t> right_;
+  std::vector<double> share_;  // of the way to its new value that an exponent goes in a step
+  std::vector<double> way_;    // in the last step
   TensionSolver solver_;
   TensionState state_;
   TensionState restored_;

@@ -27,6 +27,7 @@ class SeizedContact final : public Cause {
     }
     return subjects;
   }
+  SubjectKind subject_kind() const override { return SubjectKind::contact; }
   std::string subject_name(const Subject& subject) const override {
     return subject.routing + "," + subject.contact;
   }

@@ -20,6 +20,7 @@ class SensorOffset final : public Cause {
   std::vector<Subject> subjects(const Survey& survey) const override {
     return channel_subjects(survey);
   }
+  SubjectKind subject_kind() const override { return SubjectKind::channel; }
   std::string subject_name(const Subject& subject) const override {
     return reeve::name(*subject.channel);
   }

@@ -37,6 +37,7 @@ class SheathAngle final : public Cause {
     }
     return subjects;
   }
+  SubjectKind subject_kind() const override { return SubjectKind::finger; }
   std::string subject_name(const Subject& subject) const override {
     return std::to_string(subject.finger);
   }

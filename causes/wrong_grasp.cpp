@@ -24,6 +24,7 @@ class WrongGrasp final : public Cause {
     }
     return subjects;
   }
+  SubjectKind subject_kind() const override { return SubjectKind::grasp; }
   std::string subject_name(const Subject& subject) const override { return subject.routing; }
   Grasp actual_grasp(const std::string& routing, Grasp recorded,
                      const Effect& effect) const override {

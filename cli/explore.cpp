@@ -30,7 +30,7 @@ struct ExploreFlags {
   std::string shard = "1/1";
   std::size_t top = 1000;
   std::string out = "out/explore";
-  HardwareOption hardware;
+  ModelOption model;
   FormatOption format;
 };
 
@@ -43,16 +43,15 @@ void require_fingers(const Hardware& hardware, int fingers) {
   }
 }
 
-ExploreOptions options(const ExploreFlags& flags, const Hardware& hardware,
-                       const Catalogue& catalogue) {
+ExploreOptions options(const ExploreFlags& flags, const Model& model, const Catalogue& catalogue) {
   ExploreOptions options;
   options.generator = flags.generator.read();
   // Says early, before anything is written, if there are too many to count.
   for_option(fmt::format("--fingers {}: ", flags.generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
-  require_fingers(hardware, options.generator.fingers);
+  require_fingers(model.hardware, options.generator.fingers);
   options.shard = parse_shard(flags.shard);
-  options.hardware = hardware;
+  options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.objectives = parse_objectives(flags.ranking.objectives);
   for (const std::string& text : flags.constraints) {
@@ -80,10 +79,10 @@ void write_files(const ExploreReport& report, const std::filesystem::path& direc
   write_file(directory / "summary.json", explore_summary_json(report));
 }
 
-UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const HardwareFile& hardware,
+UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
-  return {hardware.hardware,   hardware.uncertainty, options.grasps,       options.objectives,
-          flags.ranking.draws, flags.ranking.seed,   flags.ranking.threads};
+  return {file.model,          file.uncertainty,   options.grasps,       options.objectives,
+          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads};
 }
 
 ExploreResult explore_supervised(const ExploreOptions& options, const std::atomic<bool>& stop) {
@@ -102,9 +101,9 @@ std::optional<std::vector<RankDistribution>> draw(const ExploreResult& result,
 
 int run(const ExploreFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
-  const HardwareFile hardware = flags.hardware.read();
-  const ExploreOptions explore_options = options(flags, hardware.hardware, catalogue);
-  const UncertaintyOptions uncertainty = uncertainty_options(flags, hardware, explore_options);
+  const ModelFile file = flags.model.read();
+  const ExploreOptions explore_options = options(flags, file.model, catalogue);
+  const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   prepare_directory(flags.out, "--out");
   const std::atomic<bool>& stop = stop_on_interrupt();
@@ -150,7 +149,7 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")
       ->capture_default_str();
-  flags->hardware.add_to(*command);
+  flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json"});
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

@@ -53,17 +53,36 @@ std::string not_negative(const std::string& text) {
              : "Value " + text + " is negative: expected a whole number from 0";
 }
 
-void HardwareOption::add_to(CLI::App& command) {
+CLI::Option* HardwareOption::add_to(CLI::App& command) {
   option_ =
       command.add_option("--hardware", file_,
                          "TOML file with friction coefficients, angles and lengths (default: the "
                          "paper's; see catalog/hardware/example.toml)");
+  return option_;
 }
 
 HardwareFile HardwareOption::read() const {
   if (option_->count() == 0) return {};
   if (file_.empty()) throw InputError("--hardware '': expected a TOML file");
   return read_hardware_file(file_);
+}
+
+void ModelOption::add_to(CLI::App& command) {
+  CLI::Option* hardware = hardware_.add_to(command);
+  option_ = command
+                .add_option("--model", file_,
+                            "TOML file with a hardware and with effects beyond the plain friction "
+                            "model; see catalog/model/example.toml")
+                ->excludes(hardware);
+}
+
+ModelFile ModelOption::read() const {
+  if (option_->count() > 0) {
+    if (file_.empty()) throw InputError("--model '': expected a TOML file");
+    return read_model_file(file_);
+  }
+  const HardwareFile file = hardware_.read();
+  return {{file.hardware}, file.uncertainty};
 }
 
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {

@@ -8,6 +8,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "catalog/hardware_file.hpp"
+#include "catalog/model_file.hpp"
 #include "core/error.hpp"
 #include "search/generator.hpp"
 #include "search/objectives.hpp"
@@ -35,10 +36,21 @@ auto for_option(const std::string& option, Read read) {
 std::string not_negative(const std::string& text);
 
 struct HardwareOption {
-  void add_to(CLI::App& command);
+  CLI::Option* add_to(CLI::App& command);
   HardwareFile read() const;  // the paper's hardware if no file is given
 
  private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
+// --hardware or --model; the paper's hardware and no effect if neither is given.
+struct ModelOption {
+  void add_to(CLI::App& command);
+  ModelFile read() const;
+
+ private:
+  HardwareOption hardware_;
   std::string file_;
   CLI::Option* option_ = nullptr;
 };

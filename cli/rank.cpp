@@ -27,7 +27,7 @@ struct RankFlags {
   int fingers = 2;
   bool margin = false;
   RankingFlags ranking;
-  HardwareOption hardware;
+  ModelOption model;
   FormatOption format;
 };
 
@@ -78,24 +78,29 @@ void require_the_two_means(std::vector<Objective> objectives) {
 int run(const RankFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const std::vector<Routing> given = routings(flags, catalogue);
-  const HardwareFile hardware = flags.hardware.read();
-  require_contacts_to_match(hardware.hardware, given);
+  const auto [model, uncertainty] = flags.model.read();
+  require_contacts_to_match(model.hardware, given);
   RankReport report;
   report.objectives = parse_objectives(flags.ranking.objectives);
   if (flags.margin) require_the_two_means(report.objectives);
   report.grasps = flags.ranking.read_grasps(finger_count(given.front()));
-  report.hardware = hardware.hardware;
-  DesignEvaluator evaluator(hardware.hardware, report.grasps);
+  report.model = model;
+  DesignEvaluator evaluator(model, report.grasps);
   std::vector<Design> designs;
   for (const Routing& routing : given) {
     designs.push_back({to_word(routing), evaluator.evaluate(routing)});
   }
+  report.unconverged = evaluator.unconverged();
   const std::vector<RankedDesign> ranked = rank(designs, report.objectives);
   std::vector<RankDistribution> distributions;
   if (flags.ranking.uncertainty) {
-    report.uncertainty = UncertaintyOptions{
-        hardware.hardware,   hardware.uncertainty, report.grasps,        report.objectives,
-        flags.ranking.draws, flags.ranking.seed,   flags.ranking.threads};
+    report.uncertainty = UncertaintyOptions{model,
+                                            uncertainty,
+                                            report.grasps,
+                                            report.objectives,
+                                            flags.ranking.draws,
+                                            flags.ranking.seed,
+                                            flags.ranking.threads};
     ProgressLine progress("drawing");
     const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
                                           {std::ref(progress), &stop_on_interrupt()});
@@ -103,7 +108,7 @@ int run(const RankFlags& flags) {
     distributions = *drawn;
   }
   if (flags.margin) {
-    MarginOptions options{hardware.hardware, hardware.uncertainty, report.grasps};
+    MarginOptions options{model, uncertainty, report.grasps};
     options.threads = flags.ranking.threads;
     report.margins = margins(ranked, options, {{}, &stop_on_interrupt()});
     if (!report.margins) throw Interrupted();
@@ -136,7 +141,7 @@ void add_rank(CLI::App& program, int& exit_code) {
                     "Search the ranges of the coefficients for where the first design's lead over "
                     "each other one is least");
   flags->ranking.add_to(*command);
-  flags->hardware.add_to(*command);
+  flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json", "csv"});
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "causes/model_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "core/canonical.hpp"
@@ -19,7 +20,7 @@ struct ShowFlags {
   std::string routing;
   std::vector<std::string> held;
   std::string direction = "pull";
-  HardwareOption hardware;
+  ModelOption model;
   FormatOption format;
 };
 
@@ -39,23 +40,24 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
 ShowReport report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
-  const Hardware hardware = flags.hardware.read().hardware;
   ShowReport report;
+  report.model = flags.model.read().model;
   report.word = to_word(routing);
   report.canonical = to_word(canonical(routing, FingerIdentity::identical));
   report.name = name_of(catalogue, report.word);
   report.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   report.network = expand(routing);
-  require_contacts_to_match(hardware, {routing});
-  const Mechanics mechanics = reeve::mechanics(report.network, hardware);
+  require_contacts_to_match(report.model.hardware, {routing});
+  ModelSolver solver(report.model, effective_hardware(report.model), report.word, report.network);
   const GraspSet grasps = cli::grasps(flags, report.network.fingers);
   for (const WeightedGrasp& weighted : grasps) {
-    const TensionState state =
-        tensions(report.network, mechanics, weighted.grasp, report.direction);
+    const TensionState& state =
+        solver.solve(weighted.grasp, report.direction, report.model.conditions);
+    if (!solver.converged()) ++report.unconverged;
     report.grasps.push_back(
         {weighted.grasp, state, performance(report.network, state, report.direction)});
   }
-  report.values = DesignEvaluator(hardware, grasps).evaluate(routing);
+  report.values = DesignEvaluator(report.model, grasps).evaluate(routing);
   return report;
 }
 
@@ -94,7 +96,7 @@ void add_show(CLI::App& program, int&) {
   command->add_option("--direction", flags->direction, "Which way the carriage moves")
       ->check(CLI::IsMember({"pull", "release"}))
       ->capture_default_str();
-  flags->hardware.add_to(*command);
+  flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json", "dot"});
   command->callback([flags] { run(*flags); });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/model_text.hpp"
 #include "reports/names.hpp"
 #include "reports/text_table.hpp"
 
@@ -96,7 +97,8 @@ Json explore_settings(const ExploreReport& report) {
   for (const Constraint& constraint : options.constraints) {
     json["constraints"].push_back(constraint.text);
   }
-  json.update(settings_json(options.objectives, options.grasps, options.hardware));
+  json.update(
+      settings_json(options.objectives, options.grasps, options.model, report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   return json;
 }
@@ -124,6 +126,7 @@ std::string explore_table(const ExploreReport& report) {
   const std::string note = partial_note(report);
   if (!note.empty()) text += "PARTIAL: " + note + "\n";
   for (const std::string& line : notes(report)) text += "Note: " + line + "\n";
+  text += model_text(report.options.model, report.result.unconverged);
   text += "Uniformity and efficiency are given as mean/worst over the grasps " +
           to_text(report.options.grasps) + "\n\n" + front_text(report);
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
@@ -133,8 +136,9 @@ std::string explore_table(const ExploreReport& report) {
 
 std::vector<std::string> notes(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
+  const Hardware hardware = effective_hardware(options.model);
   const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
-                     options.hardware.fingers.empty() && options.hardware.contacts.empty();
+                     hardware.fingers.empty() && hardware.contacts.empty();
   if (alike || options.generator.identity == FingerIdentity::distinct) return {};
   return {
       "the grasps or the hardware tell the fingers apart, but routings were listed for identical "

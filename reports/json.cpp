@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/version.hpp"
+#include "reports/model_text.hpp"
 
 namespace reeve {
 namespace {
@@ -79,7 +80,7 @@ std::string objective_names(const std::vector<Objective>& objectives) {
 }
 
 Json settings_json(const std::vector<Objective>& objectives, const GraspSet& grasps,
-                   const Hardware& hardware) {
+                   const Model& model, std::uint64_t unconverged) {
   Json json;
   json["objectives"] = Json::array();
   for (const Objective objective : objectives) json["objectives"].push_back(row(objective).name);
@@ -87,7 +88,8 @@ Json settings_json(const std::vector<Objective>& objectives, const GraspSet& gra
   for (const WeightedGrasp& grasp : grasps) {
     json["grasps"].push_back({{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}});
   }
-  json["hardware"] = to_json(hardware);
+  json["hardware"] = to_json(model.hardware);
+  json["model"] = model_json(model, unconverged);
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "search/objectives.hpp"
@@ -27,9 +28,9 @@ void add_objectives(Json& target, const ObjectiveValues& values);
 Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
 
-// {"objectives","grasps","hardware"}
+// {"objectives","grasps","hardware","model"}
 Json settings_json(const std::vector<Objective>& objectives, const GraspSet& grasps,
-                   const Hardware& hardware);
+                   const Model& model, std::uint64_t unconverged);
 
 std::string objective_names(const std::vector<Objective>& objectives);
 

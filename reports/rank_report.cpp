@@ -1,6 +1,7 @@
 #include "reports/rank_report.hpp"
 
 #include "reports/json.hpp"
+#include "reports/model_text.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
@@ -45,14 +46,16 @@ Json margins_json(const std::vector<Margin>& margins) {
 }  // namespace
 
 std::string rank_table(const RankReport& report) {
-  return "Front by front over " + objective_names(report.objectives) +
+  return model_text(report.model, report.unconverged) + "Front by front over " +
+         objective_names(report.objectives) +
          "; uniformity and efficiency as mean/worst over the grasps " + to_text(report.grasps) +
          "\n\n" + design_table(report.designs) + margin_text(report);
 }
 
 std::string rank_json(const RankReport& report) {
   Json json{{"designs", to_json(report.designs)},
-            {"settings", settings_json(report.objectives, report.grasps, report.hardware)}};
+            {"settings",
+             settings_json(report.objectives, report.grasps, report.model, report.unconverged)}};
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   if (report.margins) json["margins"] = margins_json(*report.margins);

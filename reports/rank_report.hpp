@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
 #include "reports/design_list.hpp"
 #include "search/margin.hpp"
 #include "search/objectives.hpp"
@@ -17,7 +17,8 @@ struct RankReport {
   std::vector<ListedDesign> designs;
   std::vector<Objective> objectives;
   GraspSet grasps;
-  Hardware hardware;
+  Model model;
+  std::uint64_t unconverged = 0;  // tension solves
   // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;

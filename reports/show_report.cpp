@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/json.hpp"
+#include "reports/model_text.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
@@ -54,6 +55,12 @@ std::string heading(const ShowReport& report) {
   std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
   if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
   return text;
+}
+
+// Friction that depends on the load makes the motor tension matter.
+std::string unit_text(const ShowReport& report) {
+  if (report.model.effects.empty()) return "at motor tension 1";
+  return fmt::format("over the motor tension of {:.6g} N", report.model.conditions.motor_tension_N);
 }
 
 std::string held_text(const ShownGrasp& shown) {
@@ -124,11 +131,11 @@ std::string objective_lines(const ObjectiveValues& values) {
 
 std::string show_table(const ShowReport& report) {
   return fmt::format(
-      "{}\n\nTensions at motor tension 1, {}\n{}\nShares of the strands, %\n{}\nSliding\n{}\n"
+      "{}\n{}\nTensions {}, {}\n{}\nShares of the strands, %\n{}\nSliding\n{}\n"
       "Over these grasps, pulling\n{}",
-      heading(report), report.direction == Direction::pull ? "pulling" : "releasing",
-      tension_table(report), share_table(report), contact_table(report),
-      objective_lines(report.values));
+      heading(report), model_text(report.model, report.unconverged), unit_text(report),
+      report.direction == Direction::pull ? "pulling" : "releasing", tension_table(report),
+      share_table(report), contact_table(report), objective_lines(report.values));
 }
 
 std::string show_json(const ShowReport& report) {
@@ -141,6 +148,7 @@ std::string show_json(const ShowReport& report) {
     json["grasps"].push_back(grasp_json(report.network, shown));
   }
   add_objectives(json, report.values);
+  json["model"] = model_json(report.model, report.unconverged);
   return print(json);
 }
 

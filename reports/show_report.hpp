@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/network.hpp"
 #include "core/performance.hpp"
@@ -23,6 +24,8 @@ struct ShowReport {
   std::string canonical;
   std::string name;  // "" if it has none
   Direction direction = Direction::pull;
+  Model model;
+  std::uint64_t unconverged = 0;  // tension solves
   Network network;
   std::vector<ShownGrasp> grasps;
   ObjectiveValues values{};  // over these grasps

@@ -31,4 +31,8 @@ Hardware at_point(const Hardware& nominal, const std::vector<double>& point) {
   return hardware;
 }
 
+Model at_point(const Model& nominal, const std::vector<double>& point) {
+  return {at_point(nominal.hardware, point), nominal.effects, nominal.conditions};
+}
+
 }  // namespace reeve

@@ -2,11 +2,16 @@
 // sheaths. A point of it holds for all parts of a kind at once (one spool of liner, one sort of
 // bearing); what the hardware file sets for single fingers or contacts stays as it is. The ranges
 // of mu are widened to hold the nominal values, if need be.
+//
+// Of a model it is the hardware that varies, and the effects act on what comes out: they were found
+// on a rig and are taken as known. So a coefficient that an effect replaces (tube_friction) does
+// not vary, and one that it adds to or scales does.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "numerics/minimise.hpp"
@@ -19,5 +24,6 @@ CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges&
 
 // `point` has one value for each interval of the box.
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point);
+Model at_point(const Model& nominal, const std::vector<double>& point);
 
 }  // namespace reeve

@@ -3,27 +3,52 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/notation.hpp"
+
 namespace reeve {
 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
-    : builder_(hardware), grasps_(std::move(grasps)) {}
+    : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
+
+DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps)
+    : model_(std::make_shared<const Model>(model)),
+      needs_word_(reaches(model, Reach::contact)),
+      builder_(effective_hardware(model)),
+      grasps_(std::move(grasps)) {
+  if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
+    model_solver_.emplace(*model_);
+  }
+}
+
+const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+  if (!model_solver_) {
+    solver_.solve(network_, mechanics_, grasp, direction, state_);
+    return state_;
+  }
+  const TensionState& state = model_solver_->solve(grasp, direction, model_->conditions);
+  if (!model_solver_->converged()) ++unconverged_;
+  return state;
+}
 
 GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, Extent extent) {
   GraspOutcome outcome;
   outcome.weight = grasp.weight;
-  solver_.solve(network_, mechanics_, grasp.grasp, Direction::pull, state_);
-  outcome.jams = state_.jams;
-  outcome.pull = performance(network_, state_);
+  const TensionState& pulled = solve(grasp.grasp, Direction::pull);
+  outcome.jams = pulled.jams;
+  outcome.pull = performance(network_, pulled);
   if (extent == Extent::pulling) return outcome;
-  solver_.solve(network_, mechanics_, grasp.grasp, Direction::release, state_);
+  const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.return_friction =
-      return_friction(outcome.pull, performance(network_, state_, Direction::release));
+      return_friction(outcome.pull, performance(network_, released, Direction::release));
   return outcome;
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, Extent extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
+  if (model_solver_) {
+    model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
+  }
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);

@@ -38,7 +38,7 @@ class Exploration {
         constraint_failures_(options.constraints.size(), 0),
         needs_release_(judges_return_friction(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      evaluators_.emplace_back(options.hardware, options.grasps);
+      evaluators_.emplace_back(options.model, options.grasps);
     }
     for (const Routing& routing : options.references) {
       references_.push_back(
@@ -155,6 +155,9 @@ class Exploration {
     }
     place_references(content.ranked);
     result.references = references_;
+    for (const DesignEvaluator& evaluator : evaluators_) {
+      result.unconverged += evaluator.unconverged();
+    }
     return result;
   }
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
-#include "core/hardware.hpp"
 #include "search/generator.hpp"
 #include "search/objectives.hpp"
 #include "search/ranking.hpp"
@@ -30,7 +30,7 @@ Shard parse_shard(const std::string& text);
 struct ExploreOptions {
   GeneratorOptions generator;
   Shard shard;
-  Hardware hardware;
+  Model model;
   GraspSet grasps;
   std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
   std::vector<Constraint> constraints;
@@ -74,6 +74,7 @@ struct ExploreResult {
   std::vector<RankedDesign> front;
   std::vector<RankedDesign> top;
   std::uint64_t front_equals_left_out = 0;
+  std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;
 };
 

@@ -9,21 +9,22 @@
 namespace reeve {
 namespace {
 
-double product(const Routing& routing, const Hardware& hardware, const GraspSet& grasps) {
-  return uniformity_times_efficiency(DesignEvaluator(hardware, grasps).evaluate(routing));
+double product(const Routing& routing, const Model& model, const GraspSet& grasps) {
+  return uniformity_times_efficiency(DesignEvaluator(model, grasps).evaluate(routing));
 }
 
 Margin margin(const Routing& first, const Design& other, const MarginOptions& options) {
   const Routing challenger = parse_routing(other.word);
-  const auto lead = [&](const Hardware& hardware) {
-    return product(first, hardware, options.grasps) - product(challenger, hardware, options.grasps);
+  const auto lead = [&](const Model& model) {
+    return product(first, model, options.grasps) - product(challenger, model, options.grasps);
   };
-  const CoefficientBox box = coefficient_box(options.nominal, options.ranges);
+  const CoefficientBox box = coefficient_box(options.nominal.hardware, options.ranges);
   const std::vector<Interval> intervals(box.begin(), box.end());
   const Minimum least = minimise(
       [&](const std::vector<double>& point) { return lead(at_point(options.nominal, point)); },
       intervals, options.evaluations);
-  return {other.word, lead(options.nominal), least.value, at_point(options.nominal, least.at)};
+  return {other.word, lead(options.nominal), least.value,
+          effective_hardware(at_point(options.nominal, least.at))};
 }
 
 }  // namespace

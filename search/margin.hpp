@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
@@ -22,11 +23,11 @@ struct Margin {
   std::string challenger;  // word of the other design
   double nominal_lead = 0;
   double least_lead = 0;
-  Hardware at;  // the coefficients of the least lead
+  Hardware at;  // the coefficients of the least lead, effects on them included
 };
 
 struct MarginOptions {
-  Hardware nominal;
+  Model nominal;
   UncertaintyRanges ranges;
   GraspSet grasps;
   int evaluations = 1000;  // for each challenger and each of two stages

@@ -16,10 +16,10 @@
 namespace reeve {
 namespace {
 
-// The ranks of the designs, in their order, for one draw of the hardware.
+// The ranks of the designs, in their order, for one draw of the model.
 std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings, std::vector<Design> designs,
-                                 const Hardware& hardware, const UncertaintyOptions& options) {
-  DesignEvaluator evaluator(hardware, options.grasps);
+                                 const Model& model, const UncertaintyOptions& options) {
+  DesignEvaluator evaluator(model, options.grasps);
   std::unordered_map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < designs.size(); ++i) {
     designs[i].values = evaluator.evaluate(routings[i]);
@@ -49,9 +49,9 @@ RankDistribution distribution(std::vector<std::uint32_t> ranks) {
 
 }  // namespace
 
-Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw) {
+Model draw_model(const UncertaintyOptions& options, std::uint64_t draw) {
   std::vector<double> point;
-  for (const Interval& interval : coefficient_box(options.nominal, options.ranges)) {
+  for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {
     const auto quantity = static_cast<std::uint32_t>(point.size());
     const double share = uniform(options.seed, quantity, draw);
     point.push_back(interval.low + (interval.high - interval.low) * share);
@@ -68,11 +68,11 @@ void validate(const UncertaintyOptions& options, std::size_t designs) {
         options.draws, designs, most));
   }
   std::vector<double> highest;
-  for (const Interval& interval : coefficient_box(options.nominal, options.ranges)) {
+  for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {
     highest.push_back(interval.high);
   }
   try {
-    validate(at_point(options.nominal, highest));
+    validate(effective_hardware(at_point(options.nominal, highest)));
   } catch (const InputError& error) {
     throw InputError(std::string("at the upper end of the uncertainty's ranges: ") + error.what());
   }
@@ -92,7 +92,7 @@ std::optional<std::vector<RankDistribution>> rank_distributions(const std::vecto
     const std::size_t size = std::min(slice, options.draws - begin);
     workers.for_each_block(size, 1, [&](const IndexBlock& block) {
       for (std::size_t d = begin + block.begin; d < begin + block.end; ++d) {
-        by_draw[d] = ranks(routings, designs, draw_hardware(options, d), options);
+        by_draw[d] = ranks(routings, designs, draw_model(options, d), options);
       }
     });
     if (supervision.report) supervision.report({begin + size, options.draws});

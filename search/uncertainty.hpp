@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
@@ -17,7 +18,7 @@
 namespace reeve {
 
 struct UncertaintyOptions {
-  Hardware nominal;
+  Model nominal;
   UncertaintyRanges ranges;
   GraspSet grasps;
   std::vector<Objective> objectives;
@@ -33,8 +34,9 @@ struct RankDistribution {
   double high = 0;  // 95 % quantile
 };
 
-// The hardware of draw number `draw`: a function of seed and number alone.
-Hardware draw_hardware(const UncertaintyOptions& options, std::uint64_t draw);
+// The model of draw number `draw`: a function of seed and number alone. Its effects are the nominal
+// ones, its hardware is drawn (coefficient_box.hpp).
+Model draw_model(const UncertaintyOptions& options, std::uint64_t draw);
 
 // Throws InputError if the upper end of the ranges is out of the range of the hardware, or if draws
 // and designs together are more than memory should hold.

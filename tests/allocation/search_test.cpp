@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "causes/library.hpp"
 #include "search/evaluation.hpp"
 #include "search/generator.hpp"
 #include "tests/allocation/allocations.hpp"
@@ -26,10 +27,8 @@ std::vector<Routing> actuated() {
   return routings;
 }
 
-TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
-  const std::vector<Routing> routings = actuated();
-  ASSERT_GT(routings.size(), 20000U);
-  DesignEvaluator evaluator(Hardware{}, single_grasps(5));
+void expect_no_allocation_once_warm(const Model& model, const std::vector<Routing>& routings) {
+  DesignEvaluator evaluator(model, single_grasps(5));
   double sum = 0;
   const auto pass = [&] {
     for (const Routing& routing : routings) {
@@ -42,6 +41,21 @@ TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
   EXPECT_LT(warming, 1000U);
   EXPECT_EQ(warm, 0U) << "for " << routings.size() << " routings";
   EXPECT_GT(sum, 0);
+}
+
+TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
+  const std::vector<Routing> routings = actuated();
+  ASSERT_GT(routings.size(), 20000U);
+  expect_no_allocation_once_warm(Model{}, routings);
+}
+
+TEST_F(Allocation, HappensInNoEvaluationUnderAModelEither) {
+  Model model;
+  add_effect(model, {find_cause("load_dependent_friction"), {}, {0.1}});
+  add_effect(model, {find_cause("wear"), {}, {0.1, 100}});
+  std::vector<Routing> routings = actuated();
+  routings.resize(2000);
+  expect_no_allocation_once_warm(model, routings);
 }
 
 TEST_F(Allocation, HappensInNoGenerationOnceTheGeneratorIsWarm) {

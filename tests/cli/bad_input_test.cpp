@@ -98,6 +98,21 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
   });
 }
 
+TEST(BadModel, IsNamedWithFileLineAndColumn) {
+  const std::string cause = "cause.toml:2:9: effect[1].cause = \"rust\": expected one of tube_";
+  expect_all_bad({
+      show_tr1({"--model", "missing.toml"}, "missing.toml: cannot be read: No such file"),
+      show_tr1({"--model", ""}, "--model '': expected a TOML file"),
+      show_tr1({"--model", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
+      show_tr1({"--model", "cause.toml"}, cause),
+      show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:1: unknown key 'effect'"),
+      show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
+      show_tr1({"--model", "contact.toml"}, "hardware: contact 'a-T9'"),
+      explore({"--model", "cause.toml"}, cause),
+      {{"rank", "TR1", "--model", "cause.toml"}, cause, {}},
+  });
+}
+
 TEST(EmptyHardwareFile, IsThePapersHardware) {
   const TemporaryFolder folder;
   fill(folder);

@@ -46,6 +46,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("type.toml", "[tube]\nmu = \"smooth\"\n");
   folder.write("syntax.toml", "[tube\n");
   folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
+  folder.write("cause.toml", "[[effect]]\ncause = \"rust\"\n");
   folder.write("ok.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("residuals.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("cell.csv", "run,routing,T1_N\nA,TR1,x\n");

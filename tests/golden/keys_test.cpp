@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction";
-const std::string common_settings = "objectives grasps hardware uncertainty";
+const std::string common_settings = "objectives grasps hardware model uncertainty";
 
 Json json_of(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"--format", "json"});
@@ -49,7 +50,8 @@ void expect_settings(const Json& settings) {
 
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
-  EXPECT_EQ(keys(json), "routing name canonical direction grasps" + objectives);
+  EXPECT_EQ(keys(json), "routing name canonical direction grasps" + objectives + " model");
+  EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
   EXPECT_EQ(keys(json["grasps"][0]["tensions"]), "a T1 T2 b c T3 T4 d");
@@ -76,6 +78,26 @@ TEST(KeysOfRank, AreThePromisedOnes) {
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
   expect_pair(json["designs"][0]);
   expect_settings(json["settings"]);
+}
+
+const std::string example_model =
+    (std::filesystem::path(REEVE_CATALOG_DIR) / "model" / "example.toml").string();
+
+void expect_model(const Json& model) {
+  EXPECT_EQ(keys(model), "effects conditions unconverged");
+  EXPECT_EQ(keys(model["effects"][0]), "cause subject values in_designs");
+  EXPECT_EQ(model["effects"][0]["cause"], "tube_friction");
+  EXPECT_EQ(model["effects"][0]["values"].dump(), R"({"mu":0.09})");
+  EXPECT_EQ(model["effects"][2]["subject"].dump(), R"({"finger":2})");
+  EXPECT_EQ(model["effects"][4]["in_designs"], false);
+  EXPECT_EQ(keys(model["conditions"]), "motor_tension_N speed_mm_s cycle temperature_C");
+  EXPECT_EQ(model["unconverged"], 0);
+}
+
+TEST(KeysOfTheModel, AreThePromisedOnes) {
+  expect_model(json_of({"show", "TR1", "--model", example_model})["model"]);
+  expect_model(json_of({"rank", "TR1", "--model", example_model})["settings"]["model"]);
+  expect_model(summary({"--model", example_model})["settings"]["model"]);
 }
 
 TEST(KeysOfRank, AddADistributionWithUncertainty) {
@@ -232,6 +254,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
   collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
   collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
+  collect(json_of({"rank", "TR5", "--model", example_model}), names);
   collect(summary(), names);
   collect(json_of({"count"}), names);
   collect(json_of({"check"}), names);

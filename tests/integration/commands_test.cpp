@@ -59,6 +59,48 @@ TEST(Show, NamesTheCanonicalWordWhereItIsAnother) {
   EXPECT_EQ(json["name"], "TR1");
 }
 
+const std::string example_model = std::string(REEVE_CATALOG_DIR) + "/model/example.toml";
+
+std::size_t occurrences(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
+  for (const Arguments& command : {Arguments{"show", "TR5"}, Arguments{"rank", "TR5", "TR7"}}) {
+    Arguments arguments = command;
+    arguments.insert(arguments.end(), {"--model", example_model});
+    const ProcessResult result = reeve(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(occurrences(result.out, "Model with tube_friction (mu 0.09), "), 1U);
+    EXPECT_EQ(occurrences(result.out, "Left out, "), 1U);
+    EXPECT_EQ(occurrences(result.out, "sensor_gain[T3] (gain 1.08)"), 1U);
+  }
+  const Explored explored({"--model", example_model});
+  EXPECT_EQ(explored.result.exit_code, 0);
+  EXPECT_EQ(explored.summary()["settings"]["model"]["effects"].size(), 5U);
+}
+
+TEST(Model, WithoutEffectsIsItsHardware) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("m.toml", "[tube]\nmu = 0.1\n").string();
+  const std::string expected = reeve({"show", "TR1", "--hardware", file}).out;
+  EXPECT_EQ(reeve({"show", "TR1", "--model", file}).out, expected);
+}
+
+TEST(Model, SeizesAContactOfTheRoutingThatItNames) {
+  const auto grasp = [](const std::string& routing) {
+    return Json::parse(
+        reeve({"show", routing, "--held", "2", "--model", example_model, "--format", "json"})
+            .out)["grasps"][0];
+  };
+  EXPECT_EQ(grasp("TR5")["tensions"]["T1"], 0);
+  EXPECT_GT(grasp("TR2")["tensions"]["T1"], 0);
+}
+
 TEST(Check, OfTheShippedCatalogueExitsWithZero) {
   const ProcessResult result = reeve({"check"});
   EXPECT_EQ(result.exit_code, 0);
@@ -139,10 +181,10 @@ TEST(Version, NamesReleaseAndCommit) {
 TEST(Help, MentionsEveryOption) {
   const Arguments generator{"--fingers", "--parts", "--tips",
                             "--joins",   "--ends",  "--distinct-fingers"};
-  const Arguments ranking{"--grasps", "--objectives", "--uncertainty", "--draws",
-                          "--seed",   "--threads",    "--hardware",    "--format"};
+  const Arguments ranking{"--grasps",  "--objectives", "--uncertainty", "--draws", "--seed",
+                          "--threads", "--hardware",   "--model",       "--format"};
   std::vector<std::pair<std::string, Arguments>> commands{
-      {"show", {"routing", "--held", "--direction", "--hardware", "--format"}},
+      {"show", {"routing", "--held", "--direction", "--hardware", "--model", "--format"}},
       {"rank", {"routing", "--catalog", "--margin", "--fingers"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},

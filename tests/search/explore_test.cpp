@@ -71,7 +71,7 @@ Naive naive_program(const ExploreOptions& options, std::uint64_t limit = UINT64_
   Naive naive;
   naive.failed.assign(options.constraints.size(), 0);
   RoutingGenerator generator(options.generator);
-  DesignEvaluator evaluator(options.hardware, options.grasps);
+  DesignEvaluator evaluator(options.model, options.grasps);
   for (Routing routing; naive.generated < limit && generator.next(routing);) {
     ++naive.generated;
     if (!is_actuated(routing)) {
@@ -200,7 +200,7 @@ TEST(Explore, AgreesWithANaiveProgram) {
 TEST(Explore, AgreesWithANaiveProgramOnDistinctFingersAndOnOneTendon) {
   ExploreOptions options = options_for(paper_parts(), 3);
   options.generator.identity = FingerIdentity::distinct;
-  options.hardware.fingers.push_back({2, 0.3, {}, 0.1, {}, {}, 2});
+  options.model.hardware.fingers.push_back({2, 0.3, {}, 0.1, {}, {}, 2});
   expect_naive_result(options);
   options = options_for(full_parts(), 3);
   options.generator.one_tendon = true;
@@ -254,7 +254,7 @@ TEST(ExploreThreads, DoNotChangeTheResultOfSeveralBatches) {
 
 TEST(Explore, RefusesHardwareThatCannotBe) {
   ExploreOptions options = options_for(full_parts(), 2);
-  options.hardware.sheath.mu = -1;
+  options.model.hardware.sheath.mu = -1;
   EXPECT_THROW(explore(options), InputError);
 }
 
@@ -405,7 +405,7 @@ TEST(ExploreReferences, NeedNotBeAmongTheRoutings) {
   EXPECT_EQ(stranger.rank, 0U);
   EXPECT_EQ(stranger.front, 0);
   EXPECT_EQ(stranger.design.values,
-            DesignEvaluator(options.hardware, options.grasps).evaluate(options.references[0]));
+            DesignEvaluator(options.model, options.grasps).evaluate(options.references[0]));
   const Goodness own = goodness(stranger.design.values, both);
   const auto dominators = std::count_if(naive.kept.begin(), naive.kept.end(), [&](const Design& d) {
     return dominates(goodness(d.values, both), own);

@@ -23,7 +23,7 @@ std::vector<RankedDesign> ranked(const std::vector<std::string>& words) {
 }
 
 MarginOptions options(const UncertaintyRanges& ranges) {
-  return {Hardware{}, ranges, single_grasps(2), 500, 2};
+  return {Model{}, ranges, single_grasps(2), 500, 2};
 }
 
 double lead(const std::string& a, const std::string& b, const Hardware& hardware) {

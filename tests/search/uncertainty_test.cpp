@@ -47,7 +47,7 @@ UncertaintyOptions options_for(std::size_t draws) {
 
 std::vector<Design> designs_of(const UncertaintyOptions& options,
                                const std::vector<std::string>& words = published()) {
-  return evaluated(words, options.nominal, options.grasps);
+  return evaluated(words, options.nominal.hardware, options.grasps);
 }
 
 std::vector<double> drawn(const Hardware& hardware) {
@@ -84,8 +84,8 @@ std::vector<std::vector<std::size_t>> ranks_by_draw(const std::vector<std::strin
                                                     const UncertaintyOptions& options) {
   std::vector<std::vector<std::size_t>> ranks(words.size());
   for (std::uint64_t draw = 0; draw < options.draws; ++draw) {
-    const std::vector<RankedDesign> ranked =
-        rank(evaluated(words, draw_hardware(options, draw), options.grasps), options.objectives);
+    const std::vector<RankedDesign> ranked = rank(
+        evaluated(words, draw_model(options, draw).hardware, options.grasps), options.objectives);
     for (std::size_t i = 0; i < words.size(); ++i) {
       const auto entry = std::find_if(ranked.begin(), ranked.end(), [&](const RankedDesign& r) {
         return r.design.word == words[i];
@@ -108,14 +108,14 @@ void expect_equal(const std::vector<RankDistribution>& a, const std::vector<Rank
 
 TEST(DrawHardware, StaysWithinItsRangesAndFillsThem) {
   UncertaintyOptions options = options_for(1);
-  options.nominal.bearing.mu = 0.002;
-  const double angle = options.nominal.sheath.angle_rad;
+  options.nominal.hardware.bearing.mu = 0.002;
+  const double angle = options.nominal.hardware.sheath.angle_rad;
   const std::vector<double> low{0.05, 0.05, 0.001, 0.8 * angle};
   const std::vector<double> high{0.20, 0.20, 0.003, 1.2 * angle};
   std::vector<double> least = high;
   std::vector<double> most = low;
   for (std::uint64_t draw = 0; draw < 2000; ++draw) {
-    const std::vector<double> quantities = drawn(draw_hardware(options, draw));
+    const std::vector<double> quantities = drawn(draw_model(options, draw).hardware);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       EXPECT_GE(quantities[q], low[q] * (1 - 1e-12));
       EXPECT_LE(quantities[q], high[q] * (1 + 1e-12));
@@ -134,9 +134,9 @@ TEST(DrawHardware, DrawsTheQuantitiesIndependentlyOfEachOther) {
   constexpr int draws = 4000;
   std::vector<int> above(16, 0);
   for (std::uint64_t draw = 0; draw < draws; ++draw) {
-    const std::vector<double> quantities = drawn(draw_hardware(options, draw));
-    const std::vector<double> middle{0.125, 0.125, options.nominal.bearing.mu,
-                                     options.nominal.sheath.angle_rad};
+    const std::vector<double> quantities = drawn(draw_model(options, draw).hardware);
+    const std::vector<double> middle{0.125, 0.125, options.nominal.hardware.bearing.mu,
+                                     options.nominal.hardware.sheath.angle_rad};
     std::size_t corner = 0;
     for (std::size_t q = 0; q < 4; ++q) corner = 2 * corner + (quantities[q] > middle[q] ? 1 : 0);
     ++above[corner];
@@ -152,7 +152,7 @@ TEST(DrawHardware, IsAFunctionOfSeedAndNumberAlone) {
   others.objectives = {Objective::sheaths};
   others.grasps = paper_grasps();
   for (const std::uint64_t draw : {9U, 3U, 0U, 3U}) {
-    EXPECT_EQ(drawn(draw_hardware(options, draw)), drawn(draw_hardware(others, draw)));
+    EXPECT_EQ(drawn(draw_model(options, draw).hardware), drawn(draw_model(others, draw).hardware));
   }
 }
 
@@ -162,7 +162,7 @@ TEST(DrawHardware, OtherSeedsAndNumbersDrawOtherHardware) {
     UncertaintyOptions options = options_for(1);
     options.seed = seed;
     for (const std::uint64_t draw : {0ULL, 1ULL, 2ULL, 1ULL << 32}) {
-      tubes.insert(draw_hardware(options, draw).tube.mu);
+      tubes.insert(draw_model(options, draw).hardware.tube.mu);
     }
   }
   EXPECT_EQ(tubes.size(), 20U);
@@ -170,16 +170,16 @@ TEST(DrawHardware, OtherSeedsAndNumbersDrawOtherHardware) {
 
 TEST(DrawHardware, LeavesEverythingElseAsItIs) {
   UncertaintyOptions options = options_for(1);
-  options.nominal.tube.angle_rad = 3;
-  options.nominal.strand_mm = 80;
-  options.nominal.fingers.push_back({1, 0.3, {}, 0.25, 5.0, 90.0, 2});
-  options.nominal.contacts.push_back({"T1", "T2", 0.4, {}});
-  const Hardware hardware = draw_hardware(options, 5);
+  options.nominal.hardware.tube.angle_rad = 3;
+  options.nominal.hardware.strand_mm = 80;
+  options.nominal.hardware.fingers.push_back({1, 0.3, {}, 0.25, 5.0, 90.0, 2});
+  options.nominal.hardware.contacts.push_back({"T1", "T2", 0.4, {}});
+  const Hardware hardware = draw_model(options, 5).hardware;
   EXPECT_EQ(hardware.tube.angle_rad, 3);
-  EXPECT_EQ(hardware.bearing.angle_rad, options.nominal.bearing.angle_rad);
+  EXPECT_EQ(hardware.bearing.angle_rad, options.nominal.hardware.bearing.angle_rad);
   EXPECT_EQ(hardware.strand_mm, 80);
-  EXPECT_EQ(hardware.motor_side_mm, options.nominal.motor_side_mm);
-  EXPECT_EQ(hardware.hand_mm, options.nominal.hand_mm);
+  EXPECT_EQ(hardware.motor_side_mm, options.nominal.hardware.motor_side_mm);
+  EXPECT_EQ(hardware.hand_mm, options.nominal.hardware.hand_mm);
   ASSERT_EQ(hardware.fingers.size(), 1U);
   EXPECT_EQ(hardware.fingers[0].tip_mu, 0.3);
   EXPECT_EQ(hardware.fingers[0].sheath_mu, 0.25);
@@ -255,8 +255,8 @@ TEST(Uncertainty, OtherSeedsGiveOtherDistributions) {
 
 TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
   UncertaintyOptions options = options_for(25);
-  options.ranges = {{options.nominal.tube.mu, options.nominal.tube.mu},
-                    {options.nominal.sheath.mu, options.nominal.sheath.mu},
+  options.ranges = {{options.nominal.hardware.tube.mu, options.nominal.hardware.tube.mu},
+                    {options.nominal.hardware.sheath.mu, options.nominal.hardware.sheath.mu},
                     0,
                     0};
   const std::vector<Design> designs = designs_of(options);
@@ -310,12 +310,12 @@ TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
 
 TEST(Uncertainty, WidensTheRangesToHoldWhatTheUserHasInHand) {
   UncertaintyOptions options;
-  options.nominal.tube.mu = 0.30;
-  options.nominal.sheath.mu = 0.02;
+  options.nominal.hardware.tube.mu = 0.30;
+  options.nominal.hardware.sheath.mu = 0.02;
   bool above_the_literature = false;
   bool below_the_literature = false;
   for (std::uint64_t draw = 0; draw < 200; ++draw) {
-    const Hardware hardware = draw_hardware(options, draw);
+    const Hardware hardware = draw_model(options, draw).hardware;
     EXPECT_LE(hardware.tube.mu, 0.30);
     EXPECT_GE(hardware.sheath.mu, 0.02);
     above_the_literature |= hardware.tube.mu > 0.25;
@@ -327,7 +327,7 @@ TEST(Uncertainty, WidensTheRangesToHoldWhatTheUserHasInHand) {
 
 TEST(Uncertainty, RefusesRangesBeyondTheHardwareBeforeDrawing) {
   UncertaintyOptions options;
-  options.nominal.sheath.angle_rad = 50;
+  options.nominal.hardware.sheath.angle_rad = 50;
   try {
     validate(options, 10);
     FAIL() << "accepted";

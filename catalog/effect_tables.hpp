@@ -1,0 +1,17 @@
+// The [[effect]] tables of a model file. Nothing here knows a cause by name: what a table must hold
+// follows from the cause's parameters and from the kind of its subject.
+#pragma once
+
+#include <string>
+
+#include "catalog/toml_node.hpp"
+#include "causes/model.hpp"
+
+namespace reeve {
+
+// Adds the effect to the model, whose hardware must be read already.
+void read_effect(const TomlNode& table, Model& model);
+
+std::string effect_toml(const Effect& effect, const Hardware& hardware);
+
+}  // namespace reeve

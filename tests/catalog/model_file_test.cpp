@@ -1,0 +1,255 @@
+#include "catalog/model_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "causes/library.hpp"
+#include "core/notation.hpp"
+#include "tests/support/random_routing.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::TemporaryFolder;
+using testing::Trial;
+
+ModelFile read(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_model_file(folder.write("m.toml", text));
+}
+
+std::string error_in(const std::string& text) {
+  const TemporaryFolder folder;
+  return folder.error_of([&] { read_model_file(folder.write("m.toml", text)); });
+}
+
+std::string error_in_effect(const std::string& keys) { return error_in("[[effect]]\n" + keys); }
+
+void expect_same(const Subject& a, const Subject& b) {
+  ASSERT_EQ(a.channel.has_value(), b.channel.has_value());
+  if (a.channel) {
+    EXPECT_EQ(name(*a.channel), name(*b.channel));
+  }
+  EXPECT_EQ(a.finger, b.finger);
+  EXPECT_EQ(a.routing, b.routing);
+  EXPECT_EQ(a.contact, b.contact);
+  EXPECT_EQ(a.recorded, b.recorded);
+  EXPECT_EQ(a.actual, b.actual);
+}
+
+void expect_same(const Hardware& a, const Hardware& b) {
+  for (const auto law : {&Hardware::tube, &Hardware::bearing, &Hardware::sheath}) {
+    EXPECT_EQ((a.*law).mu, (b.*law).mu);
+    EXPECT_EQ((a.*law).angle_rad, (b.*law).angle_rad);
+  }
+  EXPECT_EQ(a.strand_mm, b.strand_mm);
+  EXPECT_EQ(a.motor_side_mm, b.motor_side_mm);
+  EXPECT_EQ(a.hand_mm, b.hand_mm);
+  ASSERT_EQ(a.fingers.size(), b.fingers.size());
+  for (std::size_t i = 0; i < a.fingers.size(); ++i) {
+    EXPECT_EQ(a.fingers[i].finger, b.fingers[i].finger);
+    EXPECT_EQ(a.fingers[i].tip_mu, b.fingers[i].tip_mu);
+    EXPECT_EQ(a.fingers[i].tip_angle_rad, b.fingers[i].tip_angle_rad);
+    EXPECT_EQ(a.fingers[i].sheath_mu, b.fingers[i].sheath_mu);
+    EXPECT_EQ(a.fingers[i].sheath_angle_rad, b.fingers[i].sheath_angle_rad);
+    EXPECT_EQ(a.fingers[i].strand_mm, b.fingers[i].strand_mm);
+    EXPECT_EQ(a.fingers[i].closing, b.fingers[i].closing);
+  }
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (std::size_t i = 0; i < a.contacts.size(); ++i) {
+    EXPECT_EQ(a.contacts[i].segment, b.contacts[i].segment);
+    EXPECT_EQ(a.contacts[i].other_segment, b.contacts[i].other_segment);
+    EXPECT_EQ(a.contacts[i].mu, b.contacts[i].mu);
+    EXPECT_EQ(a.contacts[i].angle_rad, b.contacts[i].angle_rad);
+  }
+}
+
+void expect_same(const Model& a, const Model& b) {
+  expect_same(a.hardware, b.hardware);
+  for (const ConditionRow& row : condition_table()) {
+    EXPECT_EQ(a.conditions.*row.value, b.conditions.*row.value) << row.name;
+  }
+  ASSERT_EQ(a.effects.size(), b.effects.size());
+  for (std::size_t i = 0; i < a.effects.size(); ++i) {
+    SCOPED_TRACE(name(a.effects[i]));
+    EXPECT_EQ(a.effects[i].cause, b.effects[i].cause);
+    EXPECT_EQ(a.effects[i].values, b.effects[i].values);
+    expect_same(a.effects[i].subject, b.effects[i].subject);
+  }
+}
+
+bool is_new(const Effect& effect, const Model& model) {
+  for (const Effect& other : model.effects) {
+    if (is_about_the_same(effect, other)) return false;
+  }
+  return true;
+}
+
+// Some effects of every cause, with any of its subjects that this routing gives.
+Model random_model(std::uint64_t seed) {
+  const Trial trial = testing::random_trial(seed);
+  Dice dice(seed);
+  Survey survey;
+  survey.routings.push_back({to_word(trial.routing), &trial.network, {trial.grasp}});
+  survey.channels = trial.network.segments;
+  survey.has_speed = survey.has_cycle = survey.has_temperature = true;
+  Hardware hardware = trial.hardware;
+  hardware.contacts.erase(hardware.contacts.begin() + (hardware.contacts.empty() ? 0 : 1),
+                          hardware.contacts.end());  // each contact once
+  Model model{hardware};
+  for (const Cause* cause : cause_library()) {
+    for (const Subject& subject : cause->subjects(survey)) {
+      Effect effect{cause, subject, {}};
+      for (const Parameter& parameter : cause->parameters(hardware)) {
+        effect.values.push_back(dice.real(parameter.range.low, parameter.range.high));
+      }
+      if (cause->reach() != Reach::hardware && dice.chance(0.3) && is_new(effect, model)) {
+        add_effect(model, effect);
+      }
+    }
+  }
+  model.conditions = {dice.log_real(0.1, 1e4), dice.log_real(0.1, 1e4), dice.log_real(1, 1e8),
+                      dice.real(-50, 100)};
+  return model;
+}
+
+TEST(ModelFile, ReadsBackWhatIsWrittenBitByBit) {
+  std::size_t effects = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(seed);
+    const Model model = random_model(seed);
+    const UncertaintyRanges ranges{{0.1 / 3, 0.7 / 3}, {0, 1e-7}, 1.0 / 3, 0};
+    const ModelFile file = read(model_toml(model, {"a model"}, ranges));
+    expect_same(file.model, model);
+    EXPECT_EQ(file.uncertainty.tube_mu.low, ranges.tube_mu.low);
+    EXPECT_EQ(file.uncertainty.sheath_mu.high, ranges.sheath_mu.high);
+    EXPECT_EQ(file.uncertainty.bearing_mu_relative, ranges.bearing_mu_relative);
+    EXPECT_EQ(file.uncertainty.sheath_angle_relative, ranges.sheath_angle_relative);
+    effects += model.effects.size();
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(effects, 500U);
+}
+
+TEST(ModelFile, KeepsEffectsOnTheHardwareBesideIt) {
+  Model model;
+  Subject finger;
+  finger.finger = 2;
+  add_effect(model, {find_cause("sheath_angle"), finger, {0.7}});
+  add_effect(model, {find_cause("tube_friction"), {}, {0.09}});
+  expect_same(read(model_toml(model, {})).model, model);
+  EXPECT_EQ(model_toml(read(model_toml(model, {})).model, {}), model_toml(model, {}));
+}
+
+TEST(ModelFile, TakesAnyTextAsAComment) {
+  const std::vector<std::string> lines{
+      "from \xFF\xFE.csv",     "two\nlines\r", std::string(9000, 'x'), "μ = 0.09", "",
+      std::string("\0\x7F", 2)};
+  const std::string text = model_toml(Model{}, lines);
+  EXPECT_EQ(text.find("# from ??.csv\n# two?lines?\n"), 0U);
+  EXPECT_NE(text.find("# μ = 0.09\n"), std::string::npos);
+  expect_same(read(text).model, Model{});
+}
+
+TEST(ModelFile, IsThePlainModelWhereNothingIsGiven) {
+  expect_same(read("").model, Model{});
+  expect_same(read("[conditions]\n").model, Model{});
+}
+
+TEST(ModelFile, SortsEffectsInTheOrderOfTheLibrary) {
+  const Model model = read(
+                          "[[effect]]\ncause = \"bending_stiffness\"\nforce_N = 1\n"
+                          "[[effect]]\ncause = \"wear\"\nchange = -0.25\ncycles = 100\n")
+                          .model;
+  ASSERT_EQ(model.effects.size(), 2U);
+  EXPECT_STREQ(model.effects[0].cause->name(), "wear");
+  EXPECT_EQ(model.effects[0].values, (std::vector<double>{-0.25, 100}));
+}
+
+TEST(ModelFile, OfTheExampleHasWhatItSays) {
+  const ModelFile file = read_model_file(std::string(REEVE_CATALOG_DIR) + "/model/example.toml");
+  EXPECT_EQ(file.model.hardware.sheath.mu, 0.15);
+  ASSERT_EQ(file.model.effects.size(), 5U);
+  EXPECT_EQ(name(file.model.effects[2]), "sheath_angle[2]");
+  EXPECT_EQ(name(file.model.effects[3]), "seized_contact[M-1-P-2-M,T1-T2]");
+}
+
+struct Mistake {
+  std::string text;
+  std::string message;
+};
+
+TEST(BadModelFile, NamesThePlaceOfABadEffect) {
+  const std::vector<Mistake> mistakes = {
+      {"cause = \"rust\"\n",
+       "m.toml:2:9: effect[1].cause = \"rust\": expected one of " + cause_names()},
+      {"", "m.toml:1:1: missing key 'cause' in 'effect[1]': expected one of " + cause_names()},
+      {"cause = \"wear\"\nchange = 0.1\n",
+       "m.toml:1:1: missing key 'cycles' in 'effect[1]': expected a number from 10 to 100000"},
+      {"cause = \"tube_friction\"\nmu = 0.1\nnu = 1\n",
+       "m.toml:4:1: unknown key 'effect[1].nu': expected one of cause, mu"},
+      {"cause = \"tube_friction\"\nmu = 0.7\n",
+       "m.toml:3:6: effect[1].mu = 0.7: expected a number from 0 to 0.6"},
+      {"cause = \"tube_friction\"\nmu = nan\n",
+       "m.toml:3:6: effect[1].mu = nan: expected a number from 0 to 0.6"},
+      {"cause = \"bending_stiffness\"\nforce_N = true\n",
+       "m.toml:3:11: effect[1].force_N = true: expected a number from 0 to 5"},
+      {"cause = \"tube_friction\"\nmu = 0.1\n[[effect]]\ncause = \"tube_friction\"\nmu = 0.2\n",
+       "m.toml:4:1: effect[2]: tube_friction is given twice: expected each effect once"},
+      {"cause = \"sheath_angle\"\nfinger = 1\nangle_rad = 0\n[[effect]]\ncause = \"sheath_angle\"\n"
+       "finger = 1\nangle_rad = 1\n",
+       "m.toml:5:1: effect[2]: sheath_angle[1] is given twice: expected each effect once"},
+  };
+  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in_effect(mistake.text), mistake.message);
+}
+
+TEST(BadModelFile, NamesThePlaceOfABadSubject) {
+  const std::vector<Mistake> mistakes = {
+      {"cause = \"sensor_gain\"\ngain = 1.1\n",
+       "m.toml:1:1: missing key 'channel' in 'effect[1]': expected a strand (T1), a motor-side "
+       "segment (a) or a stretch at the hand (h1), in quotes"},
+      {"cause = \"sensor_gain\"\nchannel = \"Q1\"\ngain = 1.1\n",
+       "m.toml:3:11: effect[1].channel = \"Q1\": expected a strand (T1), a motor-side segment (a) "
+       "or a stretch at the hand (h1), in quotes"},
+      {"cause = \"sheath_angle\"\nfinger = 0\nangle_rad = 1\n",
+       "m.toml:3:10: effect[1].finger = 0: expected a whole number from 1 to 64"},
+      {"cause = \"seized_contact\"\nrouting = \"M-1-Q\"\ncontact = \"T1-T2\"\n",
+       "m.toml:3:11: effect[1].routing: routing 'M-1-Q', column 5: unknown token 'Q': expected M, "
+       "F, T, B, P or a finger number such as 1 or 2b"},
+      {"cause = \"seized_contact\"\nrouting = \"M-1-F\"\ncontact = \"T2-T3\"\n",
+       "m.toml:4:11: effect[1].contact = \"T2-T3\": expected one of a-T1, T1-T2"},
+      {"cause = \"wrong_grasp\"\nrouting = \"M-1-F\"\nrecorded = \"3\"\nactual = \"none\"\n",
+       "m.toml:4:12: effect[1].recorded: held '3': '3': expected none, or finger numbers from 1 to "
+       "1 such as 1,2"},
+      {"cause = \"wrong_grasp\"\nrouting = \"M-1-F\"\nrecorded = \"1\"\nactual = \"1\"\n",
+       "m.toml:5:10: effect[1].actual = \"1\": expected another grasp than 'recorded'"},
+  };
+  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in_effect(mistake.text), mistake.message);
+}
+
+TEST(BadModelFile, NamesThePlaceOfABadCondition) {
+  EXPECT_EQ(error_in("[conditions]\nmotor_tension_N = 0\n"),
+            "m.toml:2:19: conditions.motor_tension_N = 0: expected a number from 0.01 to 100000");
+  EXPECT_EQ(error_in("[conditions]\nspeed = 1\n"),
+            "m.toml:2:1: unknown key 'conditions.speed': expected one of motor_tension_N, "
+            "speed_mm_s, cycle, temperature_C");
+  EXPECT_EQ(error_in("[effect]\ncause = \"wear\"\n"),
+            "m.toml:1:1: effect = (a table): expected tables headed [[effect]]");
+  EXPECT_EQ(error_in("[tubes]\n"),
+            "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, sheath, lengths, "
+            "finger, contact, uncertainty, conditions, effect");
+}
+
+// The range of a parameter is not that of its product with the others.
+TEST(BadModelFile, NamesTheEffectThatMakesFrictionTooStrong) {
+  EXPECT_EQ(error_in("[sheath]\nmu = 0.1\nangle_rad = 90\n[[effect]]\ncause = "
+                     "\"sheath_friction\"\nmu = 0.2\n"),
+            "m.toml:4:1: hardware: sheath: mu * angle = 18: expected at most 10");
+}
+
+}  // namespace
+}  // namespace reeve

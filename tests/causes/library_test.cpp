@@ -1,0 +1,121 @@
+#include "causes/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "tests/causes/rig.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::Solved;
+using testing::Trial;
+
+// Everything that a rig with this routing could show.
+Survey survey_of(const Trial& trial) {
+  Survey survey;
+  survey.routings.push_back({to_word(trial.routing), &trial.network, {trial.grasp}});
+  survey.channels = trial.network.segments;
+  survey.has_speed = survey.has_cycle = survey.has_temperature = true;
+  return survey;
+}
+
+TEST(CauseLibrary, HasEveryCauseOfTheInterfaceOnce) {
+  std::set<std::string> names;
+  for (const Cause* cause : cause_library()) {
+    EXPECT_TRUE(names.insert(cause->name()).second) << cause->name();
+    EXPECT_EQ(find_cause(cause->name()), cause);
+  }
+  const std::set<std::string> expected{"tube_friction",
+                                       "sheath_friction",
+                                       "bearing_friction",
+                                       "bending_stiffness",
+                                       "bearing_drag",
+                                       "load_dependent_friction",
+                                       "wear",
+                                       "temperature",
+                                       "speed_dependent_friction",
+                                       "sensor_gain",
+                                       "sensor_offset",
+                                       "pretension",
+                                       "sheath_angle",
+                                       "wrong_grasp",
+                                       "seized_contact"};
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(find_cause("rust"), nullptr);
+}
+
+TEST(CauseLibrary, HasSensibleParameters) {
+  for (const Cause* cause : cause_library()) {
+    bool first = true;
+    for (const Parameter& parameter : cause->parameters(Hardware{})) {
+      SCOPED_TRACE(std::string(cause->name()) + "." + parameter.name);
+      EXPECT_EQ(parameter.nominal.has_value(), first);
+      if (parameter.nominal) {
+        EXPECT_LE(parameter.range.low, *parameter.nominal);
+        EXPECT_GE(parameter.range.high, *parameter.nominal);
+      }
+      if (parameter.literature) {
+        EXPECT_LE(parameter.range.low, parameter.literature->low);
+        EXPECT_GE(parameter.range.high, parameter.literature->high);
+      }
+      first = false;
+    }
+  }
+}
+
+// What the seam promises to whoever keeps or prints a model.
+TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
+  const Trial trial = testing::random_trial(3);
+  for (const Cause* cause : cause_library()) {
+    SCOPED_TRACE(cause->name());
+    const SubjectKind kind = cause->subject_kind();
+    for (const Subject& subject : cause->subjects(survey_of(trial))) {
+      EXPECT_EQ(subject.channel.has_value(), kind == SubjectKind::channel);
+      EXPECT_EQ(subject.finger > 0, kind == SubjectKind::finger);
+      EXPECT_EQ(subject.recorded.has_value(), kind == SubjectKind::grasp);
+      EXPECT_EQ(subject.actual.has_value(), kind == SubjectKind::grasp);
+      EXPECT_EQ(!subject.contact.empty(), kind == SubjectKind::contact);
+      EXPECT_EQ(!subject.routing.empty(),
+                kind == SubjectKind::grasp || kind == SubjectKind::contact);
+      EXPECT_EQ(cause->subject_name(subject).empty(), kind == SubjectKind::rig);
+    }
+  }
+}
+
+// At its nominal size a cause changes no bit of any prediction.
+TEST(CauseLibrary, ChangesNothingAtTheNominalValue) {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Trial trial = testing::random_trial(seed);
+    SCOPED_TRACE(testing::to_text(trial));
+    Dice dice(seed);
+    Model plain{trial.hardware};
+    plain.conditions = testing::random_conditions(dice);
+    const Solved expected = testing::solved(plain, trial.routing, trial.grasp, trial.direction);
+    for (const Cause* cause : cause_library()) {
+      if (cause->parameters(trial.hardware).empty()) continue;
+      for (const Subject& subject : cause->subjects(survey_of(trial))) {
+        Model model = plain;
+        Effect effect = testing::random_effect(dice, *cause, trial.hardware);
+        effect.subject = subject;
+        effect.values[0] = *cause->parameters(trial.hardware)[0].nominal;
+        add_effect(model, effect);
+        const Solved s = testing::solved(model, trial.routing, trial.grasp, trial.direction);
+        EXPECT_EQ(s.state.tension, expected.state.tension) << name(effect);
+        for (const Segment& segment : trial.network.segments) {
+          EXPECT_EQ(reading(model, segment, 3.25), 3.25) << name(effect);
+        }
+        ++compared;
+      }
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(compared, 2000);
+}
+
+}  // namespace
+}  // namespace reeve

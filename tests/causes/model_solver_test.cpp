@@ -1,0 +1,195 @@
+// The tensions under exponents that depend on them: against an independent solver, and whether
+// there are any.
+#include "causes/model_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "tests/causes/rig.hpp"
+#include "tests/support/reference_model.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::effect;
+using testing::ReferenceDirection;
+using testing::ReferenceHardware;
+using testing::ReferenceResult;
+using testing::Solved;
+using testing::Trial;
+
+bool is_of_exponents(const Cause& cause) {
+  return cause.reach() == Reach::load || cause.reach() == Reach::conditions;
+}
+
+// `share` of the range that is searched, about the nominal value.
+Model random_model(Dice& dice, const Hardware& hardware, double share) {
+  Model model{hardware};
+  for (const Cause* cause : cause_library()) {
+    if (!is_of_exponents(*cause) || dice.chance(0.4)) continue;
+    Effect drawn = testing::random_effect(dice, *cause, hardware);
+    drawn.values[0] *= share;
+    add_effect(model, drawn);
+  }
+  model.conditions = testing::random_conditions(dice);
+  return model;
+}
+
+int unconverged(double share, double least_motor_N, int trials) {
+  int count = 0;
+  for (int seed = 1; seed <= trials; ++seed) {
+    const Trial trial = testing::random_trial(static_cast<std::uint64_t>(seed));
+    Dice dice(static_cast<std::uint64_t>(seed) + 1'000'000);
+    Model model = random_model(dice, trial.hardware, share);
+    model.conditions.motor_tension_N = std::max(model.conditions.motor_tension_N, least_motor_N);
+    const Solved s = testing::solved(model, trial.routing, trial.grasp, trial.direction);
+    for (const double tension : s.state.tension) EXPECT_TRUE(std::isfinite(tension));
+    count += s.converged ? 0 : 1;
+  }
+  return count;
+}
+
+// Forces of up to 0.1 N at motor tensions from 5 N on, laws to match.
+TEST(ModelSolver, ConvergesForEffectsOfTheUsualSize) { EXPECT_EQ(unconverged(0.02, 5, 3000), 0); }
+
+// Forces of up to 5 N on each contact at motor tensions from 0.5 N on.
+TEST(ModelSolver, SeldomFailsWhereForcesEatTheWholeTension) {
+  EXPECT_LE(unconverged(1, 0, 3000), 30);
+}
+
+// ---- the laws again, for the independent solver ----
+
+struct Law {
+  double gamma = 0;    // load_dependent_friction
+  double bending = 0;  // N
+  double drag = 0;     // N
+  double motor_N = 10;
+
+  double exponent(ContactKind kind, double nominal, double high) const {
+    const double T = high * motor_N;
+    if (kind == ContactKind::bearing) return with_force(nominal, T, drag);
+    return with_force(nominal * std::pow(T / 10, -gamma), T, bending);
+  }
+  static double with_force(double phi, double high, double force) {
+    const double low = high * std::exp(-phi) - force;
+    return low > high * std::exp(-10.0) ? std::log(high / low) : 10;
+  }
+};
+
+using ContactName = std::pair<std::string, std::string>;
+
+std::set<int> held(const Trial& trial) {
+  const std::vector<int> fingers = held_fingers(trial.grasp);
+  return {fingers.begin(), fingers.end()};
+}
+
+template <typename Visit>
+void for_each_contact(const Network& network, Visit visit) {
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      const auto [left, right] = ends_of(tendon, k);
+      visit(tendon.first_contact + k,
+            ContactName{name(network.segments[left]), name(network.segments[right])});
+    }
+  }
+}
+
+ReferenceHardware reference_hardware(const Trial& trial, const Mechanics& m,
+                                     const std::map<ContactName, double>& phi) {
+  ReferenceHardware hardware{};
+  hardware.phi_override = [phi](const std::string& left, const std::string& right, double) {
+    return phi.at({left, right});
+  };
+  std::map<std::string, double> length;
+  for (std::size_t i = 0; i < m.length.size(); ++i) {
+    length[name(trial.network.segments[i])] = m.length[i];
+  }
+  hardware.length_override = [length](const std::string& segment, double) {
+    return length.at(segment);
+  };
+  for (int f = 1; f <= trial.network.fingers; ++f) {
+    hardware.closing_weight[f] = m.closing[static_cast<std::size_t>(f - 1)];
+  }
+  return hardware;
+}
+
+// Tensions and exponents in turn, half a step at a time.
+ReferenceResult reference(const Trial& trial, const Mechanics& m, const Law& law) {
+  std::map<ContactName, double> phi;
+  for_each_contact(trial.network, [&](std::size_t k, const ContactName& contact) {
+    phi[contact] = law.exponent(trial.network.contacts[k].kind, m.phi[k], 1);
+  });
+  const auto direction =
+      trial.direction == Direction::pull ? ReferenceDirection::pull : ReferenceDirection::release;
+  ReferenceResult result{};
+  for (int step = 0; step < 100; ++step) {
+    result = testing::reference_tensions(to_word(trial.routing), held(trial), direction,
+                                         reference_hardware(trial, m, phi));
+    double change = 0;
+    for_each_contact(trial.network, [&](std::size_t k, const ContactName& contact) {
+      const double high =
+          std::max(result.tension.at(contact.first), result.tension.at(contact.second));
+      const double wanted = law.exponent(trial.network.contacts[k].kind, m.phi[k], high);
+      change = std::max(change, std::abs(wanted - phi[contact]));
+      phi[contact] += 0.5 * (wanted - phi[contact]);
+    });
+    if (change < 1e-9) return result;
+  }
+  ADD_FAILURE() << "the reference does not settle";
+  return result;
+}
+
+TEST(ModelSolver, AgreesWithAnIndependentSolverInAnOuterIteration) {
+  int loops = 0;
+  int released = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const Trial trial = testing::random_trial(seed, {1, 3, true, true});
+    SCOPED_TRACE(testing::to_text(trial));
+    Dice dice(seed + 500);
+    const Law law{dice.real(-0.2, 0.4), dice.real(0, 0.02), dice.real(0, 0.02),
+                  dice.log_real(5, 50)};
+    Model model = testing::model_with(
+        {effect("load_dependent_friction", {law.gamma}), effect("bending_stiffness", {law.bending}),
+         effect("bearing_drag", {law.drag})},
+        trial.hardware);
+    model.conditions.motor_tension_N = law.motor_N;
+    const Solved s = testing::solved(model, trial.routing, trial.grasp, trial.direction);
+    ASSERT_TRUE(s.converged);
+    if (s.state.jams) continue;  // tendons without tension have no load
+    const ReferenceResult expected =
+        reference(trial, mechanics(trial.network, trial.hardware), law);
+    for (const auto& [segment, tension] : expected.tension) {
+      EXPECT_NEAR(s[segment], tension, 1e-6 * tension + 1e-9) << segment;
+    }
+    loops += trial.network.tendons[0].closed;
+    released += trial.direction == Direction::release;
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(loops, 10);
+  EXPECT_GT(released, 10);
+}
+
+// One after the other in one solver is each in a solver of its own.
+TEST(ModelSolver, GoesFromRoutingToRouting) {
+  Model model = testing::model_with({effect("load_dependent_friction", {0.2})});
+  Subject subject;
+  subject.routing = "M-1-T-2-F";
+  subject.contact = "T2-T3";
+  add_effect(model, effect("seized_contact", {}, subject));
+  ModelSolver solver(model);
+  for (const char* word : {"1-P-2-P-1", "M-1-T-2-F", "M-1-F", "M-1-T-2-F", "M-1-T-2-F+M-3-F"}) {
+    const Network network = expand(parse_routing(word));
+    solver.set_routing(word, network, mechanics(network, model.hardware));
+    const TensionState& state = solver.solve(Grasp{}, Direction::pull, model.conditions);
+    EXPECT_EQ(state.tension, testing::solved(model, word).state.tension) << word;
+  }
+}
+
+}  // namespace
+}  // namespace reeve

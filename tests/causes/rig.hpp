@@ -1,0 +1,76 @@
+// Models and solutions for the tests of causes.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "causes/library.hpp"
+#include "causes/model.hpp"
+#include "causes/model_solver.hpp"
+#include "core/notation.hpp"
+#include "tests/support/random_routing.hpp"
+
+namespace reeve::testing {
+
+inline Effect effect(const std::string& cause, std::vector<double> values, Subject subject = {}) {
+  return {find_cause(cause), std::move(subject), std::move(values)};
+}
+
+inline Model model_with(std::vector<Effect> effects, const Hardware& hardware = {}) {
+  Model model{hardware};
+  for (Effect& effect : effects) add_effect(model, std::move(effect));
+  return model;
+}
+
+struct Solved {
+  Network network;
+  TensionState state;
+  bool converged = true;
+
+  // N per N of motor tension.
+  double operator[](const std::string& segment) const {
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+      if (name(network.segments[i]) == segment) return state.tension[i];
+    }
+    ADD_FAILURE() << "no segment " << segment;
+    return 0;
+  }
+
+  double slip(const std::string& contact) const {
+    return state.slip[find_contact(network, contact).value()];
+  }
+};
+
+inline Solved solved(const Model& model, const Routing& routing, Grasp grasp = {},
+                     Direction direction = Direction::pull) {
+  Solved result;
+  result.network = expand(routing);
+  ModelSolver solver(model, effective_hardware(model), to_word(routing), result.network);
+  result.state = solver.solve(grasp, direction, model.conditions);
+  result.converged = solver.converged();
+  return result;
+}
+
+inline Solved solved(const Model& model, const std::string& word, Grasp grasp = {},
+                     Direction direction = Direction::pull) {
+  return solved(model, parse_routing(word), grasp, direction);
+}
+
+// A random value of every parameter, over the whole range that is searched.
+inline Effect random_effect(Dice& dice, const Cause& cause, const Hardware& hardware) {
+  Effect effect{&cause, {}, {}};
+  for (const Parameter& parameter : cause.parameters(hardware)) {
+    effect.values.push_back(dice.real(parameter.range.low, parameter.range.high));
+  }
+  return effect;
+}
+
+inline Conditions random_conditions(Dice& dice) {
+  return {dice.log_real(0.5, 200), dice.log_real(0.1, 1000), dice.log_real(1, 1e5),
+          dice.real(-10, 60)};
+}
+
+}  // namespace reeve::testing
