@@ -7,7 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "core/error.hpp"
+#include "cli/outputs.hpp"
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "reports/compare_report.hpp"
@@ -41,22 +41,13 @@ CompareReport report(const CompareFlags& flags) {
   return report;
 }
 
-// The readings cannot be made again.
-void require_not_the_data(const std::filesystem::path& file, const CompareFlags& flags) {
-  std::error_code ignored;
-  if (!std::filesystem::equivalent(file, flags.data, ignored)) return;
-  throw InputError(
-      fmt::format("--out '{}': '{}' would be written over the data: expected another "
-                  "folder",
-                  flags.out, file.string()));
-}
-
 void write_files(const CompareReport& report, const CompareFlags& flags) {
   const std::filesystem::path residuals = std::filesystem::path(flags.out) / "residuals.csv";
   const std::filesystem::path json = std::filesystem::path(flags.out) / "comparison.json";
   prepare_directory(flags.out, "--out");
-  require_not_the_data(residuals, flags);
-  require_not_the_data(json, flags);
+  const std::string option = fmt::format("--out '{}'", flags.out);
+  require_not_the_data(residuals, flags.data, option);
+  require_not_the_data(json, flags.data, option);
   write_file(residuals, residuals_csv(report));
   write_file(json, compare_json(report));
 }

@@ -48,4 +48,16 @@ void ProgressLine::operator()(const Progress& progress) {
             << std::flush;
 }
 
+StageLine::StageLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
+
+StageLine::~StageLine() {
+  if (!shown_.empty()) std::cerr << "\r\x1b[K" << std::flush;
+}
+
+void StageLine::show(const std::string& stage) {
+  if (!visible_ || stage == shown_) return;
+  shown_ = stage;
+  std::cerr << fmt::format("\r{}\x1b[K", stage) << std::flush;
+}
+
 }  // namespace reeve::cli

@@ -39,4 +39,20 @@ class ProgressLine {
   Clock::time_point last_ = start_;
 };
 
+// What is being done, on stderr, where how long it takes is not known; silent where stderr is no
+// terminal.
+class StageLine {
+ public:
+  StageLine();
+  ~StageLine();
+  StageLine(const StageLine&) = delete;
+  StageLine& operator=(const StageLine&) = delete;
+
+  void show(const std::string& stage);
+
+ private:
+  bool visible_;
+  std::string shown_;
+};
+
 }  // namespace reeve::cli

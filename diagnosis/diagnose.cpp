@@ -71,7 +71,7 @@ class Diagnosis {
   }
 
   void note_too_few() {
-    result_.too_few = true;
+    result_.too_few_readings = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "
@@ -209,6 +209,7 @@ class Diagnosis {
     const auto tests = structure_tests(problem_, at, projection);
     const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
     result_.structure = found.findings;
+    result_.structure_p_value = found.p_value;
     if (found.p_value < structure_share_of_alpha * options_.alpha) {
       result_.unexplained = {found.findings.front().about, found.where, found.p_value};
     }

@@ -91,7 +91,6 @@ struct ComparedCell {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
-  bool too_few = false;  // readings to say anything; the verdict is none
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
@@ -103,7 +102,9 @@ struct DiagnosisResult {
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
   std::vector<WeighedCause> weighed;
-  double p_value = 1;  // that chance alone gives what the best cause gains
+  double p_value = 1;             // that chance alone gives what the best cause gains
+  double structure_p_value = 1;   // that it gives the strongest of `structure`, family-wise
+  bool too_few_readings = false;  // to look for anything
   Noise noise;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;

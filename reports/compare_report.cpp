@@ -7,13 +7,12 @@
 
 #include "diagnosis/csv.hpp"
 #include "reports/csv_field.hpp"
+#include "reports/data_text.hpp"
 #include "reports/json.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
-
-constexpr const char* simulated_text = "simulated: a comment line of the data says so";
 
 struct Grouping {
   const char* name;
@@ -33,10 +32,6 @@ std::string figure(double value) {
 
 std::string percent(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "-";
-}
-
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 void add_row(TextTable& table, const std::string& by, const ResidualSummary& summary) {
@@ -62,25 +57,6 @@ std::string summary_table(const QuantitySummary& summary, const std::string& hea
     }
   }
   return "\n" + heading + "\n" + table.text();
-}
-
-std::string lines_text(const std::vector<std::size_t>& lines) {
-  constexpr std::size_t most = 8;
-  if (lines.empty()) return "";
-  std::string text = lines.size() == 1 ? " (line " : " (lines ";
-  for (std::size_t i = 0; i < lines.size() && i < most; ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(lines[i]);
-  }
-  if (lines.size() > most) text += fmt::format(" and {} more", lines.size() - most);
-  return text + ")";
-}
-
-std::string notes_text(const CompareReport& report) {
-  std::string text;
-  for (const auto* notes : {&report.data.notes, &report.comparison.notes}) {
-    for (const DataNote& note : *notes) text += "- " + note.text + lines_text(note.lines) + "\n";
-  }
-  return text.empty() ? "" : "\nNotes\n" + text;
 }
 
 Json to_json(const ResidualSummary& summary) {
@@ -122,8 +98,11 @@ Json data_json(const CompareReport& report) {
   return json;
 }
 
-std::string held_field(Grasp grasp) {
-  return fmt::format("{}", fmt::join(held_fingers(grasp), ";"));
+// On the data, then on the comparison.
+std::vector<DataNote> all_notes(const CompareReport& report) {
+  std::vector<DataNote> notes = report.data.notes;
+  notes.insert(notes.end(), report.comparison.notes.begin(), report.comparison.notes.end());
+  return notes;
 }
 
 }  // namespace
@@ -139,7 +118,7 @@ std::string compare_table(const CompareReport& report) {
   text += summary_table(report.comparison.tension, "Tensions in N, measured - predicted");
   text += summary_table(report.comparison.share,
                         "Shares of the measured strands, measured - predicted (no motor tension)");
-  return text + notes_text(report);
+  return text + notes_text(all_notes(report));
 }
 
 std::string compare_json(const CompareReport& report) {
@@ -148,12 +127,7 @@ std::string compare_json(const CompareReport& report) {
             {"tension", to_json(report.comparison.tension)},
             {"share", to_json(report.comparison.share)}};
   json["notes"] = Json::array();
-  for (const auto* notes : {&report.data.notes, &report.comparison.notes}) {
-    for (const DataNote& note : *notes) {
-      json["notes"].push_back(
-          {{"kind", name(note.kind)}, {"text", note.text}, {"lines", note.lines}});
-    }
-  }
+  add_notes(json["notes"], all_notes(report));
   json["settings"] = {{"hardware", to_json(report.hardware)}};
   json["version"] = version_json();
   return print(json);
@@ -167,8 +141,7 @@ std::string residuals_csv(const CompareReport& report) {
     const Reading& reading = data.readings[value.reading];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
-                       held_field(reading.grasp),
-                       reading.direction == Direction::pull ? "pull" : "release",
+                       held_field(reading.grasp), direction_field(reading.direction),
                        data.channels[value.channel].name, name(value.quantity), value.measured,
                        value.predicted, value.residual());
   }

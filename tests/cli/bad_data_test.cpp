@@ -28,8 +28,76 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
        "--out 'cell.csv': expected a folder that can be written to: Not a directory",
        {}},
       {{"compare", "residuals.csv", "--out", "."},
-       "--out '.': './residuals.csv' would be written over the data: expected another folder",
+       "--out '.': './residuals.csv' would be written over the data: expected another place",
        {}},
+  });
+}
+
+TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
+  const auto diagnose = [](Arguments arguments, const std::string& message) {
+    arguments.insert(arguments.begin(), {"diagnose", "--out", "out", "--save-model", "model.toml"});
+    return BadLine{arguments, message, {}};
+  };
+  expect_all_bad({
+      {{"diagnose"}, "data is required", {}},
+      diagnose({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
+      diagnose({"empty.csv"}, "empty.csv: "),
+      diagnose({"cell.csv"}, "cell.csv:2: column 'T1_N' = 'x': expected a number from 0 to "),
+      diagnose({"nan.csv"}, "nan.csv:2: column 'T1_N' = 'nan': expected a number from 0 to "),
+      diagnose({"column.csv"}, "column.csv:1"),
+      diagnose({"name.csv"}, "routing 'TR9': no such name in the catalogue"),
+      diagnose({"alone.csv"}, "alone.csv: there is nothing to diagnose: expected rows with "),
+      diagnose({"ok.csv", "--hardware", "contact.toml"}, "hardware: contact 'a-T9': expected two"),
+      diagnose({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json}"),
+  });
+}
+
+TEST(BadData, OfADiagnosisAreNotWrittenOver) {
+  expect_all_bad({
+      {{"diagnose", "ok.csv", "--out", "cell.csv"},
+       "--out 'cell.csv': expected a folder that can be written to: Not a directory",
+       {}},
+      {{"diagnose", "ok.csv", "--out", "cell.csv/below"},
+       "--out 'cell.csv/below': expected a folder that can be written to: Not a directory",
+       {}},
+      {{"diagnose", "ok.csv", "--out", ""}, "--out '': expected a folder that can be", {}},
+      {{"diagnose", "residuals.csv", "--out", "."},
+       "--out '.': './residuals.csv' would be written over the data: expected another place",
+       {}},
+      {{"diagnose", "ok.csv", "--save-model", "ok.csv"},
+       "--save-model: 'ok.csv' would be written over the data: expected another place",
+       {}},
+      {{"diagnose", "ok.csv", "--save-model", "missing/model.toml"},
+       "--save-model 'missing/model.toml': expected a file in a folder that can be written to: No "
+       "such file or directory",
+       {}},
+      {{"diagnose", "ok.csv", "--save-model", "no_catalogue"},
+       "--save-model 'no_catalogue': expected the name of a file, not a folder",
+       {}},
+      {{"diagnose", "ok.csv", "--save-model", ""}, "--save-model '': expected the name of", {}},
+  });
+}
+
+TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
+  const auto option = [](const std::string& name, const std::string& value,
+                         const std::string& message) {
+    return BadLine{{"diagnose", "ok.csv", name, value}, message, {}};
+  };
+  const std::string alpha = ": expected a number above 0 and at most 0.5";
+  const std::string hold_out = ": expected a number from 0 and at most 0.9";
+  expect_all_bad({
+      option("--alpha", "0", "--alpha: Value 0" + alpha),
+      option("--alpha", "0.6", "--alpha: Value 0.6" + alpha),
+      option("--alpha", "nan", "--alpha: Value nan" + alpha),
+      option("--alpha", "5%", "--alpha: Value 5%" + alpha),
+      option("--hold-out", "-0.1", "--hold-out: Value -0.1" + hold_out),
+      option("--hold-out", "1", "--hold-out: Value 1" + hold_out),
+      option("--seed", "-1", "--seed: Value -1 is negative: expected a whole number from 0"),
+      option("--replicates", "98", "--replicates: "),
+      option("--replicates", "100001", "--replicates: "),
+      option("--replicates", "-1", "--replicates: "),
+      option("--threads", "-1", "--threads: "),
+      option("--threads", "1025", "--threads: "),
   });
 }
 

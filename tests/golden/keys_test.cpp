@@ -206,6 +206,47 @@ TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]), "command noise_relative noise_absolute_N hardware");
 }
 
+const std::string diagnosed = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_";
+const std::string held_out_keys =
+    "rms_before rms_after reduction low high log_likelihood_gain gain_low gain_high expected_gain";
+const std::string measurement_keys =
+    "routing name held direction motor_tension_N speed_mm_s cycle temperature_C readings why "
+    "expected_log_likelihood parameter width_now width_expected";
+
+TEST(KeysOfDiagnose, AreThePromisedOnes) {
+  const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
+  EXPECT_EQ(keys(json),
+            "verdict causes indistinguishable separating_measurement unexplained next_measurement "
+            "held_out not_confirmed weighed structure noise ranking simulated rows runs "
+            "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
+            "version");
+  const Json& cause = json["causes"][0];
+  EXPECT_EQ(keys(cause), "name meaning detail parameters held_out p_value runner_up");
+  EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit literature");
+  EXPECT_EQ(keys(cause["held_out"]), held_out_keys);
+  EXPECT_EQ(keys(cause["runner_up"]), "name delta_log_likelihood");
+  EXPECT_EQ(keys(json["held_out"]), held_out_keys);
+  EXPECT_EQ(keys(json["next_measurement"]), measurement_keys);
+  EXPECT_EQ(keys(json["weighed"][0]), "name log_likelihood_gain held_out");
+  EXPECT_EQ(keys(json["structure"][0]), "about statistic p_value");
+  EXPECT_EQ(keys(json["noise"]), "relative absolute_N source degrees_of_freedom");
+  EXPECT_EQ(keys(json["ranking"]), "changes before after");
+  EXPECT_EQ(keys(json["calibration"]), "replicates family_wise_alpha p_value structure_p_value");
+  EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware");
+}
+
+TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
+  const Json none = json_of({"diagnose", diagnosed + "none.csv"});
+  for (const char* key :
+       {"separating_measurement", "unexplained", "next_measurement", "held_out", "ranking"}) {
+    EXPECT_TRUE(none[key].is_null()) << key;
+  }
+  EXPECT_TRUE(none["causes"].empty());
+  const Json several = json_of({"diagnose", diagnosed + "indistinguishable.csv"});
+  EXPECT_EQ(keys(several["separating_measurement"]), measurement_keys);
+  EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());
+}
+
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
@@ -233,6 +274,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);
   collect(json_of(power), names);
+  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});

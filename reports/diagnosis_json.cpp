@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include "reports/csv_field.hpp"
+#include "reports/data_text.hpp"
+#include "reports/diagnosis_report.hpp"
+#include "reports/json.hpp"
+
+namespace reeve {
+namespace {
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+template <typename Value, typename ToJson>
+Json list(const std::vector<Value>& values, ToJson to_json) {
+  Json json = Json::array();
+  for (const Value& value : values) json.push_back(to_json(value));
+  return json;
+}
+
+template <typename Value, typename ToJson>
+Json value_or_null(const std::optional<Value>& value, ToJson to_json) {
+  return value ? to_json(*value) : Json(nullptr);
+}
+
+Json held_out_json(const HeldOut& held_out) {
+  return {{"rms_before", number(held_out.rms_before_N)},
+          {"rms_after", number(held_out.rms_after_N)},
+          {"reduction", number(held_out.reduction)},
+          {"low", number(held_out.low)},
+          {"high", number(held_out.high)},
+          {"log_likelihood_gain", number(held_out.log_likelihood_gain)},
+          {"gain_low", number(held_out.gain_low)},
+          {"gain_high", number(held_out.gain_high)},
+          {"expected_gain", number(held_out.expected_gain)}};
+}
+
+Json parameter_json(const EstimatedParameter& parameter) {
+  return {{"name", parameter.name},
+          {"value", number(parameter.value)},
+          {"low", number(parameter.low)},
+          {"high", number(parameter.high)},
+          {"nominal", value_or_null(parameter.nominal, number)},
+          {"unit", parameter.unit},
+          {"literature", value_or_null(parameter.literature, [](const Range& range) {
+             return Json::array({range.low, range.high});
+           })}};
+}
+
+Json cause_json(const NamedCause& cause) {
+  return {{"name", cause.name},
+          {"meaning", cause.meaning},
+          {"detail", text_or_null(cause.detail)},
+          {"parameters", list(cause.parameters, parameter_json)},
+          {"held_out", value_or_null(cause.held_out, held_out_json)},
+          {"p_value", cause.p_value},
+          {"runner_up", value_or_null(cause.runner_up, [](const RunnerUp& other) {
+             return Json{{"name", other.name},
+                         {"delta_log_likelihood", number(other.delta_log_likelihood)}};
+           })}};
+}
+
+Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& report) {
+  const Measurement& at = planned.measurement;
+  const auto if_used = [](bool used, double value) { return used ? Json(value) : Json(nullptr); };
+  const auto named = report.names.find(at.routing);
+  const bool shrinks = !planned.parameter.empty();
+  return {{"routing", at.routing},
+          {"name", text_or_null(named == report.names.end() ? "" : named->second)},
+          {"held", held_fingers(at.grasp)},
+          {"direction", direction_field(at.direction)},
+          {"motor_tension_N", at.conditions.motor_tension_N},
+          {"speed_mm_s", if_used(at.uses_speed, at.conditions.speed_mm_s)},
+          {"cycle", if_used(at.uses_cycle, at.conditions.cycle)},
+          {"temperature_C", if_used(at.uses_temperature, at.conditions.temperature_C)},
+          {"readings", planned_readings},
+          {"why", planned.why},
+          {"expected_log_likelihood", if_used(!shrinks, planned.expected_log_likelihood)},
+          {"parameter", text_or_null(planned.parameter)},
+          {"width_now", if_used(shrinks, planned.width_now)},
+          {"width_expected", if_used(shrinks, planned.width_expected)}};
+}
+
+Json noise_json(const Noise& noise) {
+  return {{"relative", noise.relative},
+          {"absolute_N", noise.absolute_N},
+          {"source", name(noise.source)},
+          {"degrees_of_freedom", noise.degrees_of_freedom}};
+}
+
+Json settings_json(const DiagnosisReport& report) {
+  const DiagnosisSettings& settings = report.settings;
+  return {{"data", report.data.file},      {"alpha", settings.alpha},
+          {"hold_out", settings.hold_out}, {"seed", settings.seed},
+          {"explore", settings.explore},   {"hardware", to_json(report.hardware)}};
+}
+
+void add_findings(Json& json, const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  const auto planned = [&](const PlannedMeasurement& measurement) {
+    return measurement_json(measurement, report);
+  };
+  json["verdict"] = name(result.verdict);
+  json["causes"] = list(result.causes, cause_json);
+  json["indistinguishable"] = result.indistinguishable;
+  json["separating_measurement"] = value_or_null(result.separating_measurement, planned);
+  json["unexplained"] = value_or_null(result.unexplained, [](const Unexplained& left) {
+    return Json{{"about", left.about}, {"where", left.where}, {"p_value", left.p_value}};
+  });
+  json["next_measurement"] = value_or_null(result.next_measurement, planned);
+  json["held_out"] = value_or_null(result.held_out, held_out_json);
+}
+
+void add_evidence(Json& json, const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  json["not_confirmed"] = result.not_confirmed;
+  json["weighed"] = list(result.weighed, [](const WeighedCause& cause) {
+    return Json{{"name", cause.name},
+                {"log_likelihood_gain", number(cause.gain)},
+                {"held_out", value_or_null(cause.held_out, held_out_json)}};
+  });
+  json["structure"] = list(result.structure, [](const StructureFinding& finding) {
+    return Json{{"about", finding.about},
+                {"statistic", number(finding.statistic)},
+                {"p_value", finding.p_value}};
+  });
+  json["noise"] = noise_json(result.noise);
+  json["ranking"] = value_or_null(report.ranking, [](const CatalogueRanking& ranking) {
+    return Json{
+        {"changes", ranking.changes()}, {"before", ranking.before}, {"after", ranking.after}};
+  });
+}
+
+}  // namespace
+
+std::string diagnosis_json(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  Json json;
+  add_findings(json, report);
+  add_evidence(json, report);
+  json["simulated"] = report.data.simulated;
+  json["rows"] = result.rows;
+  json["runs"] = result.runs;
+  json["held_out_runs"] = result.held_out_runs;
+  json["dropped_duplicates"] = result.dropped_duplicates;
+  json["thinned_rows"] = result.thinned_rows;
+  json["calibration"] = {{"replicates", report.settings.replicates},
+                         {"family_wise_alpha", report.settings.alpha},
+                         {"p_value", result.p_value},
+                         {"structure_p_value", result.structure_p_value}};
+  json["notes"] = Json::array();
+  add_notes(json["notes"], result.notes);
+  json["seconds"] = report.seconds;
+  json["settings"] = settings_json(report);
+  json["version"] = version_json();
+  return print(json);
+}
+
+std::string diagnosis_residuals_csv(const DiagnosisReport& report) {
+  const MeasuredData& data = report.data;
+  std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
+  csv +=
+      "line,run,routing,held,direction,channel,held_out,measured_N,before_N,after_N,deviation_N\n";
+  for (const ComparedCell& compared : report.result.cells) {
+    const Reading& reading = data.readings[compared.cell.reading];
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
+                       csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
+                       held_field(reading.grasp), direction_field(reading.direction),
+                       data.channels[compared.cell.channel].name, compared.held_out,
+                       compared.cell.measured_N, compared.before_N, compared.after_N,
+                       compared.deviation_N);
+  }
+  return csv;
+}
+
+}  // namespace reeve

@@ -1,0 +1,203 @@
+// `reeve diagnose` from end to end: what it writes, and data that are poor or odd.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using namespace std::chrono_literals;
+using Arguments = std::vector<std::string>;
+using Json = nlohmann::ordered_json;
+
+const std::string golden = std::string(REEVE_SOURCE_DIR) + "/tests/golden/";
+const std::string with_cause = golden + "diagnose_cause.csv";
+
+std::string without_seconds(const std::string& json) {
+  Json parsed = Json::parse(json);
+  parsed["seconds"] = 0;
+  return parsed.dump();
+}
+
+// The lines of the data that has a cause: comment, header, readings.
+std::vector<std::string> lines() {
+  std::istringstream in(read_text(with_cause));
+  std::vector<std::string> result;
+  for (std::string line; std::getline(in, line);) result.push_back(line);
+  return result;
+}
+
+Json diagnosed(const std::vector<std::string>& rows, Arguments options = {}) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (const std::string& row : rows) text += row + '\n';
+  folder.write("data.csv", text);
+  ProcessOptions process;
+  process.directory = folder.path();
+  options.insert(options.begin(), {"diagnose", "data.csv", "--format", "json"});
+  const ProcessResult result = reeve(options, process);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  return result.exit_code == 0 ? Json::parse(result.out) : Json();
+}
+
+bool has_note(const Json& diagnosis, const std::string& text) {
+  return std::any_of(diagnosis["notes"].begin(), diagnosis["notes"].end(), [&](const Json& note) {
+    return note["text"].get<std::string>().find(text) != std::string::npos ||
+           note["kind"].get<std::string>() == text;
+  });
+}
+
+TEST(Diagnose, AnswersFirst) {
+  const ProcessResult result = reeve({"diagnose", with_cause});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_TRUE(result.out.starts_with(
+      "The friction coefficient of the tubes is another one: tube_friction, mu = 0.09"))
+      << result.out;
+  EXPECT_NE(result.out.find("\nResiduals on 2 held-out runs fall by "), std::string::npos);
+  EXPECT_NE(result.out.find("\nNothing else is left to explain (p = "), std::string::npos);
+  EXPECT_NE(result.out.find("\nThe data are simulated: "), std::string::npos);
+}
+
+TEST(Diagnose, SaysSoWhereThereIsNoCauseOrMoreThanOne) {
+  const std::string none = reeve({"diagnose", golden + "diagnose_none.csv"}).out;
+  EXPECT_TRUE(none.starts_with("The model as it stands explains the data as well as ")) << none;
+  const std::string several = reeve({"diagnose", golden + "diagnose_indistinguishable.csv"}).out;
+  EXPECT_NE(several.find(" explains the data: which of them, the data cannot tell.\n"),
+            std::string::npos)
+      << several;
+  EXPECT_NE(several.find("\nTo tell "), std::string::npos) << several;
+}
+
+TEST(Diagnose, WritesWhatItPrintsAndOneLineForEachValue) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "new" / "out").string();
+  const ProcessResult result = reeve({"diagnose", with_cause, "--format", "json", "--out", out});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(read_text(out + "/diagnosis.json"), result.out);
+  const std::string csv = read_text(out + "/residuals.csv");
+  EXPECT_TRUE(csv.starts_with("# simulated: "));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2 + 60 * 4);
+}
+
+TEST(Diagnose, GivesTheSameBytesForAnyNumberOfThreads) {
+  const Arguments one{"diagnose", with_cause, "--format", "json", "--threads", "1"};
+  const Arguments three{"diagnose", with_cause, "--format", "json", "--threads", "3"};
+  EXPECT_EQ(without_seconds(reeve(one).out), without_seconds(reeve(three).out));
+}
+
+TEST(Diagnose, OffersGeneratedRoutingsIfAskedFor) {
+  const Json json = diagnosed(lines(), {"--explore"});
+  EXPECT_TRUE(json["settings"]["explore"]);
+  EXPECT_LE(json["next_measurement"]["width_expected"].get<double>(),
+            1.01 * diagnosed(lines())["next_measurement"]["width_expected"].get<double>());
+}
+
+TEST(Diagnose, OfOneRunSaysThatNothingIsHeldOut) {
+  std::vector<std::string> rows = lines();
+  rows.resize(2 + 10);
+  const Json json = diagnosed(rows);
+  EXPECT_EQ(json["runs"], 1);
+  EXPECT_EQ(json["held_out_runs"], 0);
+  EXPECT_TRUE(json["held_out"].is_null());
+  EXPECT_TRUE(has_note(json, "one run only"));
+}
+
+TEST(Diagnose, OfOneConditionWorks) {
+  std::vector<std::string> rows{"run,routing,motor_tension_N,T1_N,T2_N,T3_N,T4_N"};
+  for (int i = 0; i < 24; ++i) {
+    rows.push_back(std::to_string(i / 4) + ",TR1,20," + std::to_string(6.4 + 0.01 * (i % 5)) +
+                   ",3.6,2.1,1.2");
+  }
+  EXPECT_FALSE(diagnosed(rows)["verdict"].is_null());
+}
+
+TEST(Diagnose, OfOneReadingSaysThatItIsTooFew) {
+  std::vector<std::string> rows = lines();
+  rows.resize(3);
+  const Json json = diagnosed(rows);
+  EXPECT_EQ(json["verdict"], "none");
+  EXPECT_TRUE(has_note(json, "too few"));
+}
+
+TEST(Diagnose, DropsRepeatedRowsAndSaysSo) {
+  std::vector<std::string> rows = lines();
+  rows.push_back(rows[5]);
+  rows.push_back(rows[6]);
+  const Json json = diagnosed(rows);
+  EXPECT_EQ(json["dropped_duplicates"], 2);
+  EXPECT_EQ(json["rows"], 60);
+  EXPECT_TRUE(has_note(json, "duplicate"));
+}
+
+// Another column in every row.
+std::vector<std::string> changed(
+    const std::function<void(std::vector<std::string>& fields, bool header)>& change) {
+  std::vector<std::string> rows = lines();
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    std::vector<std::string> fields;
+    std::istringstream in(rows[i]);
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    change(fields, i == 1);
+    rows[i].clear();
+    for (const std::string& field : fields) rows[i] += (rows[i].empty() ? "" : ",") + field;
+  }
+  return rows;
+}
+
+TEST(Diagnose, NotesTensionsInAnotherUnit) {
+  const auto in_millinewton = changed([](std::vector<std::string>& fields, bool header) {
+    if (header) return;
+    for (std::size_t i = 5; i < fields.size(); ++i) {
+      fields[i] = std::to_string(1000 * std::stod(fields[i]));
+    }
+  });
+  EXPECT_TRUE(has_note(diagnosed(in_millinewton), "units"));
+}
+
+TEST(Diagnose, NotesAMotorSideThatCarriesMoreThanTheMotorGives) {
+  const auto too_much = changed([](std::vector<std::string>& fields, bool header) {
+    fields.push_back(header ? "Ta_N" : std::to_string(1.5 * std::stod(fields[4])));
+  });
+  std::vector<std::string> rows = too_much;
+  std::erase_if(rows, [](const std::string& row) {
+    return row.find("TR3") != std::string::npos || row.find("TR5") != std::string::npos;
+  });
+  EXPECT_TRUE(has_note(diagnosed(rows), "motor_side_above_motor"));
+}
+
+TEST(Diagnose, ThatIsStoppedWritesNothing) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 100ms)};
+  const ProcessResult result =
+      reeve({"diagnose", with_cause, "--replicates", "100000", "--threads", "1", "--out", "out"},
+            options);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "reeve: interrupted\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
+TEST(Diagnose, ShowsItsStageOnATerminal) {
+  ProcessOptions options;
+  options.stderr_is_terminal = true;
+  const ProcessResult result = reeve({"diagnose", with_cause}, options);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("searching for causes"), std::string::npos);
+  EXPECT_TRUE(result.err.ends_with("\r\x1b[K"));
+}
+
+}  // namespace
+}  // namespace reeve::testing
