@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/split_kinematics.hpp"
+
 namespace reeve {
 namespace {
 
@@ -44,8 +46,10 @@ void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanic
   }
 }
 
-void impose_travel(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
-                   Grasp grasp, Direction direction, const TendonTally& tally, Motion& motion) {
+// `closing_of` gives the dl of a closing finger's strand.
+template <typename ClosingOf>
+void impose_travel(const Network& network, const TendonSpan& tendon, Grasp grasp,
+                   Direction direction, ClosingOf closing_of, Motion& motion) {
   const bool pull = direction == Direction::pull;
   const double sign = pull ? 1 : -1;
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
@@ -56,8 +60,7 @@ void impose_travel(const Network& network, const TendonSpan& tendon, const Mecha
       motion.imposed[i] = sign;
       if (!pull) motion.take_up[i] = 1;
     } else if (closes(segment, grasp)) {
-      const double dl =
-          tally.motor_sides * closing_weight(segment, mechanics) / tally.closing_weight;
+      const double dl = closing_of(segment);
       motion.imposed[i] = -sign * dl;
       if (pull) motion.take_up[i] = dl;
       motion.closing[static_cast<std::size_t>(segment.finger - 1)] = dl;
@@ -109,6 +112,31 @@ double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechan
   return points_.back().at;
 }
 
+void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                             Direction direction, Motion& motion) {
+  SplitClosing split = split_closing(network, mechanics, grasp);
+  const auto found = [&](const Segment& segment) {
+    return split.closing[static_cast<std::size_t>(segment.finger - 1)];
+  };
+  std::fill(motion.slip.begin(), motion.slip.end(), 0.0);
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (split.jams[t] != 0) {
+      impose_jam(network, tendon, mechanics, direction, motion);
+    } else {
+      impose_travel(network, tendon, grasp, direction, found, motion);
+    }
+    if (split.slack[t] != 0) continue;
+    accumulate_slip(tendon, motion);
+    if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+  }
+  motion.jams = std::move(split.jams);
+  motion.slack = std::move(split.slack);
+  if (std::find(motion.jams.begin(), motion.jams.end(), 1) != motion.jams.end()) {
+    stop_everything(motion);
+  }
+}
+
 void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
                        Direction direction, Motion& motion) {
   motion.jams.assign(network.tendons.size(), 0);
@@ -116,6 +144,10 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   motion.take_up.resize(network.segments.size());
   motion.slip.resize(network.contacts.size());
   motion.closing.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  if (network.split) {
+    solve_split(network, mechanics, grasp, direction, motion);
+    return;
+  }
   bool blocked = false;
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
@@ -125,7 +157,10 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
       blocked = true;
       impose_jam(network, tendon, mechanics, direction, motion);
     } else {
-      impose_travel(network, tendon, mechanics, grasp, direction, sums, motion);
+      const auto shared = [&](const Segment& segment) {
+        return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
+      };
+      impose_travel(network, tendon, grasp, direction, shared, motion);
     }
     accumulate_slip(tendon, motion);
     if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);

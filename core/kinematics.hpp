@@ -31,6 +31,7 @@ enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 // Arrays parallel to the network's tendons, segments, contacts and fingers.
 struct Motion {
   std::vector<char> jams;
+  std::vector<char> slack;  // of the tendons; only where the network is split
   std::vector<double> imposed;
   std::vector<double> take_up;
   std::vector<double> slip;     // at D = 1; exactly 0 where the contact does not slide
@@ -54,6 +55,8 @@ class Kinematics {
     double weight;
   };
 
+  void solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                   Direction direction, Motion& motion);
   double circulation(const TendonSpan& tendon, const Mechanics& mechanics, const Motion& motion);
 
   std::vector<WeightedPoint> points_;

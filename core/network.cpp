@@ -119,6 +119,7 @@ void expand(const Routing& routing, Network& network) {
   network.contacts.clear();
   network.tendons.clear();
   network.fingers = 0;
+  network.split = false;
   Expansion expansion(network);
   for (const Tendon& tendon : routing.tendons) expansion.add(tendon);
   for (const Segment& segment : network.segments) {

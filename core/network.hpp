@@ -61,6 +61,7 @@ struct Network {
   std::vector<Contact> contacts;
   std::vector<TendonSpan> tendons;
   int fingers = 0;
+  bool split = false;  // a finger's strands may lie on two tendons (seizure.hpp)
 };
 
 // Rebuilds `network` for another routing; keeps its memory.

@@ -95,7 +95,8 @@ void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Gr
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
-    if (state.jams && motion_.jams[t] == 0) {
+    const bool slack = network.split && motion_.slack[t] != 0;
+    if (slack || (state.jams && motion_.jams[t] == 0)) {
       const auto first = state.tension.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
       std::fill_n(first, tendon.segments, 0.0);
     } else {

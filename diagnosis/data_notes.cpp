@@ -18,8 +18,8 @@ auto values(const Reading& reading) {
                   reading.sheath_angle_rad, reading.tension_N, reading.covariates);
 }
 
-// Each repeated row is in one note: of its own run if that has had the row before.
-void add_duplicates(const MeasuredData& data, std::vector<DataNote>& notes) {
+// Readings in an order in which equal ones stand together, the earliest first.
+std::vector<std::size_t> equal_together(const MeasuredData& data) {
   const std::vector<Reading>& readings = data.readings;
   std::vector<std::size_t> order(readings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -29,6 +29,13 @@ void add_duplicates(const MeasuredData& data, std::vector<DataNote>& notes) {
     };
     return key(a) < key(b);
   });
+  return order;
+}
+
+// Each repeated row is in one note: of its own run if that has had the row before.
+void add_duplicates(const MeasuredData& data, std::vector<DataNote>& notes) {
+  const std::vector<Reading>& readings = data.readings;
+  const std::vector<std::size_t> order = equal_together(data);
   DataNote same{NoteKind::duplicate, "", {}};
   DataNote across{NoteKind::duplicate_across_runs, "", {}};
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
@@ -123,6 +130,18 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
+  const std::vector<std::size_t> order = equal_together(data);
+  std::vector<std::size_t> repeated;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (values(data.readings[order[i]]) == values(data.readings[order[i - 1]])) {
+      repeated.push_back(order[i]);
+    }
+  }
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
 
 std::vector<DataNote> data_notes(const MeasuredData& data,
                                  const std::vector<CsvComment>& comments_below_the_header) {

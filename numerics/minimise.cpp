@@ -2,12 +2,18 @@
 
 #include <nlopt.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <stdexcept>
 
 namespace reeve {
 namespace {
+
+// In parts of the box's sides.
+constexpr double fine = 1e-9;
+constexpr double smooth = 1e-7;
+constexpr double first_step = 0.02;
 
 using Function = std::function<double(const std::vector<double>&)>;
 
@@ -38,12 +44,25 @@ class Problem {
     return value;
   }
 
-  void search(nlopt::algorithm algorithm, int evaluations) {
+  // The point of the box, in the scaled coordinates.
+  std::vector<double> scaled(const std::vector<double>& point) const {
+    std::vector<double> result;
+    for (const std::size_t i : free_) {
+      result.push_back(
+          std::clamp((point[i] - box_[i].low) / (box_[i].high - box_[i].low), 0.0, 1.0));
+    }
+    return result;
+  }
+
+  void start_at(const std::vector<double>& scaled) { best_scaled_ = scaled; }
+
+  void search(nlopt::algorithm algorithm, int evaluations, double tolerance, double step = 0) {
     nlopt::opt optimiser(algorithm, static_cast<unsigned>(dimensions()));
     optimiser.set_lower_bounds(0.0);
     optimiser.set_upper_bounds(1.0);
     optimiser.set_maxeval(evaluations);
-    optimiser.set_xtol_abs(1e-9);
+    optimiser.set_xtol_abs(tolerance);
+    if (step > 0) optimiser.set_initial_step(step);
     optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
                                    void* self) { return static_cast<Problem*>(self)->guarded(x); },
                                 this);
@@ -80,6 +99,13 @@ class Problem {
   std::exception_ptr failure_;
 };
 
+const Minimum& found(const Problem& problem) {
+  if (problem.best().at.empty()) {
+    throw std::domain_error("minimise: the function has no finite value in the box");
+  }
+  return problem.best();
+}
+
 }  // namespace
 
 Minimum minimise(const Function& function, const std::vector<Interval>& box, int evaluations) {
@@ -87,13 +113,24 @@ Minimum minimise(const Function& function, const std::vector<Interval>& box, int
   if (problem.dimensions() == 0) {
     problem({});
   } else {
-    problem.search(nlopt::GN_DIRECT_L, evaluations);
-    problem.search(nlopt::LN_SBPLX, evaluations);
+    problem.search(nlopt::GN_DIRECT_L, evaluations, fine);
+    problem.search(nlopt::LN_SBPLX, evaluations, fine);
   }
-  if (problem.best().at.empty()) {
-    throw std::domain_error("minimise: the function has no finite value in the box");
+  return found(problem);
+}
+
+Minimum refine(const Function& function, const std::vector<Interval>& box,
+               const std::vector<double>& start, int evaluations) {
+  Problem problem(function, box);
+  if (problem.dimensions() == 0) {
+    problem({});
+  } else {
+    const std::vector<double> scaled = problem.scaled(start);
+    problem(scaled);
+    problem.start_at(scaled);
+    problem.search(nlopt::LN_BOBYQA, evaluations, smooth, first_step);
   }
-  return problem.best();
+  return found(problem);
 }
 
 }  // namespace reeve

@@ -23,4 +23,9 @@ struct Minimum {
 Minimum minimise(const std::function<double(const std::vector<double>&)>& function,
                  const std::vector<Interval>& box, int evaluations);
 
+// Refines a starting point in the box by quadratic models (BOBYQA, M. J. D. Powell, 2009): for
+// smooth functions. The least value that was seen; otherwise as above.
+Minimum refine(const std::function<double(const std::vector<double>&)>& function,
+               const std::vector<Interval>& box, const std::vector<double>& start, int evaluations);
+
 }  // namespace reeve

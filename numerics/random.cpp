@@ -2,6 +2,9 @@
 
 #include <Random123/philox.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace reeve {
 
 double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index) {
@@ -12,6 +15,11 @@ double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index) {
   const Generator::ctr_type random = Generator{}(counter, key);
   const std::uint64_t bits = (std::uint64_t{random[0]} << 32 | random[1]) >> 11;
   return static_cast<double>(bits) * 0x1p-53;
+}
+
+double normal(std::uint64_t seed, std::uint32_t stream, std::uint64_t index) {
+  const double radius = std::sqrt(-2 * std::log1p(-uniform(seed, stream, 2 * index)));
+  return radius * std::cos(2 * std::numbers::pi * uniform(seed, stream, 2 * index + 1));
 }
 
 }  // namespace reeve

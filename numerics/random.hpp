@@ -9,4 +9,8 @@ namespace reeve {
 // Uniform in [0, 1), with 53 random bits.
 double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
 
+// Standard normal (Box–Muller): a function of its arguments, too. Take another stream than for
+// uniform numbers.
+double normal(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
+
 }  // namespace reeve

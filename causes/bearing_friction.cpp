@@ -1,0 +1,38 @@
+// The friction coefficient of the bearings is another one than the hardware says.
+//
+//   phi = mu theta, mu free    (coefficients given for one finger or contact stay)
+//
+// mu in 1. Literature: 0.001 to 0.005 for ball and needle bearings
+// (makers' catalogues quote 0.001 to 0.0018 for deep-groove ball bearings).
+#include "causes/cause.hpp"
+
+namespace reeve {
+namespace {
+
+class BearingFriction final : public Cause {
+ public:
+  const char* name() const override { return "bearing_friction"; }
+  Reach reach() const override { return Reach::hardware; }
+  const char* meaning() const override {
+    return "the friction coefficient of the bearings is another one";
+  }
+  std::vector<Parameter> parameters(const Hardware& hardware) const override {
+    return {{"mu", "1", hardware.bearing.mu, {0, 0.4}, Range{0.001, 0.005}}};
+  }
+  std::vector<Subject> subjects(const Survey& survey) const override {
+    return has_contact(survey, ContactKind::bearing) ? std::vector<Subject>(1)
+                                                     : std::vector<Subject>{};
+  }
+  void change_hardware(Hardware& hardware, const Effect& effect) const override {
+    hardware.bearing.mu = effect.values[0];
+  }
+};
+
+}  // namespace
+
+const Cause& bearing_friction_cause() {
+  static const BearingFriction cause;
+  return cause;
+}
+
+}  // namespace reeve

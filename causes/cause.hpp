@@ -1,0 +1,145 @@
+// A cause: one way in which a rig can differ from the model, with a physical size.
+//
+// A cause acts where its nature is: on the hardware, on the friction exponent of a contact (also as
+// a function of the tension there), on the grasp, on the contacts of a routing, or on what the
+// sensors read. At its nominal value it changes nothing. Each stands in a file of its own, opens
+// with its law, units, literature and source, and has one line in library.cpp; whoever solves,
+// fits, saves or prints models knows causes through this header only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "core/network.hpp"
+
+namespace reeve {
+
+// Under which a reading was taken. What is missing is taken as the reference value, at which the
+// laws of speed, wear and temperature change nothing.
+struct Conditions {
+  double motor_tension_N = 10;
+  double speed_mm_s = 10;
+  double cycle = 0;
+  double temperature_C = 20;
+};
+
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+struct Parameter {
+  const char* name = "";
+  const char* unit = "1";
+  // At which the cause changes nothing. Only the first parameter has one: it is the size; others
+  // shape the law and say nothing while the size is nominal.
+  std::optional<double> nominal;
+  Range range;  // that is searched
+  std::optional<Range> literature;
+};
+
+// What a cause is about; which of these it uses, depends on the cause.
+struct Subject {
+  std::optional<Segment> channel;
+  int finger = 0;
+  std::string routing;  // word
+  std::string contact;  // "T1-T2"
+  std::optional<Grasp> recorded;
+  std::optional<Grasp> actual;
+};
+
+// A cause with its size.
+struct Effect;
+
+// What the data could show: which causes can be asked for, and of what.
+struct SurveyedRouting {
+  std::string word;
+  const Network* network = nullptr;
+  std::vector<Grasp> recorded;
+};
+struct Survey {
+  std::vector<SurveyedRouting> routings;
+  std::vector<Segment> channels;
+  bool has_speed = false;
+  bool has_cycle = false;
+  bool has_temperature = false;
+};
+
+bool has_contact(const Survey& survey, ContactKind kind);
+inline bool has_tube_or_sheath(const Survey& survey) {
+  return has_contact(survey, ContactKind::tube) || has_contact(survey, ContactKind::sheath);
+}
+
+// One subject for each channel of the data.
+std::vector<Subject> channel_subjects(const Survey& survey);
+bool is_channel(const Segment& segment, const Subject& subject);
+
+// A contact while the tendon runs through it.
+struct ContactLoad {
+  ContactKind kind = ContactKind::tube;
+  double high_N = 0;  // the larger of the tensions beside it
+};
+
+enum class Reach : std::uint8_t {
+  hardware,    // change_hardware
+  conditions,  // exponent, whatever the tension
+  load,        // exponent, as a function of the tension
+  grasp,       // actual_grasp
+  contact,     // seized_contact
+  reading,     // reading
+};
+
+class Cause {
+ public:
+  Cause() = default;
+  virtual ~Cause() = default;
+  Cause(const Cause&) = delete;
+  Cause& operator=(const Cause&) = delete;
+
+  virtual const char* name() const = 0;
+  virtual Reach reach() const = 0;
+  virtual const char* meaning() const = 0;  // for a person: "the tubes' friction is another one"
+  // `hardware` is the one that the effect is seen against. No parameters: it is there or not.
+  virtual std::vector<Parameter> parameters(const Hardware& hardware) const = 0;
+  virtual std::vector<Subject> subjects(const Survey& survey) const = 0;
+  // What stands in brackets behind the name; empty if the cause is about the whole rig.
+  virtual std::string subject_name(const Subject&) const { return {}; }
+
+  // Each of the following is called for causes of its reach only.
+  virtual void change_hardware(Hardware&, const Effect&) const {}
+  virtual double exponent(double phi, const ContactLoad&, const Conditions&, const Effect&) const {
+    return phi;
+  }
+  virtual Grasp actual_grasp(const std::string&, Grasp recorded, const Effect&) const {
+    return recorded;
+  }
+  virtual std::optional<std::size_t> seized_contact(const std::string&, const Network&,
+                                                    const Effect&) const {
+    return std::nullopt;
+  }
+  virtual double reading(double tension_N, const Segment&, const Effect&) const {
+    return tension_N;
+  }
+};
+
+struct Effect {
+  const Cause* cause = nullptr;
+  Subject subject;
+  std::vector<double> values;  // parallel to the parameters
+};
+
+// "sensor_gain[T3]"
+std::string name(const Effect& effect);
+
+inline bool is_bearing(ContactKind kind) { return kind == ContactKind::bearing; }
+inline bool is_tube_or_sheath(ContactKind kind) { return kind != ContactKind::bearing; }
+
+// The exponent that stands for T_low = T_high e^{-phi} - F at this T_high; at most max_exponent.
+double exponent_with_force(double phi, double high_N, double force_N);
+
+}  // namespace reeve

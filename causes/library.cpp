@@ -1,0 +1,52 @@
+#include "causes/library.hpp"
+
+#include <array>
+
+// A new cause is a file that defines `const Cause& <name>_cause()`, and a line here. Forces come
+// behind what scales an exponent.
+#define REEVE_CAUSES(X)       \
+  X(tube_friction)            \
+  X(sheath_friction)          \
+  X(bearing_friction)         \
+  X(load_dependent_friction)  \
+  X(speed_dependent_friction) \
+  X(wear)                     \
+  X(temperature)              \
+  X(bending_stiffness)        \
+  X(bearing_drag)             \
+  X(sheath_angle)             \
+  X(wrong_grasp)              \
+  X(seized_contact)           \
+  X(pretension)               \
+  X(sensor_gain)              \
+  X(sensor_offset)
+
+namespace reeve {
+
+#define REEVE_DECLARE(name) const Cause& name##_cause();
+REEVE_CAUSES(REEVE_DECLARE)
+#undef REEVE_DECLARE
+
+std::span<const Cause* const> cause_library() {
+#define REEVE_LIST(name) &name##_cause(),
+  static const std::array causes = {REEVE_CAUSES(REEVE_LIST)};
+#undef REEVE_LIST
+  return causes;
+}
+
+const Cause* find_cause(const std::string& name) {
+  for (const Cause* cause : cause_library()) {
+    if (cause->name() == name) return cause;
+  }
+  return nullptr;
+}
+
+std::string cause_names() {
+  std::string names;
+  for (const Cause* cause : cause_library()) {
+    names += (names.empty() ? "" : ", ") + std::string(cause->name());
+  }
+  return names;
+}
+
+}  // namespace reeve

@@ -1,0 +1,38 @@
+// A model of a rig: its hardware, and the effects of causes by which it differs from the plain
+// friction model. Without effects it is that model.
+#pragma once
+
+#include <vector>
+
+#include "causes/cause.hpp"
+#include "core/hardware.hpp"
+#include "core/mechanics.hpp"
+#include "core/seizure.hpp"
+#include "core/tension.hpp"
+
+namespace reeve {
+
+struct Model {
+  Hardware hardware;
+  std::vector<Effect> effects;  // in the order of the library
+  // Under which a design is judged, where no reading says otherwise.
+  Conditions conditions;
+};
+
+// Adds an effect at its place in the order of the library.
+void add_effect(Model& model, Effect effect);
+
+// The hardware with all effects on it.
+Hardware effective_hardware(const Model& model);
+Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effects);
+
+// Of the effects' reaches, whether one is this.
+bool reaches(const Model& model, Reach reach);
+
+Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded);
+std::vector<std::size_t> seized_contacts(const Model& model, const std::string& word,
+                                         const Network& network);
+// What the sensor at this segment reads.
+double reading(const Model& model, const Segment& segment, double tension_N);
+
+}  // namespace reeve

@@ -1,0 +1,33 @@
+// How fingers close whose two strands may lie on two tendons, since a contact between them is
+// seized (seizure.hpp).
+//
+// The carriage travels D = 1. A tendon with m motor-side segments must lose m; its strands give up
+// dl_f each. The fingers close as little as they must:
+//
+//   minimise   Σ_f dl_f² / w_f    (w_f: closing weight)
+//   subject to Σ_{strands on tendon p} dl_f >= m_p,   dl_f = 0 for held fingers
+//
+// so that on one tendon alone the closing fingers share by weight, as everywhere else. A tendon
+// that has to give up more than it must is slack, and so is one without motor-side segment; one
+// that the motor pulls and no finger can serve jams. Release is the motion reversed.
+//
+// Solved by Hildreth's method: the multipliers lambda_p >= 0 one after the other, dl = W Aᵀ lambda.
+#pragma once
+
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+
+namespace reeve {
+
+struct SplitClosing {
+  std::vector<double> closing;  // dl of fingers 1 … n
+  std::vector<char> jams;       // of the tendons
+  std::vector<char> slack;      // of the tendons
+};
+
+SplitClosing split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp);
+
+}  // namespace reeve

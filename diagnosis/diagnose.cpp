@@ -1,0 +1,353 @@
+#include "diagnosis/diagnose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/cause_search.hpp"
+#include "diagnosis/fit.hpp"
+#include "diagnosis/hold_out.hpp"
+#include "diagnosis/intervals.hpp"
+#include "diagnosis/null_model.hpp"
+#include "diagnosis/problem.hpp"
+
+namespace reeve {
+namespace {
+
+// What is left has to be stranger than a cause before it is called unexplained: most data are not
+// exactly normal.
+constexpr double structure_share_of_alpha = 0.2;
+constexpr double too_few_degrees = 8;
+
+class Diagnosis {
+ public:
+  Diagnosis(const MeasuredData& data, const Hardware& hardware, const DiagnoseOptions& options)
+      : data_(data), options_(options), workers_(options.threads) {
+    nominal_.hardware = hardware;
+    result_.notes = data.notes;
+    result_.model = nominal_;
+  }
+
+  std::optional<DiagnosisResult> run() {
+    split();
+    estimate_noise();
+    if (training_.degrees_of_freedom() < too_few_degrees) {
+      note_too_few();
+    } else {
+      if (!find_causes()) return std::nullopt;
+      if (!weigh_alternatives()) return std::nullopt;
+      confirm();
+      if (!stopped("checking what is left")) check_what_is_left();
+    }
+    if (stop_) return std::nullopt;
+    describe_causes();
+    decide();
+    compare_cells();
+    return std::move(result_);
+  }
+
+ private:
+  bool stopped(const char* stage) {
+    if (options_.stage && options_.stage(stage)) stop_ = true;
+    return stop_;
+  }
+
+  void split() {
+    const Split split = split_by_run(data_, options_.hold_out, options_.seed);
+    const auto thin = [&](const std::vector<std::size_t>& readings) {
+      std::vector<std::size_t> kept = thinned(data_, readings, most_readings);
+      result_.thinned_rows += readings.size() - kept.size();
+      return kept;
+    };
+    training_ = dataset(data_, thin(split.training));
+    held_out_ = dataset(data_, thin(split.held_out));
+    if (training_.cells.empty()) {
+      throw InputError(data_.file +
+                       ": there is nothing to diagnose: expected rows with motor_tension_N, or "
+                       "with two tensions that are not both slack");
+    }
+    result_.rows = training_.rows.size() + held_out_.rows.size();
+    result_.runs = data_.runs.size();
+    result_.held_out_runs = held_out_.cells.empty() ? 0 : split.held_out_runs.size();
+    result_.dropped_duplicates = split.dropped.size();
+    add_notes(split);
+  }
+
+  void add_notes(const Split& split) {
+    const auto add = [&](const std::string& text, std::vector<std::size_t> lines = {}) {
+      result_.notes.push_back({NoteKind::not_compared, text, std::move(lines)});
+    };
+    if (!split.dropped.empty()) {
+      std::vector<std::size_t> lines;
+      for (const std::size_t i : split.dropped) lines.push_back(data_.readings[i].line);
+      add("rows that repeat an earlier one in every value are left out of the diagnosis", lines);
+    }
+    const std::size_t silent =
+        data_.readings.size() - split.dropped.size() - result_.rows - result_.thinned_rows;
+    if (silent > 0) {
+      add(fmt::format(
+          "{} rows without motor tension, or with a motor tension of 0, have fewer than "
+          "two tensions that say something: they are left out of the diagnosis",
+          silent));
+    }
+    if (result_.thinned_rows > 0) {
+      add(fmt::format("{} rows are left out evenly: {} say as much about which cause it is",
+                      result_.thinned_rows, result_.rows));
+    }
+    if (held_out_.cells.empty()) {
+      add(data_.runs.size() < 2
+              ? "there is one run only: nothing can be held out, so no gain can be tested"
+              : "nothing is held out, so no gain can be tested");
+    }
+  }
+
+  void note_too_few() {
+    result_.notes.push_back(
+        {NoteKind::not_compared,
+         fmt::format("{:.0f} independent readings in the training runs are too few to say "
+                     "anything: expected at least {:.0f}",
+                     training_.degrees_of_freedom(), too_few_degrees),
+         {}});
+  }
+
+  void estimate_noise() {
+    const std::optional<Noise> measured = noise_without_model(training_);
+    noise_is_measured_ = measured.has_value();
+    result_.noise = measured ? *measured : noise_left_by(nominal_);
+    problem_ = problem(training_, deviations(training_, result_.noise));
+  }
+
+  Noise noise_left_by(const Model& model) const {
+    const Forecast at = forecast(training_, model);
+    const Problem plain = problem(
+        training_, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(training_.cells.size())));
+    return noise_of_residuals(training_, residuals(plain, at),
+                              static_cast<double>(parameter_count(model)));
+  }
+
+  void update_noise(Problem& problem, const Model& model) {
+    if (noise_is_measured_) return;
+    result_.noise = noise_left_by(model);
+    problem.deviation_N = deviations(training_, result_.noise);
+  }
+
+  bool find_causes() {
+    candidates_ = candidates(survey(data_), nominal_.hardware);
+    const CauseSearchOptions options{options_.alpha, options_.replicates, options_.most_causes,
+                                     options_.seed};
+    auto found = search_causes(
+        problem_, nominal_, candidates_, options, workers_,
+        [this](Problem& problem, const Model& model) { update_noise(problem, model); },
+        [this] { return stopped("searching for causes"); });
+    if (!found) return false;
+    result_.model = found->model;
+    result_.p_value =
+        found->accepted.empty() ? found->p_value_of_next : found->accepted.front().p_value;
+    for (const AcceptedCause& accepted : found->accepted) {
+      NamedCause cause;
+      cause.effect = accepted.effect;
+      cause.name = name(accepted.effect);
+      cause.p_value = accepted.p_value;
+      result_.causes.push_back(std::move(cause));
+    }
+    return true;
+  }
+
+  std::size_t place(const Effect& effect) const {
+    std::size_t i = 0;
+    while (!same_effect(result_.model.effects[i], effect)) ++i;
+    return i;
+  }
+
+  bool weigh_alternatives() {
+    for (NamedCause& cause : result_.causes) {
+      if (stopped("weighing other causes")) return false;
+      const auto others =
+          alternatives(problem_, result_.model, place(cause.effect), candidates_, workers_);
+      std::vector<std::string> names{cause.name};
+      std::vector<Model> models{result_.model};
+      for (const Alternative& other : others) {
+        if (other.name == cause.name) continue;
+        if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
+        const bool known = std::find(names.begin(), names.end(), other.name) != names.end();
+        if (other.deficit >= alias_margin || known) continue;
+        names.push_back(other.name);
+        models.push_back(other.fit.model);
+      }
+      others_.push_back(others);
+      if (names.size() < 2) continue;
+      result_.indistinguishable.push_back(std::move(names));
+      result_.indistinguishable_models.push_back(std::move(models));
+    }
+    return true;
+  }
+
+  // The held-out runs are opened here, once: every number that needs them is taken now.
+  void confirm() {
+    weigh();
+    if (held_out_.cells.empty()) return;
+    const Problem unseen = problem(held_out_, deviations(held_out_, result_.noise));
+    for (std::size_t c = 0; c < result_.causes.size(); ++c) {
+      NamedCause& cause = result_.causes[c];
+      const Fit before = fit(problem_, without(result_.model, place(cause.effect)));
+      cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
+    }
+    for (WeighedCause& weighed : result_.weighed) {
+      const auto found = std::find_if(weighed_models_.begin(), weighed_models_.end(),
+                                      [&](const auto& item) { return item.first == weighed.name; });
+      weighed.held_out = held_out_gain(unseen, nominal_, found->second, options_.seed);
+    }
+    drop_refuted();
+    if (!result_.causes.empty()) {
+      result_.held_out = held_out_gain(unseen, nominal_, result_.model, options_.seed);
+    }
+  }
+
+  // The first accepted cause beside whatever might stand in its place.
+  void weigh() {
+    const double nothing = misfit(problem_, nominal_);
+    const double degrees = training_.degrees_of_freedom();
+    const auto add = [&](const std::string& name, const Model& model, double misfit) {
+      const auto known = std::find_if(weighed_models_.begin(), weighed_models_.end(),
+                                      [&](const auto& item) { return item.first == name; });
+      if (known != weighed_models_.end()) return;
+      weighed_models_.emplace_back(name, model);
+      result_.weighed.push_back({name, degrees / 2 * std::log(nothing / misfit), std::nullopt});
+    };
+    if (result_.causes.empty()) return;
+    std::string all;
+    for (const NamedCause& cause : result_.causes) {
+      all += (all.empty() ? "" : " + ") + cause.name;
+    }
+    add(all, result_.model, misfit(problem_, result_.model));
+    for (std::size_t c = 0; c < result_.causes.size(); ++c) {
+      std::string kept;
+      for (std::size_t o = 0; o < result_.causes.size(); ++o) {
+        if (o != c) kept += " + " + result_.causes[o].name;
+      }
+      for (const Alternative& other : others_[c]) {
+        add(other.name + kept, other.fit.model, other.fit.misfit);
+      }
+    }
+  }
+
+  void drop_refuted() {
+    for (std::size_t c = result_.causes.size(); c-- > 0;) {
+      const NamedCause& cause = result_.causes[c];
+      if (cause.held_out->log_likelihood_gain >= 0) continue;
+      result_.not_confirmed.push_back(cause.name);
+      std::erase_if(result_.indistinguishable_models, [&](const auto& models) {
+        const auto i = static_cast<std::size_t>(&models - result_.indistinguishable_models.data());
+        return result_.indistinguishable[i].front() == cause.name;
+      });
+      std::erase_if(result_.indistinguishable,
+                    [&](const auto& names) { return names.front() == cause.name; });
+      result_.model = fit(problem_, without(result_.model, place(cause.effect))).model;
+      result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(c));
+    }
+  }
+
+  void check_what_is_left() {
+    const Forecast at = forecast(training_, result_.model);
+    const Projection projection(problem_, result_.model, at);
+    const Eigen::VectorXd left = projection.taken_out(residuals(problem_, at));
+    const NullModel null_model(problem_, projection, at, options_.seed + 104729,
+                               options_.replicates);
+    const auto tests = structure_tests(problem_, at, projection);
+    const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
+    result_.structure = found.findings;
+    if (found.p_value < structure_share_of_alpha * options_.alpha) {
+      result_.unexplained = {found.findings.front().about, found.where, found.p_value};
+    }
+  }
+
+  void describe_causes() {
+    const auto intervals = parameter_intervals(problem_, result_.model, options_.seed);
+    for (NamedCause& cause : result_.causes) {
+      const std::size_t e = place(cause.effect);
+      cause.effect = result_.model.effects[e];
+      cause.meaning = cause.effect.cause->meaning();
+      cause.detail = detail(cause.effect);
+      const auto parameters = cause.effect.cause->parameters(nominal_.hardware);
+      for (std::size_t p = 0; p < parameters.size(); ++p) {
+        cause.parameters.push_back({parameters[p].name, parameters[p].unit, cause.effect.values[p],
+                                    intervals[e][p].low, intervals[e][p].high,
+                                    parameters[p].nominal, parameters[p].literature});
+      }
+    }
+  }
+
+  void decide() {
+    if (result_.unexplained) {
+      result_.verdict = Verdict::unexplained;
+    } else if (!result_.indistinguishable.empty()) {
+      result_.verdict = Verdict::indistinguishable;
+    } else {
+      result_.verdict = result_.causes.empty() ? Verdict::none : Verdict::cause;
+    }
+  }
+
+  void compare_cells() {
+    for (const bool held_out : {false, true}) {
+      const Dataset& part = held_out ? held_out_ : training_;
+      if (part.cells.empty()) continue;
+      const Forecast before = forecast(part, nominal_);
+      const Forecast after = forecast(part, result_.model);
+      const Eigen::VectorXd deviation = deviations(part, result_.noise);
+      for (std::size_t i = 0; i < part.cells.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        result_.cells.push_back(
+            {part.cells[i], held_out, before.reading_N[k], after.reading_N[k], deviation[k]});
+      }
+    }
+    std::stable_sort(result_.cells.begin(), result_.cells.end(),
+                     [](const ComparedCell& a, const ComparedCell& b) {
+                       return a.cell.reading < b.cell.reading;
+                     });
+  }
+
+  const MeasuredData& data_;
+  const DiagnoseOptions& options_;
+  Workers workers_;
+  bool stop_ = false;
+  bool noise_is_measured_ = false;
+  Model nominal_;
+  Dataset training_;
+  Dataset held_out_;
+  Problem problem_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::vector<Alternative>> others_;  // parallel to the causes as accepted
+  std::vector<std::pair<std::string, Model>> weighed_models_;
+  DiagnosisResult result_;
+};
+
+}  // namespace
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::none:
+      return "none";
+    case Verdict::cause:
+      return "cause";
+    case Verdict::unexplained:
+      return "unexplained";
+    case Verdict::indistinguishable:
+      return "indistinguishable";
+  }
+  return "";
+}
+
+std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
+                                              const DiagnoseOptions& options) {
+  return Diagnosis(data, hardware, options).run();
+}
+
+DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,
+                         const DiagnoseOptions& options) {
+  return *diagnose_until(data, hardware, options);
+}
+
+}  // namespace reeve

@@ -1,0 +1,125 @@
+// What the simulation gets wrong, why, and what mending it gains.
+//
+//   data without repetitions → runs held out → noise → causes accepted on the training runs
+//   (cause_search.hpp) → what else would explain as much → does it hold on the held-out runs, which
+//   are opened once → is anything left (structure.hpp) → verdict
+//
+// A cause is named if it was accepted against chance (family-wise, alpha), if no other cause
+// explains the training runs nearly as well (within `alias_margin` in log-likelihood), and if it
+// does not fail on held-out runs. docs/diagnosis.md tells it for people.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/dataset.hpp"
+#include "diagnosis/held_out.hpp"
+#include "diagnosis/measured_data.hpp"
+#include "diagnosis/noise.hpp"
+#include "diagnosis/structure.hpp"
+
+namespace reeve {
+
+// Two causes whose best fits differ by less than this cannot be told apart: were the worse one
+// true, noise would favour the better one by as much in at most 1 of 400 data sets, however far
+// apart their forecasts are (Φ(−√(2·4)) = 0.0023).
+inline constexpr double alias_margin = 4;
+
+// More readings than this say nothing more about which cause it is.
+inline constexpr std::size_t most_readings = 4000;
+
+struct DiagnoseOptions {
+  double alpha = 0.05;
+  double hold_out = 0.3;  // share of the runs
+  std::uint64_t seed = 1;
+  std::size_t replicates = 400;
+  std::size_t most_causes = 3;
+  int threads = 0;
+  // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
+  std::function<bool(const char* stage)> stage;
+};
+
+enum class Verdict : std::uint8_t { none, cause, unexplained, indistinguishable };
+const char* name(Verdict verdict);
+
+struct EstimatedParameter {
+  std::string name;
+  std::string unit;
+  double value = 0;
+  double low = 0;
+  double high = 0;
+  std::optional<double> nominal;
+  std::optional<Range> literature;
+};
+
+struct RunnerUp {
+  std::string name;
+  double delta_log_likelihood = 0;  // by which it explains the training runs less
+};
+
+struct NamedCause {
+  std::string name;
+  std::string meaning;
+  std::string detail;
+  Effect effect;
+  std::vector<EstimatedParameter> parameters;
+  std::optional<HeldOut> held_out;  // with this cause over without it, all others kept
+  double p_value = 1;
+  std::optional<RunnerUp> runner_up;
+};
+
+// How one cause alone, or in place of an accepted one, explains the data.
+struct WeighedCause {
+  std::string name;
+  double gain = 0;  // in log-likelihood on the training runs, over the nominal model
+  std::optional<HeldOut> held_out;
+};
+
+struct Unexplained {
+  std::string about;  // "routing, grasp and strand"
+  std::string where;  // "T2 of M-1-P-2-M, held 1 (reads more)"
+  double p_value = 1;
+};
+
+struct ComparedCell {
+  Cell cell;
+  bool held_out = false;
+  double before_N = 0;  // forecast of the model as it was
+  double after_N = 0;   // of the extended one
+  double deviation_N = 0;
+};
+
+struct DiagnosisResult {
+  Verdict verdict = Verdict::none;
+  std::vector<NamedCause> causes;
+  std::vector<std::vector<std::string>> indistinguishable;
+  // The models behind the names of each group, in their order.
+  std::vector<std::vector<Model>> indistinguishable_models;
+  std::optional<Unexplained> unexplained;
+  std::vector<StructureFinding> structure;  // after the named causes
+  std::optional<HeldOut> held_out;          // all causes over none
+  std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
+  std::vector<WeighedCause> weighed;
+  double p_value = 1;  // that chance alone gives what the best cause gains
+  Noise noise;
+  Model model;  // the extended one
+  std::vector<ComparedCell> cells;
+  std::size_t rows = 0;  // used, training and held out
+  std::size_t runs = 0;
+  std::size_t held_out_runs = 0;
+  std::size_t dropped_duplicates = 0;
+  std::size_t thinned_rows = 0;  // beyond most_readings
+  std::vector<DataNote> notes;
+};
+
+// Nothing if it was stopped. Throws InputError if no row can be compared.
+std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
+                                              const DiagnoseOptions& options);
+DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,
+                         const DiagnoseOptions& options = {});
+
+}  // namespace reeve

@@ -1,0 +1,43 @@
+// How far readings scatter where nothing changes: sd² = absolute² + (relative T)².
+//
+// Estimated, in this order, from
+//   repeats     readings of a channel under the same conditions, if there are enough
+//   smoothing   readings of a channel in one routing, grasp and direction, beside a regression of
+//               T / T_M on load, speed, cycle, temperature and order: what no smooth law explains
+//   residuals   of a model, where the data are too few for either
+// Both parts together maximise the (restricted) likelihood of the residuals.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "diagnosis/dataset.hpp"
+
+namespace reeve {
+
+enum class NoiseSource : std::uint8_t { repeats, smoothing, residuals };
+const char* name(NoiseSource source);
+
+struct Noise {
+  double relative = 0;    // of the reading, 1
+  double absolute_N = 0;  // N
+  NoiseSource source = NoiseSource::residuals;
+  double degrees_of_freedom = 0;
+};
+
+// A reading less what it scatters about, and which part of its variance is left in that.
+struct ScatterSample {
+  double level_N = 0;
+  double residual_N = 0;
+  double kept = 1;
+};
+
+// sd of each cell; never below what keeps a reading of 0 from weighing infinitely.
+Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise);
+
+// From repeats or smoothing; nothing if there are too few.
+std::optional<Noise> noise_without_model(const Dataset& dataset);
+// From what a model with so many fitted parameters leaves.
+Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
+                         double parameters);
+
+}  // namespace reeve

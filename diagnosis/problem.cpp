@@ -1,0 +1,101 @@
+#include "diagnosis/problem.hpp"
+
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+using Eigen::Index;
+
+void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
+  for (const DatasetRow& row : problem.dataset->rows) {
+    if (row.has_motor_tension) continue;
+    const auto first = static_cast<Index>(row.first);
+    const auto size = static_cast<Index>(row.last - row.first);
+    const Eigen::VectorXd scale =
+        at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
+    const double square = scale.squaredNorm();
+    if (square == 0) continue;
+    const double along = scale.dot(whitened.segment(first, size)) / square;
+    whitened.segment(first, size) -= along * scale;
+  }
+}
+
+// A step that is small beside the range and large beside the accuracy of a forecast.
+constexpr double step_share = 1e-4;
+
+Forecast moved(const Problem& problem, Model model, std::size_t effect, std::size_t parameter,
+               double value) {
+  model.effects[effect].values[parameter] = value;
+  return forecast(*problem.dataset, model);
+}
+
+}  // namespace
+
+Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
+  Problem result{&dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())), deviation_N};
+  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
+    result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
+  }
+  return result;
+}
+
+Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
+  Eigen::VectorXd result =
+      (problem.measured_N - forecast.reading_N).cwiseQuotient(problem.deviation_N);
+  take_out_scales(problem, forecast, result);
+  return result;
+}
+
+double misfit(const Problem& problem, const Model& model) {
+  try {
+    return residuals(problem, forecast(*problem.dataset, model)).squaredNorm();
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other) {
+  Eigen::VectorXd result = (other.reading_N - at.reading_N).cwiseQuotient(problem.deviation_N);
+  take_out_scales(problem, at, result);
+  return result;
+}
+
+Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
+                            std::size_t effect) {
+  const Effect& here = model.effects[effect];
+  const std::vector<Parameter> parameters = here.cause->parameters(model.hardware);
+  Eigen::MatrixXd result(problem.measured_N.size(), static_cast<Index>(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Range range = parameters[p].range;
+    const double step = step_share * (range.high - range.low);
+    const double value = here.values[p];
+    const double up = std::min(value + step, range.high);
+    const double down = std::max(value - step, range.low);
+    const Eigen::VectorXd change = difference(problem, at, moved(problem, model, effect, p, up)) -
+                                   difference(problem, at, moved(problem, model, effect, p, down));
+    result.col(static_cast<Index>(p)) = change / (up - down);
+  }
+  return result;
+}
+
+Eigen::MatrixXd sensitivities(const Problem& problem, const Model& model, const Forecast& at) {
+  Eigen::MatrixXd result(problem.measured_N.size(), static_cast<Index>(parameter_count(model)));
+  Index column = 0;
+  for (std::size_t e = 0; e < model.effects.size(); ++e) {
+    const Eigen::MatrixXd part = sensitivity(problem, model, at, e);
+    result.middleCols(column, part.cols()) = part;
+    column += part.cols();
+  }
+  return result;
+}
+
+std::size_t parameter_count(const Model& model) {
+  std::size_t count = 0;
+  for (const Effect& effect : model.effects) count += effect.values.size();
+  return count;
+}
+
+}  // namespace reeve

@@ -1,0 +1,44 @@
+// A dataset with its noise: residuals in units of their standard deviation, and how they follow
+// the parameters of a model.
+//
+//   e_i = (T_i − p_i) / sd_i,    J_ij = dp_i/dθ_j / sd_i
+//
+// Where a row has no motor tension its scale is free, and what a change of scale could explain is
+// taken out of both.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/dataset.hpp"
+#include "diagnosis/forecast.hpp"
+
+namespace reeve {
+
+struct Problem {
+  const Dataset* dataset = nullptr;  // must outlive the problem
+  Eigen::VectorXd measured_N;
+  Eigen::VectorXd deviation_N;
+};
+
+Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
+
+Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
+
+// Σ e²; infinite where the model has no tensions.
+double misfit(const Problem& problem, const Model& model);
+
+// A difference of forecasts, seen from `at`, in units of the noise.
+Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other);
+
+// One column for each parameter of the effect at this place of the model.
+Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
+                            std::size_t effect);
+// Of all effects side by side.
+Eigen::MatrixXd sensitivities(const Problem& problem, const Model& model, const Forecast& at);
+
+std::size_t parameter_count(const Model& model);
+
+}  // namespace reeve
