@@ -153,6 +153,24 @@ TEST(PlantedNature, DragAndBendingActInTR7WithAHeldFinger) {
   }
 }
 
+// From tension 0.2 N behind the last contact the one before it is found, against a force of 0.6 N.
+TEST(PlantedNature, ReleaseFindsTheGreaterTensionFromTheLess) {
+  Nature nature;
+  nature.bending_force_N = 0.6;
+  const auto tension = planted_tensions(nature, release("M-1-F", 0.2));
+  const double first = (0.2 + 0.6) * std::exp(sheath_phi);
+  EXPECT_NEAR(tension.at("T1"), first, 1e-7);
+  EXPECT_NEAR(tension.at("T2"), (first + 0.6) * std::exp(tube_phi), 1e-7);
+}
+
+TEST(PlantedNature, SlackIsToldOf) {
+  Nature nature;
+  nature.bending_force_N = 0.6;
+  EXPECT_TRUE(goes_slack(nature, pull("M-1-P-2-M", 10, {1})));
+  EXPECT_FALSE(goes_slack(nature, pull("M-1-T-2-F", 30)));
+  EXPECT_FALSE(goes_slack({}, pull("M-1-P-2-M", 10, {1})));
+}
+
 TEST(PlantedNature, BearingsKnowNeitherLoadNorSpeedNorTemperature) {
   Nature nature;
   nature.load_exponent = nature.speed_slope = nature.temperature_slope_per_K = 0.1;

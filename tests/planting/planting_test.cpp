@@ -91,6 +91,14 @@ TEST(Planting, NothingHiddenIsTheNominalModel) {
   EXPECT_NEAR(squares / static_cast<double>(planted.cells.size()), 1, 0.15);
 }
 
+TEST(Planting, ReadingsAreAboveTheNoise) {
+  for (const EffectKind kind : {EffectKind::bending_stiffness, EffectKind::sensor_offset}) {
+    const Planted planted = plant({{kind}, EffectSize::large, high_noise}, 6);
+    EXPECT_GT(planted.cells.size(), 200U);
+    for (const PlantedCell& cell : planted.cells) EXPECT_GE(cell.expected_N, 0.15);
+  }
+}
+
 TEST(Planting, LargeEffectsAreSeenByTheOracle) {
   for (const EffectKind kind :
        {EffectKind::tube_friction, EffectKind::load_dependent_friction, EffectKind::wear,

@@ -64,6 +64,32 @@ bool needs_another_experiment(const std::vector<PlantedEffect>& effects) {
   return names.size() < effects.size();
 }
 
+bool is_seized(const Truth& truth, const std::string& word) {
+  const auto& seized = truth.nature.seized;
+  return std::any_of(seized.begin(), seized.end(),
+                     [&](const SeizedContact& contact) { return contact.word == word; });
+}
+
+// Nobody would measure what the carriage does not pull tight, or what the sensors cannot tell from
+// 0; but a seized contact may leave anything slack.
+Experiment without_slack_rows(const Experiment& experiment, const Truth& truth,
+                              double least_reading_N) {
+  Experiment tight;
+  for (const ExperimentRow& row : experiment.rows) {
+    if (!goes_slack(truth.nature, row.condition)) tight.rows.push_back(row);
+  }
+  tight.channels = channels_of(tight.rows);
+  const Readings readings = expected_readings(truth, tight);
+  Experiment kept;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const double least = *std::min_element(readings[i].begin(), readings[i].end());
+    const ExperimentRow& row = tight.rows[i];
+    if (least >= least_reading_N || is_seized(truth, row.condition.word)) kept.rows.push_back(row);
+  }
+  kept.channels = channels_of(kept.rows);
+  return kept;
+}
+
 }  // namespace
 
 double Planted::rms_to_nominal_N() const {
@@ -108,7 +134,9 @@ Planted plant(const PlantingPlan& plan, std::uint64_t seed) {
       effects.push_back(draw_effect(kind, plan.size, experiment, dice));
     }
   } while (needs_another_experiment(effects));
-  return measure(experiment, effects, plan.noise, seed);
+  const Truth truth = truth_without(effects, effects.size());
+  return measure(without_slack_rows(experiment, truth, 3 * plan.noise.absolute_N), effects,
+                 plan.noise, seed);
 }
 
 std::string with_copied_runs(const Planted& planted, std::size_t copies) {

@@ -75,7 +75,7 @@ PlantedEffect large(EffectKind kind, const Experiment& experiment, Dice& dice) {
 }
 
 AliasPlan speed_or_temperature(Dice& dice) {
-  const double speed = whole_number(40, 100, dice), temperature = whole_number(32, 40, dice);
+  const double speed = whole_number(40, 100, dice), temperature = whole_number(36, 40, dice);
   const Adjust one = [=](ExperimentRow& row) {
     row.condition.speed_mm_s = speed;
     row.condition.temperature_C = temperature;
@@ -85,13 +85,15 @@ AliasPlan speed_or_temperature(Dice& dice) {
     row.condition.temperature_C = whole_number(10, 40, dice);
   };
   AliasPlan plan{two_experiments(usual_words(), one, usual_words(), many, dice), {}};
-  plan.effects = {large(EffectKind::speed_dependent_friction, plan.experiments.aliased, dice),
+  // Sizes for which the other cause would be of a plausible size too.
+  plan.effects = {draw_effect(EffectKind::speed_dependent_friction, EffectSize::medium,
+                              plan.experiments.aliased, dice),
                   large(EffectKind::temperature, plan.experiments.aliased, dice)};
   return plan;
 }
 
 AliasPlan temperature_or_wear(Dice& dice) {
-  const double cycle = whole_number(800, 3000, dice), temperature = whole_number(32, 40, dice);
+  const double cycle = whole_number(800, 3000, dice), temperature = whole_number(36, 40, dice);
   const Adjust one = [=](ExperimentRow& row) {
     row.condition.cycle = cycle;
     row.condition.temperature_C = temperature;
@@ -102,7 +104,7 @@ AliasPlan temperature_or_wear(Dice& dice) {
   };
   AliasPlan plan{two_experiments(usual_words(), one, usual_words(), many, dice), {}};
   plan.effects = {large(EffectKind::temperature, plan.experiments.aliased, dice),
-                  large(EffectKind::wear, plan.experiments.aliased, dice)};
+                  draw_effect(EffectKind::wear, EffectSize::small, plan.experiments.aliased, dice)};
   return plan;
 }
 

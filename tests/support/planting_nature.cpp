@@ -44,12 +44,22 @@ struct ContactLaw {
   double exponent;  // gamma
   double force_N;
 
-  double at(double high_N) const {
+  // "Less F" is T_low = T_high e^{-phi} - F and T_high = (T_low + F) e^{phi}. As an exponent, the
+  // first ends at once where T_high is given from outside; only the second is stable where T_low
+  // is, and always, but slow where T_low is far below F.
+  double from_high(double high_N) const {
     if (high_N <= 0) return exponent > 0 || force_N > 0 ? slack_phi : phi;
-    const double loaded = phi * std::pow(high_N / 10, -exponent);
-    const double share = std::exp(-loaded) - force_N / high_N;
+    const double share = std::exp(-loaded(high_N)) - force_N / high_N;
     return share > 0 ? std::min(slack_phi, -std::log(share)) : slack_phi;
   }
+
+  double from_low(double high_N, double low_N) const {
+    if (force_N == 0 || low_N <= 0) return from_high(high_N);
+    return std::min(slack_phi, loaded(high_N) + std::log1p(force_N / low_N));
+  }
+
+ private:
+  double loaded(double high_N) const { return phi * std::pow(high_N / 10, -exponent); }
 };
 
 double sheath_change(const Nature& nature, const ContactName& name) {
@@ -96,14 +106,17 @@ class Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
-  // Full steps first, which end at once where no law depends on the load; then shorter ones.
   const ReferenceResult& fixed_point() {
-    for (int step = 0; step < 800; ++step) {
-      const double share = step < 40 ? 1 : step < 120 ? 0.5 : step < 300 ? 0.2 : 0.05;
-      if (move(share) < 1e-10) return result_;
+    for (int step = 0; step < 1000; ++step) {
+      if (move(step) < 1e-10) return result_;
       solve();
     }
     throw std::runtime_error("planting: no fixed point of the tensions of " + condition_.word);
+  }
+
+  bool goes_slack() const {
+    return std::any_of(phi_.begin(), phi_.end(),
+                       [](const auto& contact) { return contact.second > slack_phi - 1; });
   }
 
  private:
@@ -112,12 +125,15 @@ class Problem {
   }
 
   // By how much the greatest step was to change an exponent.
-  double move(double share) {
+  double move(int step) {
+    const double share = step < 200 ? 1 : step < 600 ? 0.5 : 0.2;
     double greatest = 0;
     for (const auto& [name, law] : laws_) {
-      const double high = condition_.motor_tension_N *
-                          std::max(result_.tension.at(name.first), result_.tension.at(name.second));
-      const double wanted = law.at(high);
+      const double left = condition_.motor_tension_N * result_.tension.at(name.first);
+      const double right = condition_.motor_tension_N * result_.tension.at(name.second);
+      const double high = std::max(left, right);
+      const double wanted =
+          step < 30 ? law.from_high(high) : law.from_low(high, std::min(left, right));
       const auto [at, is_new] = phi_.emplace(name, wanted);
       greatest = std::max(greatest, is_new ? 1.0 : std::abs(wanted - at->second));
       at->second += share * (wanted - at->second);
@@ -183,6 +199,20 @@ std::map<std::string, double> planted_tensions(const Nature& nature, const Condi
     tension.at(original) = condition.motor_tension_N * result.tension.at(segment);
   }
   return tension;
+}
+
+bool goes_slack(const Nature& nature, const Condition& recorded) {
+  if (nature.bending_force_N == 0 && nature.drag_force_N == 0) return false;
+  const Condition condition = actual(nature, recorded);
+  const CutRouting cut = cut_of(nature, condition.word);
+  if (cut.word.empty()) return false;
+  Problem problem(nature, condition, cut);
+  try {
+    problem.fixed_point();
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+  return problem.goes_slack();
 }
 
 }  // namespace reeve::testing

@@ -61,6 +61,10 @@ struct Nature {
 // In newton, by segment name. Throws std::runtime_error if the fixed point is not reached.
 std::map<std::string, double> planted_tensions(const Nature& nature, const Condition& recorded);
 
+// Whether bending or drag leaves a stretch of tendon slack: what lies behind it, towards another
+// motor-side segment, has no tension that the laws would determine.
+bool goes_slack(const Nature& nature, const Condition& recorded);
+
 // The paper's hardware, by which everything nominal is meant.
 ReferenceHardware nominal_hardware();
 
