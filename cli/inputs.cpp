@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "reports/files.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -47,6 +49,12 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
   return routing;
 }
 
+std::string not_negative(const std::string& text) {
+  return text.find('-') == std::string::npos
+             ? std::string()
+             : "Value " + text + " is negative: expected a whole number from 0";
+}
+
 void HardwareOption::add_to(CLI::App& command) {
   option_ =
       command.add_option("--hardware", file_,
@@ -58,6 +66,25 @@ HardwareFile HardwareOption::read() const {
   if (option_->count() == 0) return {};
   if (file_.empty()) throw InputError("--hardware '': expected a TOML file");
   return read_hardware_file(file_);
+}
+
+void SvgOption::add_to(CLI::App& command, const std::string& what) {
+  option_ = command.add_option("--svg", file_, what);
+}
+
+// A link is followed, so that writing to a link to a device does not replace the link.
+void SvgOption::write(const std::string& content) const {
+  std::error_code ignored;
+  std::filesystem::path file = file_;
+  if (std::filesystem::is_symlink(file, ignored)) {
+    file = std::filesystem::weakly_canonical(file, ignored);
+  }
+  const bool other =
+      std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
+  if (file.empty() || other) {
+    throw InputError("--svg '" + file_ + "': expected the name of a file to write");
+  }
+  for_option("--svg: ", [&] { write_file(file, content); });
 }
 
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
@@ -131,12 +158,7 @@ void RankingFlags::add_to(CLI::App& command) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command.add_option("--seed", seed, "Seed of the draws")
-      ->check([](const std::string& text) {
-        // The conversion itself would take -1 for the greatest number.
-        return text.find('-') == std::string::npos
-                   ? std::string()
-                   : "Value " + text + " is negative: expected a whole number from 0";
-      })
+      ->check(not_negative)
       ->capture_default_str();
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))

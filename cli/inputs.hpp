@@ -31,9 +31,23 @@ auto for_option(const std::string& option, Read read) {
   }
 }
 
+// A check of CLI11's for seeds: its conversion would take -1 for the greatest number.
+std::string not_negative(const std::string& text);
+
 struct HardwareOption {
   void add_to(CLI::App& command);
   HardwareFile read() const;  // the paper's hardware if no file is given
+
+ private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
+// A drawing besides the result on stdout.
+struct SvgOption {
+  void add_to(CLI::App& command, const std::string& what);
+  bool is_given() const { return option_->count() > 0; }
+  void write(const std::string& content) const;
 
  private:
   std::string file_;

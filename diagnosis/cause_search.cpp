@@ -124,10 +124,11 @@ class Search {
     });
     const std::vector<double> gains = outlook.screening.gains(outlook.residuals);
     result_.p_value_of_next = p_value(*std::max_element(gains.begin(), gains.end()), greatest);
+    const double alpha = result_.accepted.empty() ? options_.alpha : options_.further_alpha;
     std::sort(greatest.begin(), greatest.end());
-    critical_gain_ = greatest[static_cast<std::size_t>((1 - options_.alpha) *
-                                                       static_cast<double>(greatest.size() - 1))];
-    if (result_.p_value_of_next > options_.alpha || stop_()) return false;
+    critical_gain_ =
+        greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
+    if (result_.p_value_of_next > alpha || stop_()) return false;
     const auto which = contenders(free, gains, contenders_by_gain, true);
     std::vector<Fit> fits = fit_each(problem_, result_.model, free, which, outlook, workers_);
     const std::size_t best = least_misfit(fits);

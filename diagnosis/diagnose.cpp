@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,10 +18,16 @@
 namespace reeve {
 namespace {
 
-// What is left has to be stranger than a cause before it is called unexplained: most data are not
-// exactly normal.
-constexpr double structure_share_of_alpha = 0.2;
+// A second name, or the claim that something is left that no cause explains, has to stand against
+// a smaller chance than the first name.
+constexpr double further_share_of_alpha = 0.2;
+constexpr double structure_share_of_alpha = 0.1;
 constexpr double too_few_degrees = 8;
+
+struct Indistinguishable {
+  std::vector<std::string> names;  // the accepted cause first
+  std::vector<Model> models;       // with each in its place
+};
 
 class Diagnosis {
  public:
@@ -45,6 +52,8 @@ class Diagnosis {
     if (stop_) return std::nullopt;
     describe_causes();
     decide();
+    if (stopped("choosing the next measurement")) return std::nullopt;
+    plan_measurements();
     compare_cells();
     return std::move(result_);
   }
@@ -105,6 +114,7 @@ class Diagnosis {
   }
 
   void note_too_few() {
+    result_.too_few = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "
@@ -136,8 +146,8 @@ class Diagnosis {
 
   bool find_causes() {
     candidates_ = candidates(survey(data_), nominal_.hardware);
-    const CauseSearchOptions options{options_.alpha, options_.replicates, options_.most_causes,
-                                     options_.seed};
+    const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
+                                     options_.replicates, options_.most_causes, options_.seed};
     auto found = search_causes(
         problem_, nominal_, candidates_, options, workers_,
         [this](Problem& problem, const Model& model) { update_noise(problem, model); },
@@ -167,20 +177,18 @@ class Diagnosis {
       if (stopped("weighing other causes")) return false;
       const auto others =
           alternatives(problem_, result_.model, place(cause.effect), candidates_, workers_);
-      std::vector<std::string> names{cause.name};
-      std::vector<Model> models{result_.model};
+      Indistinguishable group{{cause.name}, {result_.model}};
       for (const Alternative& other : others) {
         if (other.name == cause.name) continue;
         if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
-        const bool known = std::find(names.begin(), names.end(), other.name) != names.end();
+        const bool known =
+            std::find(group.names.begin(), group.names.end(), other.name) != group.names.end();
         if (other.deficit >= alias_margin || known) continue;
-        names.push_back(other.name);
-        models.push_back(other.fit.model);
+        group.names.push_back(other.name);
+        group.models.push_back(other.fit.model);
       }
       others_.push_back(others);
-      if (names.size() < 2) continue;
-      result_.indistinguishable.push_back(std::move(names));
-      result_.indistinguishable_models.push_back(std::move(models));
+      if (group.names.size() > 1) indistinguishable_.push_back(std::move(group));
     }
     return true;
   }
@@ -239,12 +247,9 @@ class Diagnosis {
       const NamedCause& cause = result_.causes[c];
       if (cause.held_out->log_likelihood_gain >= 0) continue;
       result_.not_confirmed.push_back(cause.name);
-      std::erase_if(result_.indistinguishable_models, [&](const auto& models) {
-        const auto i = static_cast<std::size_t>(&models - result_.indistinguishable_models.data());
-        return result_.indistinguishable[i].front() == cause.name;
+      std::erase_if(indistinguishable_, [&](const Indistinguishable& group) {
+        return group.names.front() == cause.name;
       });
-      std::erase_if(result_.indistinguishable,
-                    [&](const auto& names) { return names.front() == cause.name; });
       result_.model = fit(problem_, without(result_.model, place(cause.effect))).model;
       result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(c));
     }
@@ -280,10 +285,41 @@ class Diagnosis {
     }
   }
 
+  // The data's routings first: what is on the rig is easiest to measure again.
+  MeasurementPlan plan() const {
+    MeasurementPlan plan{&data_, {}, result_.noise};
+    const auto add = [&](const MeasurableRouting& routing) {
+      const bool known =
+          std::any_of(plan.routings.begin(), plan.routings.end(),
+                      [&](const MeasurableRouting& other) { return other.word == routing.word; });
+      if (!known) plan.routings.push_back(routing);
+    };
+    for (const MeasuredRouting& measured : data_.routings) add({measured.word, measured.routing});
+    for (const MeasurableRouting& routing : options_.routings) add(routing);
+    return plan;
+  }
+
+  void plan_measurements() {
+    const MeasurementPlan plan = this->plan();
+    for (const Indistinguishable& group : indistinguishable_) {
+      result_.indistinguishable.push_back(group.names);
+    }
+    if (!indistinguishable_.empty()) {
+      const Indistinguishable& group = indistinguishable_.front();
+      result_.separating_measurement = separating_measurement(plan, group.models[0], group.names[0],
+                                                              group.models[1], group.names[1]);
+      result_.next_measurement = result_.separating_measurement;
+    } else if (!result_.causes.empty()) {
+      const NamedCause& cause = result_.causes.front();
+      result_.next_measurement =
+          shrinking_measurement(plan, problem_, result_.model, place(cause.effect));
+    }
+  }
+
   void decide() {
     if (result_.unexplained) {
       result_.verdict = Verdict::unexplained;
-    } else if (!result_.indistinguishable.empty()) {
+    } else if (!indistinguishable_.empty()) {
       result_.verdict = Verdict::indistinguishable;
     } else {
       result_.verdict = result_.causes.empty() ? Verdict::none : Verdict::cause;
@@ -319,6 +355,7 @@ class Diagnosis {
   Dataset held_out_;
   Problem problem_;
   std::vector<Candidate> candidates_;
+  std::vector<Indistinguishable> indistinguishable_;
   std::vector<std::vector<Alternative>> others_;  // parallel to the causes as accepted
   std::vector<std::pair<std::string, Model>> weighed_models_;
   DiagnosisResult result_;

@@ -19,6 +19,7 @@
 #include "diagnosis/dataset.hpp"
 #include "diagnosis/held_out.hpp"
 #include "diagnosis/measured_data.hpp"
+#include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
 #include "diagnosis/structure.hpp"
 
@@ -36,9 +37,11 @@ struct DiagnoseOptions {
   double alpha = 0.05;
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
-  std::size_t replicates = 400;
+  std::size_t replicates = 1000;
   std::size_t most_causes = 3;
   int threads = 0;
+  // To choose the next measurement from, beside those of the data.
+  std::vector<MeasurableRouting> routings;
   // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
   std::function<bool(const char* stage)> stage;
 };
@@ -95,10 +98,13 @@ struct ComparedCell {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
+  bool too_few = false;  // readings to say anything; the verdict is none
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
-  // The models behind the names of each group, in their order.
-  std::vector<std::vector<Model>> indistinguishable_models;
+  // Between the first two of the first group.
+  std::optional<PlannedMeasurement> separating_measurement;
+  // Which separates the leading explanations, or else most shrinks the interval of the first cause.
+  std::optional<PlannedMeasurement> next_measurement;
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none

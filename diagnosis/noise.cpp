@@ -173,12 +173,14 @@ const char* name(NoiseSource source) {
   return "";
 }
 
+double Noise::deviation(double tension_N) const {
+  return std::hypot(absolute_N, relative * tension_N);
+}
+
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(dataset.cells.size()));
-  const double absolute = std::max(noise.absolute_N, least_absolute(dataset));
   for (Eigen::Index i = 0; i < result.size(); ++i) {
-    result[i] = std::hypot(absolute,
-                           noise.relative * dataset.cells[static_cast<std::size_t>(i)].measured_N);
+    result[i] = noise.deviation(dataset.cells[static_cast<std::size_t>(i)].measured_N);
   }
   return result;
 }

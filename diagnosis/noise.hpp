@@ -19,9 +19,12 @@ const char* name(NoiseSource source);
 
 struct Noise {
   double relative = 0;    // of the reading, 1
-  double absolute_N = 0;  // N
+  double absolute_N = 0;  // N; at least a thousandth of the median reading, so that a reading of 0
+                          // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
   double degrees_of_freedom = 0;
+
+  double deviation(double tension_N) const;
 };
 
 // A reading less what it scatters about, and which part of its variance is left in that.
@@ -31,7 +34,7 @@ struct ScatterSample {
   double kept = 1;
 };
 
-// sd of each cell; never below what keeps a reading of 0 from weighing infinitely.
+// sd of each cell.
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise);
 
 // From repeats or smoothing; nothing if there are too few.

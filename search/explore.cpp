@@ -182,7 +182,7 @@ class Exploration {
 
   const ExploreOptions& options_;
   RoutingGenerator generator_;
-  Range range_;
+  ShardRange range_;
   Workers workers_;
   Archive archive_;
   std::vector<std::uint64_t> constraint_failures_;

@@ -200,7 +200,7 @@ void RoutingGenerator::seek(std::uint64_t index) {
   position_ = Position::at_unread;
 }
 
-Range shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n) {
+ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n) {
   const auto cut = [&](std::uint64_t part) {
     return static_cast<std::uint64_t>(Wide{total} * part / n);
   };

@@ -71,12 +71,12 @@ class RoutingGenerator {
   Position position_ = Position::before_first;
 };
 
-struct Range {
+struct ShardRange {
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 };
 
 // The i-th of n parts of 0 … total, i from 1: all parts together are exactly the whole.
-Range shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
+ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
 
 }  // namespace reeve

@@ -500,7 +500,7 @@ TEST(Shards, RangesPartitionTheWhole) {
     for (const std::uint64_t n : {1U, 2U, 3U, 7U, 64U, 95U, 1000U}) {
       std::uint64_t end = 0;
       for (std::uint64_t i = 1; i <= n; ++i) {
-        const Range range = shard_range(total, i, n);
+        const ShardRange range = shard_range(total, i, n);
         ASSERT_EQ(range.begin, end) << i << "/" << n << " of " << total;
         ASSERT_LE(range.begin, range.end);
         const std::uint64_t size = range.end - range.begin;
@@ -523,7 +523,7 @@ void expect_shards_make_the_whole(const GeneratorOptions& o, std::uint64_t n) {
   std::vector<std::string> together;
   for (std::uint64_t i = 1; i <= n; ++i) {
     RoutingGenerator generator(o);
-    const Range range = shard_range(generator.total(), i, n);
+    const ShardRange range = shard_range(generator.total(), i, n);
     generator.seek(range.begin);
     Routing routing;
     for (std::uint64_t index = range.begin; index < range.end; ++index) {
