@@ -27,10 +27,11 @@ class Search {
   }
 
   std::optional<CauseSearchResult> run() {
-    while (result_.accepted.size() < options_.most_causes && !stop_()) {
+    while (result_.accepted.size() < options_.most_causes && !exhausted_ && !stop_()) {
       if (!accept_one()) break;
       if (stop_()) break;
       defend();
+      if (result_.accepted.size() > 2) shrink();
     }
     if (stop_()) return std::nullopt;
     return std::move(result_);
@@ -103,6 +104,35 @@ class Search {
     return true;
   }
 
+  // Accepted one by one, three causes may say in a roundabout way what two others say at once: of
+  // all models that have one of them and one other cause, the best takes over if that costs less
+  // than a third cause has to gain.
+  void shrink() {
+    const double now = misfit(problem_, result_.model);
+    Fit best;
+    AcceptedCause kept, taken;
+    for (const AcceptedCause& accepted : result_.accepted) {
+      if (stop_()) return;
+      Model alone = result_.model;
+      std::erase_if(alone.effects,
+                    [&](const Effect& effect) { return !same_effect(effect, accepted.effect); });
+      const Fit base = fit(problem_, alone);
+      const Outlook outlook(problem_, base.model, candidates_, workers_);
+      const auto which = outlook.contenders(most_rivals, Outlook::Laws::always);
+      std::vector<Fit> fits = outlook.fit_each(which);
+      const std::size_t i = least_misfit(fits);
+      if (fits.empty() || (best.misfit > 0 && fits[i].misfit >= best.misfit)) continue;
+      best = std::move(fits[i]);
+      kept = accepted;
+      taken = {outlook.candidates()[which[i]].effect, accepted.p_value};
+    }
+    if (best.model.effects.empty() || gain(best.misfit, now) >= critical_gain_) return;
+    result_.model = std::move(best.model);
+    result_.accepted = {kept, taken};
+    changed_(problem_, result_.model);
+    exhausted_ = true;
+  }
+
   Problem& problem_;
   const std::vector<Candidate>& candidates_;
   const CauseSearchOptions& options_;
@@ -111,6 +141,7 @@ class Search {
   const std::function<bool()>& stop_;
   CauseSearchResult result_;
   double critical_gain_ = 0;
+  bool exhausted_ = false;  // two causes do what a third was accepted for
 };
 
 }  // namespace

@@ -161,13 +161,12 @@ class Diagnosis {
   // The first accepted cause beside whatever might stand in its place.
   void weigh() {
     const double nothing = misfit(problem_, nominal_);
-    const double degrees = sample_.training.degrees_of_freedom();
     const auto add = [&](const std::string& name, const Model& model, double misfit) {
       const auto known = std::find_if(weighed_models_.begin(), weighed_models_.end(),
                                       [&](const auto& item) { return item.first == name; });
       if (known != weighed_models_.end()) return;
       weighed_models_.emplace_back(name, model);
-      result_.weighed.push_back({name, degrees / 2 * std::log(nothing / misfit), std::nullopt});
+      result_.weighed.push_back({name, (nothing - misfit) / 2, std::nullopt});
     };
     if (result_.causes.empty()) return;
     std::string all;

@@ -2,6 +2,7 @@
 // of each what the capstan law says by hand: T2 = T_M e^{-mu pi} lifting, T_M e^{mu pi} lowering.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -109,17 +110,22 @@ TEST(PrintedReadings, AreMostlyTooFewToDiagnose) {
   }
 }
 
-// Ten readings, nothing held out: both coefficients of the bench are other ones than a Teflon
-// tube's and a ball bearing's, by what the printed forces say by hand.
-TEST(PrintedReadings, OfOverTheEdgeRescueNameTheFrictionOfCarabinerAndPulley) {
+bool names(const std::vector<std::vector<std::string>>& groups, const std::string& cause) {
+  return std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+    return std::find(group.begin(), group.end(), cause) != group.end();
+  });
+}
+
+// Ten readings on one channel, lifting only, nothing held out: carabiner and pulley take more than
+// a Teflon tube and a ball bearing, but what makes the difference, so few readings cannot tell.
+TEST(PrintedReadings, OfOverTheEdgeRescueDifferFromTheHardwareWithoutSayingWhy) {
   DiagnoseOptions options;
   options.hold_out = 0;
   const DiagnosisResult result = diagnose(read("over_the_edge_rescue.csv"), rope_bench(), options);
-  double bearing = 0;
-  for (const Effect& effect : result.model.effects) {
-    if (name(effect) == "bearing_friction") bearing = effect.values[0];
-  }
-  EXPECT_NEAR(bearing, std::log(1.2) / std::numbers::pi, 1e-3);
+  EXPECT_EQ(result.verdict, Verdict::indistinguishable);
+  EXPECT_TRUE(names(result.indistinguishable, "tube_friction"));
+  EXPECT_TRUE(names(result.indistinguishable, "bearing_friction"));
+  EXPECT_TRUE(result.separating_measurement.has_value());
 }
 
 TEST(PrintedReadings, AreAllTested) {
