@@ -20,5 +20,6 @@ void add_count(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_compare(CLI::App& program, int& exit_code);
 void add_diagnose(CLI::App& program, int& exit_code);
+void add_simulate(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

@@ -20,7 +20,8 @@ namespace {
 
 // A second name, or the claim that something is left that no cause explains, has to stand against
 // a smaller chance than the first name.
-constexpr double share_of_alpha = 0.2;
+constexpr double further_share_of_alpha = 0.2;
+constexpr double structure_share_of_alpha = 0.1;
 constexpr double too_few_degrees = 8;
 
 struct Indistinguishable {
@@ -113,7 +114,7 @@ class Diagnosis {
   }
 
   void note_too_few() {
-    result_.too_few_readings = true;
+    result_.too_few = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "
@@ -131,9 +132,11 @@ class Diagnosis {
 
   Noise noise_left_by(const Model& model) const {
     const Forecast at = forecast(training_, model);
-    const Problem plain = problem(
-        training_, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(training_.cells.size())));
-    return noise_of_residuals(training_, residuals(plain, at),
+    // In newton, and so sure that no reading is near what a sensor cannot read below.
+    constexpr double sure_N = 1e-6;
+    const auto cells = static_cast<Eigen::Index>(training_.cells.size());
+    const Problem plain = problem(training_, Eigen::VectorXd::Constant(cells, sure_N));
+    return noise_of_residuals(training_, sure_N * residuals(plain, at),
                               static_cast<double>(parameter_count(model)));
   }
 
@@ -145,7 +148,7 @@ class Diagnosis {
 
   bool find_causes() {
     candidates_ = candidates(survey(data_), nominal_.hardware);
-    const CauseSearchOptions options{options_.alpha, share_of_alpha * options_.alpha,
+    const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
                                      options_.replicates, options_.most_causes, options_.seed};
     auto found = search_causes(
         problem_, nominal_, candidates_, options, workers_,
@@ -264,7 +267,7 @@ class Diagnosis {
     const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
     result_.structure = found.findings;
     result_.structure_p_value = found.p_value;
-    if (found.p_value < share_of_alpha * options_.alpha) {
+    if (found.p_value < structure_share_of_alpha * options_.alpha) {
       result_.unexplained = {found.findings.front().about, found.where, found.p_value};
     }
   }

@@ -37,7 +37,7 @@ struct DiagnoseOptions {
   double alpha = 0.05;
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
-  std::size_t replicates = 400;
+  std::size_t replicates = 1000;
   std::size_t most_causes = 3;
   int threads = 0;
   // To choose the next measurement from, beside those of the data.
@@ -98,6 +98,7 @@ struct ComparedCell {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
+  bool too_few = false;  // readings to say anything; the verdict is none
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
@@ -109,9 +110,8 @@ struct DiagnosisResult {
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
   std::vector<WeighedCause> weighed;
-  double p_value = 1;             // that chance alone gives what the best cause gains
-  double structure_p_value = 1;   // that it gives the strongest of `structure`, family-wise
-  bool too_few_readings = false;  // to look for anything
+  double p_value = 1;            // that chance alone gives what the best cause gains
+  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
   Noise noise;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;

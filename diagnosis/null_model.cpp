@@ -51,10 +51,9 @@ NullModel::NullModel(const Problem& problem, const Projection& projection, const
 Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
   Problem simulated = problem_;
   for (Eigen::Index i = 0; i < simulated.measured_N.size(); ++i) {
-    simulated.measured_N[i] =
-        at_.reading_N[i] + simulated.deviation_N[i] * normal(seed_,
-                                                             static_cast<std::uint32_t>(replicate),
-                                                             static_cast<std::uint64_t>(i));
+    const double z =
+        normal(seed_, static_cast<std::uint32_t>(replicate), static_cast<std::uint64_t>(i));
+    simulated.measured_N[i] = std::max(0.0, at_.reading_N[i] + simulated.deviation_N[i] * z);
   }
   return projection_.taken_out(residuals(simulated, at_));
 }

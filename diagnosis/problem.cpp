@@ -1,6 +1,8 @@
 #include "diagnosis/problem.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/error.hpp"
 
@@ -23,6 +25,19 @@ void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd
   }
 }
 
+double rectified(double reading_N, double deviation_N) {
+  constexpr double far = 4;
+  const double z = reading_N / deviation_N;
+  if (z > far) return reading_N;
+  const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
+  const double density = std::exp(-z * z / 2) * std::numbers::inv_sqrtpi * std::numbers::sqrt2 / 2;
+  return reading_N * below + deviation_N * density;
+}
+
+Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
+  return forecast.reading_N.binaryExpr(problem.deviation_N, &rectified);
+}
+
 // A step that is small beside the range and large beside the accuracy of a forecast.
 constexpr double step_share = 1e-4;
 
@@ -43,8 +58,8 @@ Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
 }
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
-  Eigen::VectorXd result =
-      (problem.measured_N - forecast.reading_N).cwiseQuotient(problem.deviation_N);
+  Eigen::VectorXd result = (problem.measured_N - expected_readings(problem, forecast))
+                               .cwiseQuotient(problem.deviation_N);
   take_out_scales(problem, forecast, result);
   return result;
 }
@@ -58,7 +73,8 @@ double misfit(const Problem& problem, const Model& model) {
 }
 
 Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other) {
-  Eigen::VectorXd result = (other.reading_N - at.reading_N).cwiseQuotient(problem.deviation_N);
+  Eigen::VectorXd result = (expected_readings(problem, other) - expected_readings(problem, at))
+                               .cwiseQuotient(problem.deviation_N);
   take_out_scales(problem, at, result);
   return result;
 }

@@ -1,7 +1,11 @@
 // A dataset with its noise: residuals in units of their standard deviation, and how they follow
 // the parameters of a model.
 //
-//   e_i = (T_i − p_i) / sd_i,    J_ij = dp_i/dθ_j / sd_i
+//   e_i = (T_i − m_i) / sd_i,    J_ij = dm_i/dθ_j / sd_i
+//   m_i = p_i Φ(p_i / sd_i) + sd_i φ(p_i / sd_i)
+//
+// m is what a sensor reads on average that should read p and cannot read less than 0: where p is
+// more than some sd, p itself.
 //
 // Where a row has no motor tension its scale is free, and what a change of scale could explain is
 // taken out of both.

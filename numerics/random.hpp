@@ -9,8 +9,8 @@ namespace reeve {
 // Uniform in [0, 1), with 53 random bits.
 double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
 
-// Standard normal (Box–Muller): a function of its arguments, too. Take another stream than for
-// uniform numbers.
+// Standard normal (Box and Muller), never beyond 8.7. Independent of the uniform number with the
+// same arguments.
 double normal(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
 
 }  // namespace reeve

@@ -203,7 +203,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
   EXPECT_EQ(keys(json),
             "verdict causes indistinguishable separating_measurement unexplained next_measurement "
-            "held_out not_confirmed weighed structure noise ranking simulated rows runs "
+            "held_out not_confirmed weighed structure noise ranking simulated too_few rows runs "
             "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
             "version");
   const Json& cause = json["causes"][0];
@@ -233,6 +233,20 @@ TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
   EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());
 }
 
+const std::vector<std::string> power{"simulate", "--routings",      "TR5",   "--rows",   "6",
+                                     "--cause",  "sensor_gain[T3]", "--set", "gain=1.3", "--runs",
+                                     "4",        "--power",         "1"};
+
+TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
+  const Json json = json_of(power);
+  EXPECT_EQ(keys(json), "simulated experiments hidden findings trials settings version");
+  EXPECT_EQ(keys(json["hidden"][0]), "cause size");
+  EXPECT_EQ(keys(json["findings"]), "found wrong none unexplained indistinguishable");
+  for (const Json& finding : json["findings"]) EXPECT_EQ(keys(finding), "count share low high");
+  EXPECT_EQ(keys(json["trials"][0]), "seed finding causes indistinguishable");
+  EXPECT_EQ(keys(json["settings"]), "command noise_relative noise_absolute_N hardware");
+}
+
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
@@ -260,6 +274,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);
   collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
+  collect(json_of(power), names);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});

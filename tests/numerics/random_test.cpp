@@ -104,5 +104,59 @@ TEST(Random, SeedsStreamsAndNeighboursAreNotCorrelated) {
   EXPECT_NEAR(neighbours / many, 0, four_sigma);
 }
 
+TEST(Random, NormalsAreAFunctionOfTheirArguments) {
+  const double first = normal(7, 3, 41);
+  normal(8, 2, 40);
+  EXPECT_EQ(normal(7, 3, 41), first);
+  EXPECT_NE(normal(8, 3, 41), first);
+  EXPECT_NE(normal(7, 2, 41), first);
+  EXPECT_NE(normal(7, 3, 40), first);
+}
+
+TEST(Random, NormalsHaveTheMomentsOfTheStandardNormal) {
+  for (const std::uint32_t stream : {0U, 1U, 4000000000U}) {
+    std::array<double, 4> moments{};
+    for (std::uint64_t i = 0; i < many; ++i) {
+      const double z = normal(42, stream, i);
+      double power = 1;
+      for (double& moment : moments) moment += power *= z;
+    }
+    // The variances of z, z^2, z^3 and z^4 are 1, 2, 15 and 96.
+    const double sigma = 1 / std::sqrt(many);
+    EXPECT_NEAR(moments[0] / many, 0, 4 * sigma);
+    EXPECT_NEAR(moments[1] / many, 1, 4 * std::sqrt(2) * sigma);
+    EXPECT_NEAR(moments[2] / many, 0, 4 * std::sqrt(15) * sigma);
+    EXPECT_NEAR(moments[3] / many, 3, 4 * std::sqrt(96) * sigma);
+  }
+}
+
+TEST(Random, NormalsHaveTheTailsOfTheStandardNormal) {
+  for (const double beyond : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+    const double expected = std::erfc(beyond / std::sqrt(2)) / 2;
+    const double four_sigma = 4 * std::sqrt(expected / many);
+    int above = 0;
+    int below = 0;
+    for (std::uint64_t i = 0; i < many; ++i) {
+      const double z = normal(43, 5, i);
+      above += z > beyond ? 1 : 0;
+      below += z < -beyond ? 1 : 0;
+    }
+    EXPECT_NEAR(static_cast<double>(above) / many, expected, four_sigma) << beyond;
+    EXPECT_NEAR(static_cast<double>(below) / many, expected, four_sigma) << beyond;
+  }
+}
+
+TEST(Random, NormalsOfSeedsStreamsAndNeighboursAreNotCorrelated) {
+  std::array<double, 4> sums{};
+  for (std::uint64_t i = 0; i < many; ++i) {
+    const double z = normal(42, 0, i);
+    sums[0] += z * normal(43, 0, i);
+    sums[1] += z * normal(42, 1, i);
+    sums[2] += z * normal(42, 0, i + 1);
+    sums[3] += z * (uniform(42, 0, i) - 0.5) * std::sqrt(12);
+  }
+  for (const double sum : sums) EXPECT_NEAR(sum / many, 0, 4 / std::sqrt(many));
+}
+
 }  // namespace
 }  // namespace reeve

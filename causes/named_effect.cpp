@@ -1,0 +1,189 @@
+#include "causes/named_effect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "causes/library.hpp"
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+std::string name_of(const Cause& cause, const Subject& subject) {
+  return name(Effect{&cause, subject, {}});
+}
+
+const Cause& cause_of(const std::string& name) {
+  const std::size_t bracket = name.find('[');
+  const std::string cause_name = name.substr(0, bracket);
+  if (const Cause* cause = find_cause(cause_name)) return *cause;
+  throw InputError(
+      fmt::format("unknown cause '{}'; expected one of {}", cause_name, cause_names()));
+}
+
+// What the experiment lacks to show a cause at all.
+std::string what_is_missing(const Cause& cause, const Survey& survey) {
+  const auto possible_with = [&](bool Survey::*condition) {
+    Survey changed = survey;
+    changed.*condition = true;
+    return !cause.subjects(changed).empty();
+  };
+  if (possible_with(&Survey::has_speed)) return "it depends on the speed: expected it to be given";
+  if (possible_with(&Survey::has_cycle)) return "it depends on the cycle: expected it to be given";
+  if (possible_with(&Survey::has_temperature)) {
+    return "it depends on the temperature: expected it to be given";
+  }
+  return "the experiment has no routing, channel or part that it could be about";
+}
+
+// The first few.
+std::string list_of_names(const Cause& cause, const std::vector<Subject>& subjects) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects) {
+    const std::string name = name_of(cause, subject);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const bool is_long = names.size() > most;
+  if (is_long) names.resize(most);
+  return fmt::format("{}{}", fmt::join(names, ", "), is_long ? ", …" : "");
+}
+
+std::vector<Subject> subjects_named(const std::string& name, const Cause& cause,
+                                    const Survey& survey) {
+  const std::vector<Subject> possible = cause.subjects(survey);
+  if (possible.empty()) throw InputError(what_is_missing(cause, survey));
+  std::vector<Subject> named;
+  for (const Subject& subject : possible) {
+    if (name_of(cause, subject) == name) named.push_back(subject);
+  }
+  if (!named.empty()) return named;
+  throw InputError(fmt::format("this experiment has no such thing; expected {}",
+                               list_of_names(cause, possible)));
+}
+
+double number_of(const Setting& setting, const Parameter& parameter) {
+  const std::string& text = setting.value;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc{} && end == text.data() + text.size();
+  if (is_number && value >= parameter.range.low && value <= parameter.range.high) return value;
+  throw InputError(fmt::format("{} = '{}': expected a number from {} to {}", setting.key, text,
+                               parameter.range.low, parameter.range.high));
+}
+
+// In orders of magnitude where the range is positive; two digits are enough for a middle.
+double middle(const Parameter& parameter) {
+  const Range range = parameter.literature.value_or(parameter.range);
+  const double value =
+      range.low > 0 ? std::sqrt(range.low * range.high) : (range.low + range.high) / 2;
+  if (value == 0) return value;
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
+  return std::round(value / unit) * unit;
+}
+
+bool fits(const Setting& setting, const Subject& subject) {
+  const Grasp grasp = setting.key == "recorded" ? *subject.recorded : *subject.actual;
+  return to_text(grasp) == setting.value;
+}
+
+// Keeps the subjects that fit a setting of the grasps.
+void choose(const Setting& setting, std::vector<Subject>& subjects) {
+  std::set<std::string> grasps;
+  for (const Subject& subject : subjects) {
+    grasps.insert(to_text(setting.key == "recorded" ? *subject.recorded : *subject.actual));
+  }
+  std::erase_if(subjects, [&](const Subject& subject) { return !fits(setting, subject); });
+  if (!subjects.empty()) return;
+  throw InputError(fmt::format("{} = '{}': expected one of {}", setting.key, setting.value,
+                               fmt::join(grasps, " or ")));
+}
+
+class EffectReader {
+ public:
+  EffectReader(const NamedEffect& named, const Survey& survey, const Hardware& hardware)
+      : cause_(cause_of(named.name)),
+        parameters_(cause_.parameters(hardware)),
+        subjects_(subjects_named(named.name, cause_, survey)),
+        values_(parameters_.size()) {
+    for (const Setting& setting : named.settings) {
+      if (!keys_.insert(setting.key).second) {
+        throw InputError(fmt::format("'{}' is set twice", setting.key));
+      }
+      read(setting);
+    }
+  }
+
+  Effect effect() const {
+    Effect effect{&cause_, subjects_.front(), {}};
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      const Parameter& parameter = parameters_[i];
+      if (i == 0 && !values_[i]) {
+        throw InputError(fmt::format("its size is missing: expected {}=VALUE, from {} to {}",
+                                     parameter.name, parameter.range.low, parameter.range.high));
+      }
+      effect.values.push_back(values_[i].value_or(middle(parameter)));
+    }
+    return effect;
+  }
+
+ private:
+  void read(const Setting& setting) {
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      if (setting.key != parameters_[i].name) continue;
+      values_[i] = number_of(setting, parameters_[i]);
+      return;
+    }
+    const bool about_grasps = subjects_.front().recorded.has_value();
+    if (about_grasps && (setting.key == "recorded" || setting.key == "actual")) {
+      return choose(setting, subjects_);
+    }
+    throw InputError(fmt::format("unknown parameter '{}'; expected {}", setting.key, known()));
+  }
+
+  std::string known() const {
+    if (subjects_.front().recorded) return "recorded or actual";
+    std::vector<const char*> names;
+    for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
+    return names.empty() ? "none: it is there or not" : fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  const Cause& cause_;
+  std::vector<Parameter> parameters_;
+  std::vector<Subject> subjects_;
+  std::vector<std::optional<double>> values_;
+  std::set<std::string> keys_;
+};
+
+}  // namespace
+
+Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware& hardware) {
+  try {
+    return EffectReader(named, survey, hardware).effect();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("'{}': {}", named.name, error.what()));
+  }
+}
+
+std::string size_text(const Effect& effect, const Hardware& hardware) {
+  const Subject& subject = effect.subject;
+  if (subject.recorded && subject.actual) {
+    return fmt::format("recorded {}, really {}", to_text(*subject.recorded),
+                       to_text(*subject.actual));
+  }
+  const std::vector<Parameter> parameters = effect.cause->parameters(hardware);
+  std::string text;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string unit = parameters[i].unit;
+    text += fmt::format("{}{} = {}{}", i == 0 ? "" : ", ", parameters[i].name, effect.values[i],
+                        unit == "1" ? "" : " " + unit);
+  }
+  return text;
+}
+
+}  // namespace reeve

@@ -1,0 +1,214 @@
+#include "cli/experiment_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+#include "core/notation.hpp"
+
+namespace reeve::cli {
+namespace {
+
+std::vector<std::string> items(const std::string& text) {
+  std::vector<std::string> items;
+  for (std::size_t at = 0;;) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    items.push_back(text.substr(at, comma - at));
+    if (comma == text.size()) return items;
+    at = comma + 1;
+  }
+}
+
+bool is_number(const std::string& text, Range range, double& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() && number >= range.low &&
+         number <= range.high;
+}
+
+double read_number(const std::string& option, const std::string& text, Range range) {
+  double number = 0;
+  if (is_number(text, range, number)) return number;
+  throw InputError(
+      fmt::format("{} '{}': expected a number from {} to {}", option, text, range.low, range.high));
+}
+
+// "5:60" or "5,10,20".
+Levels read_levels(const std::string& option, const std::string& text, Range range) {
+  Levels levels;
+  const std::size_t colon = text.find(':');
+  const auto read = [&](const std::string& item) {
+    double number = 0;
+    if (is_number(item, range, number)) return number;
+    throw InputError(
+        fmt::format("{} '{}': '{}': expected a range such as 5:60, or a list such as 5,10,20, of "
+                    "numbers from {} to {}",
+                    option, text, item, range.low, range.high));
+  };
+  if (colon == std::string::npos) {
+    for (const std::string& item : items(text)) levels.list.push_back(read(item));
+    return levels;
+  }
+  levels.range = {read(text.substr(0, colon)), read(text.substr(colon + 1))};
+  if (levels.range.low <= levels.range.high) return levels;
+  throw InputError(fmt::format("{} '{}': expected the lower end of the range first", option, text));
+}
+
+std::vector<Direction> read_directions(const std::string& text) {
+  std::vector<Direction> directions;
+  for (const std::string& item : items(text)) {
+    const Direction direction = item == "release" ? Direction::release : Direction::pull;
+    const bool known = item == "release" || item == "pull";
+    if (!known || std::count(directions.begin(), directions.end(), direction) > 0) {
+      throw InputError(fmt::format(
+          "--directions '{}': '{}': expected pull, release, or pull,release", text, item));
+    }
+    directions.push_back(direction);
+  }
+  return directions;
+}
+
+std::vector<Grasp> read_grasps(const std::string& text, int fingers) {
+  if (fingers == 0) return {Grasp{}};
+  const bool is_set = text == "single" || text == "all";
+  std::vector<Grasp> grasps;
+  for (const WeightedGrasp& weighted : parse_grasps(text, fingers)) {
+    if (weighted.weight != 1) {
+      throw InputError(fmt::format(
+          "grasps '{}': every grasp is measured equally often: expected no weights", text));
+    }
+    const bool nothing_closes = held_fingers(weighted.grasp).size() == std::size_t(fingers);
+    if (!(is_set && nothing_closes)) grasps.push_back(weighted.grasp);
+  }
+  return grasps;
+}
+
+std::vector<PlannedRouting> read_routings(const ExperimentFlags& flags,
+                                          const Catalogue& catalogue) {
+  std::vector<PlannedRouting> routings;
+  for (const std::string& text : items(flags.routings)) {
+    const CatalogueEntry* entry = catalogue.find_name(text);
+    const Routing routing =
+        for_option("--routings: ", [&] { return read_actuated_routing(text, catalogue); });
+    PlannedRouting planned{"", to_word(routing), expand(routing), {}};
+    planned.label = entry != nullptr ? entry->name : planned.word;
+    for (const PlannedRouting& other : routings) {
+      if (other.word == planned.word) {
+        throw InputError(
+            fmt::format("--routings '{}': '{}' is given twice", flags.routings, planned.word));
+      }
+    }
+    planned.grasps =
+        for_option("--", [&] { return read_grasps(flags.grasps, planned.network.fingers); });
+    routings.push_back(std::move(planned));
+  }
+  return routings;
+}
+
+// By number within each kind, strands first.
+std::vector<Segment> all_channels(const std::vector<PlannedRouting>& routings, bool strands_only) {
+  std::vector<Segment> channels;
+  const auto key = [](const Segment& s) { return std::pair(s.kind, s.number); };
+  for (const PlannedRouting& routing : routings) {
+    for (const Segment& segment : routing.network.segments) {
+      if (!strands_only || segment.kind == SegmentKind::strand) channels.push_back(segment);
+    }
+  }
+  std::sort(channels.begin(), channels.end(),
+            [&](const Segment& a, const Segment& b) { return key(a) < key(b); });
+  channels.erase(std::unique(channels.begin(), channels.end(),
+                             [&](const Segment& a, const Segment& b) { return key(a) == key(b); }),
+                 channels.end());
+  return channels;
+}
+
+std::vector<Segment> read_channels(const std::string& text,
+                                   const std::vector<PlannedRouting>& routings) {
+  if (text == "strands" || text == "all") return all_channels(routings, text == "strands");
+  std::vector<Segment> channels;
+  for (const std::string& item : items(text)) {
+    try {
+      channels.push_back(parse_segment(item));
+    } catch (const InputError&) {
+      throw InputError(fmt::format(
+          "--channels '{}': '{}': expected strands, all, or a list of segments such as T1,T2,a",
+          text, item));
+    }
+    if (std::count_if(channels.begin(), channels.end(),
+                      [&](const Segment& s) { return name(s) == item; }) > 1) {
+      throw InputError(fmt::format("--channels '{}': '{}' is given twice", text, item));
+    }
+  }
+  return channels;
+}
+
+}  // namespace
+
+void ExperimentFlags::add_to(CLI::App& command) {
+  command
+      .add_option("--routings", routings,
+                  "Which routings are mounted, in turns: catalogue names or words, with commas")
+      ->required();
+  command
+      .add_option("--grasps", grasps,
+                  "single: none held and each one finger held; all; or held lists such as none/1/2")
+      ->capture_default_str();
+  command.add_option("--directions", directions, "pull, release, or pull,release")
+      ->capture_default_str();
+  command
+      .add_option("--channels", channels,
+                  "Where the sensors are: strands, all, or segments such as T1,T3,a")
+      ->capture_default_str();
+  command
+      .add_option("--motor-tension", motor_tension, "In N: a range such as 5:60, or a list 5,10,20")
+      ->capture_default_str();
+  speed_ = command.add_option("--speed", speed, "In mm/s, likewise (default: no such column)");
+  cycles_ = command.add_option(
+      "--cycles", cycles,
+      "Rise over the whole experiment: a range or a list (default: no such column)");
+  temperature_ =
+      command.add_option("--temperature", temperature, "In C, likewise (default: no such column)");
+  command
+      .add_option("--noise-relative", noise_relative,
+                  "Standard deviation of a reading, as a share of the tension")
+      ->capture_default_str();
+  command.add_option("--noise-absolute", noise_absolute, "… and besides that, in N")
+      ->capture_default_str();
+  const CLI::Range count(std::size_t{1}, max_planned_readings);
+  command.add_option("--runs", runs, "Mountings")->check(count)->capture_default_str();
+  command.add_option("--rows", rows, "Conditions that are set in each run")
+      ->check(count)
+      ->capture_default_str();
+  command.add_option("--repeats", repeats, "Readings under each of them")
+      ->check(count)
+      ->capture_default_str();
+}
+
+ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
+  constexpr Range any_temperature{-273.15, 1e4};
+  ExperimentPlan plan;
+  plan.routings = read_routings(*this, catalogue);
+  plan.directions = read_directions(directions);
+  plan.channels = read_channels(channels, plan.routings);
+  plan.motor_tension_N = read_levels("--motor-tension", motor_tension, {0, 1e6});
+  if (speed_->count() > 0) plan.speed_mm_s = read_levels("--speed", speed, {1e-3, 1e6});
+  if (cycles_->count() > 0) plan.cycle = read_levels("--cycles", cycles, {0, 1e9});
+  if (temperature_->count() > 0) {
+    plan.temperature_C = read_levels("--temperature", temperature, any_temperature);
+  }
+  plan.runs = runs;
+  plan.rows = rows;
+  plan.repeats = repeats;
+  for_option("--", [&] { validate(plan); });
+  return plan;
+}
+
+AddedNoise ExperimentFlags::read_noise() const {
+  return {read_number("--noise-relative", noise_relative, {0, 1}),
+          read_number("--noise-absolute", noise_absolute, {0, 1000})};
+}
+
+}  // namespace reeve::cli

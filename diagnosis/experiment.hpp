@@ -1,0 +1,77 @@
+// A planned experiment: which routing is mounted in which run, and under which conditions each
+// reading is taken.
+//
+//   - A run is one mounting of one routing. Routings take turns, so that with twice as many runs as
+//     routings each is mounted twice or more.
+//   - Within a run, grasps with directions, motor tension, speed and temperature vary, each in a
+//     random order of its own: levels of a list equally often, to within one; of a range once in
+//     each of as many equal parts as the run has rows (of the logarithm for the speed, on which
+//     friction depends by it). So no two of them go together but by chance.
+//   - The cycle rises evenly over the whole experiment: wear cannot be undone.
+//
+// The plan and the seed decide all of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "causes/cause.hpp"
+#include "core/grasp.hpp"
+#include "core/network.hpp"
+
+namespace reeve {
+
+// What a condition takes: a range, or the levels of a list if it has any.
+struct Levels {
+  Range range;
+  std::vector<double> list;
+};
+
+struct PlannedRouting {
+  std::string label;  // in files: a word, or a name of the catalogue
+  std::string word;
+  Network network;
+  std::vector<Grasp> grasps;
+};
+
+struct ExperimentPlan {
+  std::vector<PlannedRouting> routings;
+  std::vector<Direction> directions{Direction::pull};
+  Levels motor_tension_N{{5, 60}, {}};
+  std::optional<Levels> speed_mm_s;
+  std::optional<Levels> cycle;
+  std::optional<Levels> temperature_C;
+  std::vector<Segment> channels;
+  std::size_t runs = 12;
+  std::size_t rows = 20;    // of a run: conditions that are set
+  std::size_t repeats = 1;  // readings under each
+};
+
+inline constexpr std::size_t max_planned_readings = 1'000'000;
+
+// Throws InputError that begins with the option: "runs = 2: expected …".
+void validate(const ExperimentPlan& plan);
+
+// One reading to take. Conditions that the plan does not have are the reference ones.
+struct PlannedReading {
+  std::size_t run = 0;
+  std::size_t routing = 0;  // in ExperimentPlan::routings
+  std::size_t repeat = 0;
+  Grasp grasp;
+  Direction direction = Direction::pull;
+  Conditions conditions;
+};
+
+// In the order in which they are taken.
+std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed);
+
+// Which causes the experiment could show. Points into the plan.
+Survey survey(const ExperimentPlan& plan);
+
+// Which of the network's segments a channel is, if it has it.
+std::optional<std::size_t> find_segment(const Network& network, const Segment& channel);
+
+}  // namespace reeve

@@ -1,0 +1,18 @@
+// What a share of successes says about the probability behind it.
+#pragma once
+
+#include <cstddef>
+
+namespace reeve {
+
+struct ConfidenceInterval {
+  double low = 0;
+  double high = 0;
+};
+
+// The interval of C. J. Clopper and E. S. Pearson (Biometrika 26, 1934), which covers the
+// probability with at least this confidence; 0 to 1 without trials.
+ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials,
+                                     double confidence = 0.95);
+
+}  // namespace reeve

@@ -1,0 +1,20 @@
+// How often a planned experiment finds what is hidden in it, for people and programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/power.hpp"
+#include "reports/simulation_report.hpp"
+
+namespace reeve {
+
+struct PowerReport {
+  SimulationReport experiment;  // the first one
+  std::vector<PowerTrial> trials;
+};
+
+std::string power_table(const PowerReport& report);
+std::string power_json(const PowerReport& report);
+
+}  // namespace reeve

@@ -1,0 +1,106 @@
+// Experiments that must be refused: what is wrong with the plan, the hidden causes, the file.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/bad_line.hpp"
+
+namespace reeve::testing {
+namespace {
+
+BadLine simulate(Arguments options, const std::string& message) {
+  options.insert(options.begin(), {"simulate", "--routings", "TR1,TR5,TR7"});
+  return {options, message, {}};
+}
+
+TEST(BadPlan, IsNamedWithOptionAndValue) {
+  const std::string levels = "expected a range such as 5:60, or a list such as 5,10,20, of numbers";
+  expect_all_bad({
+      {{"simulate"}, "--routings is required", {}},
+      {{"simulate", "--routings", "TR1,TR9"}, "--routings: routing 'TR9': no such name in the", {}},
+      {{"simulate", "--routings", "TR1,"}, "--routings: routing '': the word is empty", {}},
+      {{"simulate", "--routings", "F-1-F"}, "the tendon with T1 is not actuated", {}},
+      {{"simulate", "--routings", "TR5,M-1-P-2-M"}, "'M-1-P-2-M' is given twice", {}},
+      simulate({"--runs", "0"}, "--runs: Value 0 not in range 1 to 1000000"),
+      simulate({"--runs", "-1"}, "--runs: Value -1 not in range 1 to 1000000"),
+      simulate({"--runs", "2"}, "--runs = 2: expected at least 3, one for each routing"),
+      simulate({"--runs", "1000", "--rows", "1000", "--repeats", "2"},
+               "--runs = 1000, of 1000 rows and 2 repeats: expected 1000000 readings at most"),
+      simulate({"--rows", "0"}, "--rows: Value 0 not in range 1 to 1000000"),
+      simulate({"--repeats", "1.5"}, "--repeats: Value 1.5 not in range"),
+      simulate({"--grasps", "3"},
+               "--grasps '3': '3': expected none, or finger numbers from 1 to 2"),
+      simulate({"--grasps", "none/none"}, "--grasps 'none/none': 'none' is given twice"),
+      simulate({"--grasps", "none:2/1"}, "--grasps 'none:2/1': every grasp is measured equally"),
+      simulate({"--directions", "up"}, "--directions 'up': 'up': expected pull, release, or"),
+      simulate({"--directions", "pull,pull"}, "--directions 'pull,pull': 'pull': expected pull,"),
+      simulate({"--channels", "T9"}, "--channels: 'T9': no routing has that segment"),
+      simulate({"--channels", "t1"}, "--channels 't1': 't1': expected strands, all, or a list"),
+      simulate({"--channels", "T1,T1"}, "--channels 'T1,T1': 'T1' is given twice"),
+      simulate({"--channels", "d"}, "--channels: none of them is a segment of TR1: expected at"),
+      {{"simulate", "--routings", "M-F"}, "--channels: none of them is a segment of M-F", {}},
+      simulate({"--motor-tension", "60:5"},
+               "--motor-tension '60:5': expected the lower end of the range first"),
+      simulate({"--motor-tension", ""}, "--motor-tension '': '': " + levels),
+      simulate({"--motor-tension", "5:60:70"}, "'60:70': " + levels),
+      simulate({"--motor-tension", "5,nan"}, "--motor-tension '5,nan': 'nan': " + levels),
+      simulate({"--motor-tension", "-1:5"}, "'-1': " + levels + " from 0 to 1000000"),
+      simulate({"--speed", "0:100"}, "--speed '0:100': '0': " + levels + " from 0.001 to 1000000"),
+      simulate({"--speed", "100:1"}, "--speed '100:1': expected the lower end"),
+      simulate({"--cycles", "100,10"}, "--cycles: expected a list that rises"),
+      simulate({"--cycles", "inf"}, "--cycles 'inf': 'inf': " + levels),
+      simulate({"--temperature", "-300"}, "'-300': " + levels + " from -273.15 to 10000"),
+      simulate({"--noise-relative", "-0.02"},
+               "--noise-relative '-0.02': expected a number from 0 to 1"),
+      simulate({"--noise-absolute", "nan"},
+               "--noise-absolute 'nan': expected a number from 0 to 1000"),
+      simulate({"--seed", "-1"}, "--seed"),
+      simulate({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
+      simulate({"--hardware", "contact.toml"}, "hardware: contact 'a-T9'"),
+      simulate({"extra"}, "extra"),
+  });
+}
+
+TEST(BadHiddenCause, IsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      simulate({"--cause", "wearing"}, "--cause 'wearing': unknown cause 'wearing'; expected one"),
+      simulate({"--cause", ""}, "--cause '': unknown cause ''; expected one of tube_friction, "),
+      simulate({"--cause", "sensor_gain[T9]", "--set", "gain=1.1"},
+               "--cause 'sensor_gain[T9]': this experiment has no such thing; expected "
+               "sensor_gain[T1], sensor_gain[T2], sensor_gain[T3], sensor_gain[T4]"),
+      simulate({"--cause", "sensor_gain[T3", "--set", "gain=1.1"}, "has no such thing; expected"),
+      simulate({"--cause", "seized_contact[TR2,T1-T2]"}, "has no such thing; expected"),
+      simulate({"--cause", "wear", "--set", "change=1"}, "'wear': it depends on the cycle"),
+      simulate({"--cause", "load_dependent_friction"},
+               "its size is missing: expected exponent=VALUE, from -0.3 to 0.7"),
+      simulate({"--cause", "load_dependent_friction", "--set", "gamma=0.1"},
+               "unknown parameter 'gamma'; expected exponent"),
+      simulate({"--cause", "load_dependent_friction", "--set", "exponent=7"},
+               "exponent = '7': expected a number from -0.3 to 0.7"),
+      simulate({"--cause", "load_dependent_friction", "--set", "exponent"},
+               "--set 'exponent': expected a parameter and its value, such as gain=1.08"),
+      simulate({"--set", "exponent=0.1"}, "--set 'exponent=0.1': expected a --cause before it"),
+      simulate({"--cause", "seized_contact[TR5,T1-T2]", "--cause", "seized_contact[TR5,T1-T2]"},
+               "--cause 'seized_contact[M-1-P-2-M,T1-T2]': it is given twice"),
+  });
+}
+
+TEST(BadPower, IsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      simulate({"--power", "0"}, "--power: Value 0 not in range 1 to 100000"),
+      simulate({"--power", "2", "-o", "a.csv"}, "--output excludes --power"),
+      simulate({"--format", "json"}, "--format requires --power"),
+      simulate({"--power", "2", "--format", "csv"}, "--format: csv not in {table,json}"),
+  });
+}
+
+TEST(BadOutput, IsNamedAndLeavesNothing) {
+  expect_all_bad({
+      simulate({"-o", "missing/a.csv"}, "file 'missing/a.csv' cannot be written: "),
+      simulate({"-o", "no_catalogue"}, "file 'no_catalogue' cannot be written: "),
+      simulate({"-o", ""}, "-o '': expected a file"),
+  });
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,30 @@
+// Plans of experiments for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "diagnosis/experiment.hpp"
+
+namespace reeve::testing {
+
+inline PlannedRouting planned_routing(const std::string& word) {
+  PlannedRouting routing{word, word, expand(parse_routing(word)), {}};
+  for (const WeightedGrasp& grasp : single_grasps(routing.network.fingers)) {
+    routing.grasps.push_back(grasp.grasp);
+  }
+  return routing;
+}
+
+// All strands of two fingers.
+inline ExperimentPlan plan_of(const std::vector<std::string>& words) {
+  ExperimentPlan plan;
+  for (const std::string& word : words) plan.routings.push_back(planned_routing(word));
+  for (const char* strand : {"T1", "T2", "T3", "T4"}) {
+    plan.channels.push_back(parse_segment(strand));
+  }
+  return plan;
+}
+
+}  // namespace reeve::testing
