@@ -19,7 +19,7 @@ void add_explore(CLI::App& program, int& exit_code);
 void add_count(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_compare(CLI::App& program, int& exit_code);
-void add_diagnose(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
+void add_diagnose(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "reports/files.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -65,6 +67,25 @@ HardwareFile HardwareOption::read() const {
   if (option_->count() == 0) return {};
   if (file_.empty()) throw InputError("--hardware '': expected a TOML file");
   return read_hardware_file(file_);
+}
+
+void SvgOption::add_to(CLI::App& command, const std::string& what) {
+  option_ = command.add_option("--svg", file_, what);
+}
+
+// A link is followed, so that writing to a link to a device does not replace the link.
+void SvgOption::write(const std::string& content) const {
+  std::error_code ignored;
+  std::filesystem::path file = file_;
+  if (std::filesystem::is_symlink(file, ignored)) {
+    file = std::filesystem::weakly_canonical(file, ignored);
+  }
+  const bool other =
+      std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
+  if (file.empty() || other) {
+    throw InputError("--svg '" + file_ + "': expected the name of a file to write");
+  }
+  for_option("--svg: ", [&] { write_file(file, content); });
 }
 
 void ModelOption::add_to(CLI::App& command) {

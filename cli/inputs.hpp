@@ -44,6 +44,17 @@ struct HardwareOption {
   CLI::Option* option_ = nullptr;
 };
 
+// A drawing besides the result on stdout.
+struct SvgOption {
+  void add_to(CLI::App& command, const std::string& what);
+  bool is_given() const { return option_->count() > 0; }
+  void write(const std::string& content) const;
+
+ private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
 // --hardware or --model; the paper's hardware and no effect if neither is given.
 struct ModelOption {
   void add_to(CLI::App& command);

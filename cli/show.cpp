@@ -20,6 +20,7 @@ struct ShowFlags {
   std::string routing;
   std::vector<std::string> held;
   std::string direction = "pull";
+  SvgOption svg;
   ModelOption model;
   FormatOption format;
 };
@@ -70,8 +71,15 @@ std::string dot(const ShowFlags& flags, const ShowReport& report) {
   return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
 }
 
+void write_drawing(const ShowFlags& flags, const ShowReport& report) {
+  if (flags.held.size() > 1)
+    throw InputError("--svg draws one grasp: expected --held once at most");
+  flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
+}
+
 void run(const ShowFlags& flags) {
   const ShowReport shown = report(flags);
+  if (flags.svg.is_given()) write_drawing(flags, shown);
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
   } else if (flags.format.is("dot")) {
@@ -96,6 +104,9 @@ void add_show(CLI::App& program, int&) {
   command->add_option("--direction", flags->direction, "Which way the carriage moves")
       ->check(CLI::IsMember({"pull", "release"}))
       ->capture_default_str();
+  flags->svg.add_to(*command,
+                    "Also draw the routing into this file, in the grasp of --held (without --held: "
+                    "the parts alone, no tensions)");
   flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json", "dot"});
   command->callback([flags] { run(*flags); });

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/candidates.hpp"
@@ -31,9 +31,7 @@ struct AcceptedCause {
 };
 
 struct CauseSearchResult {
-  Model model;  // with all accepted causes, fitted
-  double misfit = 0;
-  double degrees_of_freedom = 0;
+  Model model;                          // with all accepted causes, fitted
   std::vector<AcceptedCause> accepted;  // in the order of acceptance
   double p_value_of_next = 1;           // of the best cause that was not accepted
 };
@@ -44,20 +42,5 @@ std::optional<CauseSearchResult> search_causes(
     Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
     const CauseSearchOptions& options, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop);
-
-// In place of one accepted cause, with the others kept: another cause and how much less it
-// explains.
-struct Alternative {
-  Effect effect;
-  std::string name;
-  Fit fit;
-  double gain = 0;     // in log-likelihood, over the model without either
-  double deficit = 0;  // in log-likelihood, to the accepted cause; may be negative
-};
-
-// The most likely first; only candidates of other names.
-std::vector<Alternative> alternatives(const Problem& problem, const Model& model,
-                                      std::size_t effect, const std::vector<Candidate>& candidates,
-                                      Workers& workers);
 
 }  // namespace reeve

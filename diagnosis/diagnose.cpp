@@ -6,14 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/cause_search.hpp"
 #include "diagnosis/fit.hpp"
-#include "diagnosis/hold_out.hpp"
 #include "diagnosis/intervals.hpp"
 #include "diagnosis/null_model.hpp"
 #include "diagnosis/problem.hpp"
+#include "diagnosis/rivals.hpp"
+#include "diagnosis/sample.hpp"
 
 namespace reeve {
 namespace {
@@ -24,28 +24,25 @@ constexpr double further_share_of_alpha = 0.2;
 constexpr double structure_share_of_alpha = 0.1;
 constexpr double too_few_degrees = 8;
 
-struct Indistinguishable {
-  std::vector<std::string> names;  // the accepted cause first
-  std::vector<Model> models;       // with each in its place
-};
-
 class Diagnosis {
  public:
   Diagnosis(const MeasuredData& data, const Hardware& hardware, const DiagnoseOptions& options)
-      : data_(data), options_(options), workers_(options.threads) {
+      : data_(data),
+        options_(options),
+        workers_(options.threads),
+        sample_(sample(data, options.hold_out, options.seed)) {
     nominal_.hardware = hardware;
-    result_.notes = data.notes;
     result_.model = nominal_;
+    take_over_counts();
   }
 
   std::optional<DiagnosisResult> run() {
-    split();
     estimate_noise();
-    if (training_.degrees_of_freedom() < too_few_degrees) {
+    if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
     } else {
       if (!find_causes()) return std::nullopt;
-      if (!weigh_alternatives()) return std::nullopt;
+      if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
     }
@@ -64,86 +61,46 @@ class Diagnosis {
     return stop_;
   }
 
-  void split() {
-    const Split split = split_by_run(data_, options_.hold_out, options_.seed);
-    const auto thin = [&](const std::vector<std::size_t>& readings) {
-      std::vector<std::size_t> kept = thinned(data_, readings, most_readings);
-      result_.thinned_rows += readings.size() - kept.size();
-      return kept;
-    };
-    training_ = dataset(data_, thin(split.training));
-    held_out_ = dataset(data_, thin(split.held_out));
-    if (training_.cells.empty()) {
-      throw InputError(data_.file +
-                       ": there is nothing to diagnose: expected rows with motor_tension_N, or "
-                       "with two tensions that are not both slack");
-    }
-    result_.rows = training_.rows.size() + held_out_.rows.size();
-    result_.runs = data_.runs.size();
-    result_.held_out_runs = held_out_.cells.empty() ? 0 : split.held_out_runs.size();
-    result_.dropped_duplicates = split.dropped.size();
-    add_notes(split);
-  }
-
-  void add_notes(const Split& split) {
-    const auto add = [&](const std::string& text, std::vector<std::size_t> lines = {}) {
-      result_.notes.push_back({NoteKind::not_compared, text, std::move(lines)});
-    };
-    if (!split.dropped.empty()) {
-      std::vector<std::size_t> lines;
-      for (const std::size_t i : split.dropped) lines.push_back(data_.readings[i].line);
-      add("rows that repeat an earlier one in every value are left out of the diagnosis", lines);
-    }
-    const std::size_t silent =
-        data_.readings.size() - split.dropped.size() - result_.rows - result_.thinned_rows;
-    if (silent > 0) {
-      add(fmt::format(
-          "{} rows without motor tension, or with a motor tension of 0, have fewer than "
-          "two tensions that say something: they are left out of the diagnosis",
-          silent));
-    }
-    if (result_.thinned_rows > 0) {
-      add(fmt::format("{} rows are left out evenly: {} say as much about which cause it is",
-                      result_.thinned_rows, result_.rows));
-    }
-    if (held_out_.cells.empty()) {
-      add(data_.runs.size() < 2
-              ? "there is one run only: nothing can be held out, so no gain can be tested"
-              : "nothing is held out, so no gain can be tested");
-    }
+  void take_over_counts() {
+    result_.rows = sample_.rows;
+    result_.runs = sample_.runs;
+    result_.held_out_runs = sample_.held_out_runs;
+    result_.dropped_duplicates = sample_.dropped_duplicates;
+    result_.thinned_rows = sample_.thinned_rows;
+    result_.notes = sample_.notes;
   }
 
   void note_too_few() {
-    result_.too_few = true;
+    result_.too_few_readings = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "
                      "anything: expected at least {:.0f}",
-                     training_.degrees_of_freedom(), too_few_degrees),
+                     sample_.training.degrees_of_freedom(), too_few_degrees),
          {}});
   }
 
   void estimate_noise() {
-    const std::optional<Noise> measured = noise_without_model(training_);
+    const std::optional<Noise> measured = noise_without_model(sample_.training);
     noise_is_measured_ = measured.has_value();
     result_.noise = measured ? *measured : noise_left_by(nominal_);
-    problem_ = problem(training_, deviations(training_, result_.noise));
+    problem_ = problem(sample_.training, deviations(sample_.training, result_.noise));
   }
 
   Noise noise_left_by(const Model& model) const {
-    const Forecast at = forecast(training_, model);
+    const Forecast at = forecast(sample_.training, model);
     // In newton, and so sure that no reading is near what a sensor cannot read below.
     constexpr double sure_N = 1e-6;
-    const auto cells = static_cast<Eigen::Index>(training_.cells.size());
-    const Problem plain = problem(training_, Eigen::VectorXd::Constant(cells, sure_N));
-    return noise_of_residuals(training_, sure_N * residuals(plain, at),
+    const auto cells = static_cast<Eigen::Index>(sample_.training.cells.size());
+    const Problem plain = problem(sample_.training, Eigen::VectorXd::Constant(cells, sure_N));
+    return noise_of_residuals(sample_.training, sure_N * residuals(plain, at),
                               static_cast<double>(parameter_count(model)));
   }
 
   void update_noise(Problem& problem, const Model& model) {
     if (noise_is_measured_) return;
     result_.noise = noise_left_by(model);
-    problem.deviation_N = deviations(training_, result_.noise);
+    problem.deviation_N = deviations(sample_.training, result_.noise);
   }
 
   bool find_causes() {
@@ -168,28 +125,14 @@ class Diagnosis {
     return true;
   }
 
-  std::size_t place(const Effect& effect) const {
-    std::size_t i = 0;
-    while (!same_effect(result_.model.effects[i], effect)) ++i;
-    return i;
-  }
-
-  bool weigh_alternatives() {
+  bool weigh_rivals() {
     for (NamedCause& cause : result_.causes) {
       if (stopped("weighing other causes")) return false;
-      const auto others =
-          alternatives(problem_, result_.model, place(cause.effect), candidates_, workers_);
-      Indistinguishable group{{cause.name}, {result_.model}};
-      for (const Alternative& other : others) {
-        if (other.name == cause.name) continue;
-        if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
-        const bool known =
-            std::find(group.names.begin(), group.names.end(), other.name) != group.names.end();
-        if (other.deficit >= alias_margin || known) continue;
-        group.names.push_back(other.name);
-        group.models.push_back(other.fit.model);
-      }
-      others_.push_back(others);
+      rivals_.push_back(rivals(problem_, result_.model, place(result_.model, cause.effect),
+                               candidates_, workers_));
+      const std::vector<Rival>& others = rivals_.back();
+      if (!others.empty()) cause.runner_up = RunnerUp{others.front().name, others.front().deficit};
+      Indistinguishable group = indistinguishable(cause.name, result_.model, others);
       if (group.names.size() > 1) indistinguishable_.push_back(std::move(group));
     }
     return true;
@@ -198,11 +141,11 @@ class Diagnosis {
   // The held-out runs are opened here, once: every number that needs them is taken now.
   void confirm() {
     weigh();
-    if (held_out_.cells.empty()) return;
-    const Problem unseen = problem(held_out_, deviations(held_out_, result_.noise));
+    if (sample_.held_out.cells.empty()) return;
+    const Problem unseen = problem(sample_.held_out, deviations(sample_.held_out, result_.noise));
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       NamedCause& cause = result_.causes[c];
-      const Fit before = fit(problem_, without(result_.model, place(cause.effect)));
+      const Fit before = fit(problem_, without(result_.model, place(result_.model, cause.effect)));
       cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
     }
     for (WeighedCause& weighed : result_.weighed) {
@@ -219,7 +162,7 @@ class Diagnosis {
   // The first accepted cause beside whatever might stand in its place.
   void weigh() {
     const double nothing = misfit(problem_, nominal_);
-    const double degrees = training_.degrees_of_freedom();
+    const double degrees = sample_.training.degrees_of_freedom();
     const auto add = [&](const std::string& name, const Model& model, double misfit) {
       const auto known = std::find_if(weighed_models_.begin(), weighed_models_.end(),
                                       [&](const auto& item) { return item.first == name; });
@@ -238,7 +181,7 @@ class Diagnosis {
       for (std::size_t o = 0; o < result_.causes.size(); ++o) {
         if (o != c) kept += " + " + result_.causes[o].name;
       }
-      for (const Alternative& other : others_[c]) {
+      for (const Rival& other : rivals_[c]) {
         add(other.name + kept, other.fit.model, other.fit.misfit);
       }
     }
@@ -252,13 +195,14 @@ class Diagnosis {
       std::erase_if(indistinguishable_, [&](const Indistinguishable& group) {
         return group.names.front() == cause.name;
       });
-      result_.model = fit(problem_, without(result_.model, place(cause.effect))).model;
+      result_.model =
+          fit(problem_, without(result_.model, place(result_.model, cause.effect))).model;
       result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(c));
     }
   }
 
   void check_what_is_left() {
-    const Forecast at = forecast(training_, result_.model);
+    const Forecast at = forecast(sample_.training, result_.model);
     const Projection projection(problem_, result_.model, at);
     const Eigen::VectorXd left = projection.taken_out(residuals(problem_, at));
     const NullModel null_model(problem_, projection, at, options_.seed + 104729,
@@ -275,7 +219,7 @@ class Diagnosis {
   void describe_causes() {
     const auto intervals = parameter_intervals(problem_, result_.model, options_.seed);
     for (NamedCause& cause : result_.causes) {
-      const std::size_t e = place(cause.effect);
+      const std::size_t e = place(result_.model, cause.effect);
       cause.effect = result_.model.effects[e];
       cause.meaning = cause.effect.cause->meaning();
       cause.detail = detail(cause.effect);
@@ -315,7 +259,7 @@ class Diagnosis {
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
       result_.next_measurement =
-          shrinking_measurement(plan, problem_, result_.model, place(cause.effect));
+          shrinking_measurement(plan, problem_, result_.model, place(result_.model, cause.effect));
     }
   }
 
@@ -331,7 +275,7 @@ class Diagnosis {
 
   void compare_cells() {
     for (const bool held_out : {false, true}) {
-      const Dataset& part = held_out ? held_out_ : training_;
+      const Dataset& part = held_out ? sample_.held_out : sample_.training;
       if (part.cells.empty()) continue;
       const Forecast before = forecast(part, nominal_);
       const Forecast after = forecast(part, result_.model);
@@ -351,15 +295,14 @@ class Diagnosis {
   const MeasuredData& data_;
   const DiagnoseOptions& options_;
   Workers workers_;
+  Sample sample_;
   bool stop_ = false;
   bool noise_is_measured_ = false;
   Model nominal_;
-  Dataset training_;
-  Dataset held_out_;
   Problem problem_;
   std::vector<Candidate> candidates_;
   std::vector<Indistinguishable> indistinguishable_;
-  std::vector<std::vector<Alternative>> others_;  // parallel to the causes as accepted
+  std::vector<std::vector<Rival>> rivals_;  // parallel to the causes as accepted
   std::vector<std::pair<std::string, Model>> weighed_models_;
   DiagnosisResult result_;
 };

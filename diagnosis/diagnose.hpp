@@ -21,17 +21,10 @@
 #include "diagnosis/measured_data.hpp"
 #include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
+#include "diagnosis/sample.hpp"
 #include "diagnosis/structure.hpp"
 
 namespace reeve {
-
-// Two causes whose best fits differ by less than this cannot be told apart: were the worse one
-// true, noise would favour the better one by as much in at most 1 of 400 data sets, however far
-// apart their forecasts are (Φ(−√(2·4)) = 0.0023).
-inline constexpr double alias_margin = 4;
-
-// More readings than this say nothing more about which cause it is.
-inline constexpr std::size_t most_readings = 4000;
 
 struct DiagnoseOptions {
   double alpha = 0.05;
@@ -98,7 +91,6 @@ struct ComparedCell {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
-  bool too_few = false;  // readings to say anything; the verdict is none
   std::vector<NamedCause> causes;
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
@@ -110,8 +102,9 @@ struct DiagnosisResult {
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
   std::vector<WeighedCause> weighed;
-  double p_value = 1;            // that chance alone gives what the best cause gains
-  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
+  double p_value = 1;             // that chance alone gives what the best cause gains
+  double structure_p_value = 1;   // that it gives the strongest of `structure`, family-wise
+  bool too_few_readings = false;  // to look for anything
   Noise noise;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;

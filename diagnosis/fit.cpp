@@ -85,10 +85,16 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
   return best;
 }
 
+std::size_t place(const Model& model, const Effect& effect) {
+  std::size_t i = 0;
+  while (!same_effect(model.effects[i], effect)) ++i;
+  return i;
+}
+
 Extended extended(const Model& model, const Effect& effect) {
   Extended result{model, 0};
   add_effect(result.model, effect);
-  while (!same_effect(result.model.effects[result.effect], effect)) ++result.effect;
+  result.effect = place(result.model, effect);
   return result;
 }
 

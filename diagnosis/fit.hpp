@@ -21,6 +21,9 @@ Fit fit(const Problem& problem, const Model& model);
 Fit fit(const Problem& problem, const Model& model, std::size_t effect,
         const std::vector<std::vector<double>>& starts);
 
+// Where the model has the effect, whatever its size.
+std::size_t place(const Model& model, const Effect& effect);
+
 // Adds an effect to a copy and says where it went.
 struct Extended {
   Model model;

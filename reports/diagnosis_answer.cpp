@@ -90,7 +90,7 @@ std::string separation_line(const DiagnosisReport& report) {
 
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  if (result.too_few) {
+  if (result.too_few_readings) {
     return "Whether anything is wrong cannot be said: the readings are too few.\n"
            "No cause was looked for.\n"
            "The notes below say how many it takes.\n";

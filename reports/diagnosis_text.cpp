@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/rivals.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/diagnosis_words.hpp"

@@ -61,8 +61,10 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
 std::string estimate(const EstimatedParameter& parameter, double value) {
   const double half = (parameter.high - parameter.low) / 2;
   if (!std::isfinite(half) || half <= 0) return fmt::format("{:.4g}", value);
-  const int places = std::clamp(static_cast<int>(-std::floor(std::log10(half))), 0, 6);
-  return fmt::format("{:.{}f}", value, places);
+  // Two digits of a width that begins with 1 or 2, else one.
+  const int places = std::clamp(static_cast<int>(std::ceil(std::log10(3 / half))), 0, 6);
+  const bool vanishes = value != 0 && std::abs(value) < 0.5 * std::pow(10.0, -places);
+  return vanishes ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, places);
 }
 
 std::string cause_text(const NamedCause& cause) {

@@ -4,6 +4,7 @@
 
 #include "reports/json.hpp"
 #include "reports/model_text.hpp"
+#include "reports/schematic_svg.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
@@ -150,6 +151,13 @@ std::string show_json(const ShowReport& report) {
   add_objectives(json, report.values);
   json["model"] = model_json(report.model, report.unconverged);
   return print(json);
+}
+
+std::string show_svg(const ShowReport& report, const ShownGrasp* shown) {
+  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
+  if (shown == nullptr) return schematic_svg(schematic(report.network, title));
+  const GraspView view{shown->grasp, report.direction, shown->state};
+  return schematic_svg(schematic(report.network, title, view));
 }
 
 }  // namespace reeve

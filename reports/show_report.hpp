@@ -33,5 +33,7 @@ struct ShowReport {
 
 std::string show_table(const ShowReport& report);
 std::string show_json(const ShowReport& report);
+// The routing's schematic: in one grasp, or without any its parts alone.
+std::string show_svg(const ShowReport& report, const ShownGrasp* shown);
 
 }  // namespace reeve

@@ -161,17 +161,16 @@ TEST(SeizedTr7, InATipWithBothClosingIsAsBefore) {
   EXPECT_NEAR(s.efficiency(), sheath, 1e-9);
 }
 
-// With finger 2 held, finger 1's strands give 2 each, and the tendon slides to both ends of the
-// open walk: T2 - b - c - T3 from the left, and the same from the right.
+// With finger 2 held, finger 1's strands give 2 each, and the tendon slides from the middle, which
+// rests, to both ends of the open walk. The held strands carry the least that friction allows.
 TEST(SeizedTr7, InATipWithTheOtherFingerHeldSlidesToBothSides) {
   const Seized s = seized("1-P-2-P-1", {"T1-T2"}, hold({2}));
-  EXPECT_NEAR(s.state.closing[0], 2, 1e-9);
-  EXPECT_NEAR(s["T1"], s["T2"], 1e-9);
-  EXPECT_NEAR(s["T3"], s["T4"], 1e-9);
   const double pulley = std::exp(-0.001 * pi);
-  const double c = 1 / (2 * (1 + pulley));  // two of each: c and d, b and a
-  EXPECT_NEAR(s["T3"], c / sheath * (s["T3"] > c ? 1 : sheath * sheath), 1e-9);
-  EXPECT_NEAR(s["T2"], c * pulley * sheath, 1e-9);
+  const double inner = 1 / (2 * (1 + pulley));  // of each pair of motor-side segments
+  for (const char* strand : {"T1", "T2"}) EXPECT_NEAR(s[strand], inner * pulley * sheath, 1e-9);
+  for (const char* strand : {"T3", "T4"}) EXPECT_NEAR(s[strand], inner * sheath, 1e-9);
+  EXPECT_EQ(s.slip("T3-T4"), 0);
+  EXPECT_NEAR(s.state.closing[0], 2, 1e-9);
 }
 
 // TR6 opened at the join of the fingers is F-1-P-2-F written from its middle: TR3.

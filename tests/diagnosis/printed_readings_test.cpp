@@ -105,7 +105,7 @@ TEST(PrintedReadings, AreMostlyTooFewToDiagnose) {
   for (const char* name : {"hwstock.csv", "igkt.csv", "canyons_and_crags.csv"}) {
     const DiagnosisResult result = diagnose(read(name), rope_bench());
     EXPECT_EQ(result.verdict, Verdict::none) << name;
-    EXPECT_TRUE(result.too_few) << name;
+    EXPECT_TRUE(result.too_few_readings) << name;
   }
 }
 

@@ -189,6 +189,37 @@ TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
   expect_csv(read_text(folder.path() / "residuals.csv"), "compare_residuals.csv");
 }
 
+void expect_text(const std::string& text, const std::filesystem::path& file) {
+  if (updating()) std::ofstream(file, std::ios::binary) << text;
+  EXPECT_EQ(text, read_text(file)) << file;
+}
+
+TEST(GoldenSchematic, OfTheSevenInThePapersGrasp) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  for (const char* name : {"tr1", "tr2", "tr3", "tr4", "tr5", "tr6", "tr7"}) {
+    output_of({"show", name, "--held", "1", "--svg", file});
+    expect_text(read_text(file), file_of(std::string("schematic_") + name + ".svg"));
+  }
+}
+
+TEST(GoldenSchematic, OfFiveFingersReleasing) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  output_of(
+      {"show", "M-1b-T-4-B-2-P-5-T-3-F", "--held", "2,3", "--direction", "release", "--svg", file});
+  expect_text(read_text(file), file_of("schematic_five_fingers.svg"));
+}
+
+// The sheet in the README is what the program draws.
+TEST(GoldenSchematic, OfTheCatalogueIsTheSheetOfTheReadme) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "sheet.svg").string();
+  output_of({"check", "--svg", file});
+  expect_text(read_text(file),
+              std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "figures" / "schematics.svg");
+}
+
 ProcessResult diagnose(const std::string& data, std::vector<std::string> options) {
   options.insert(options.begin(), {"diagnose", "tests/golden/" + data, "--format", "json"});
   ProcessOptions process;

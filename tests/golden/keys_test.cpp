@@ -192,6 +192,20 @@ TEST(KeysOfCompare, HaveNullWhereThereIsNothingToSummarise) {
   EXPECT_TRUE(json["notes"].empty());
 }
 
+const std::vector<std::string> power{"simulate", "--routings",      "TR5",   "--rows",   "6",
+                                     "--cause",  "sensor_gain[T3]", "--set", "gain=1.3", "--runs",
+                                     "4",        "--power",         "1"};
+
+TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
+  const Json json = json_of(power);
+  EXPECT_EQ(keys(json), "simulated experiments hidden findings trials settings version");
+  EXPECT_EQ(keys(json["hidden"][0]), "cause size");
+  EXPECT_EQ(keys(json["findings"]), "found wrong none unexplained indistinguishable");
+  for (const Json& finding : json["findings"]) EXPECT_EQ(keys(finding), "count share low high");
+  EXPECT_EQ(keys(json["trials"][0]), "seed finding causes indistinguishable");
+  EXPECT_EQ(keys(json["settings"]), "command noise_relative noise_absolute_N hardware");
+}
+
 const std::string diagnosed = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_";
 const std::string held_out_keys =
     "rms_before rms_after reduction low high log_likelihood_gain gain_low gain_high expected_gain";
@@ -233,20 +247,6 @@ TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
   EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());
 }
 
-const std::vector<std::string> power{"simulate", "--routings",      "TR5",   "--rows",   "6",
-                                     "--cause",  "sensor_gain[T3]", "--set", "gain=1.3", "--runs",
-                                     "4",        "--power",         "1"};
-
-TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
-  const Json json = json_of(power);
-  EXPECT_EQ(keys(json), "simulated experiments hidden findings trials settings version");
-  EXPECT_EQ(keys(json["hidden"][0]), "cause size");
-  EXPECT_EQ(keys(json["findings"]), "found wrong none unexplained indistinguishable");
-  for (const Json& finding : json["findings"]) EXPECT_EQ(keys(finding), "count share low high");
-  EXPECT_EQ(keys(json["trials"][0]), "seed finding causes indistinguishable");
-  EXPECT_EQ(keys(json["settings"]), "command noise_relative noise_absolute_N hardware");
-}
-
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
@@ -273,8 +273,8 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"count"}), names);
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);
-  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
   collect(json_of(power), names);
+  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});

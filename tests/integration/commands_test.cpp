@@ -256,11 +256,11 @@ TEST(Help, MentionsEveryOption) {
   const Arguments ranking{"--grasps",  "--objectives", "--uncertainty", "--draws", "--seed",
                           "--threads", "--hardware",   "--model",       "--format"};
   std::vector<std::pair<std::string, Arguments>> commands{
-      {"show", {"routing", "--held", "--direction", "--hardware", "--model", "--format"}},
+      {"show", {"routing", "--held", "--direction", "--svg", "--hardware", "--model", "--format"}},
       {"rank", {"routing", "--catalog", "--margin", "--fingers"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},
-      {"check", {"--format"}},
+      {"check", {"--svg", "--format"}},
       {"compare", {"data", "--out", "--hardware", "--format"}},
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
@@ -326,6 +326,42 @@ TEST(Drawing, IsAcceptedByGraphviz) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     expect_drawable(result.out);
   }
+}
+
+TEST(Schematic, LiesBesideTheUsualResult) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  for (const Arguments& command :
+       {Arguments{"show", "TR5", "--held", "1"}, Arguments{"show", "M-F", "--format", "json"},
+        Arguments{"check"}}) {
+    Arguments drawing = command;
+    drawing.insert(drawing.end(), {"--svg", file});
+    const ProcessResult result = reeve(drawing);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, reeve(command).out);
+    EXPECT_TRUE(read_text(file).starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    EXPECT_TRUE(read_text(file).ends_with("</svg>\n"));
+  }
+}
+
+TEST(Schematic, WithoutAGraspHasNoTensions) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  reeve({"show", "TR5", "--svg", file});
+  EXPECT_EQ(read_text(file).find("Tensions"), std::string::npos);
+  reeve({"show", "TR5", "--held", "none", "--svg", file});
+  EXPECT_NE(read_text(file).find("Tensions"), std::string::npos);
+}
+
+// Nor is the link itself replaced by a file.
+TEST(Schematic, FollowsALink) {
+  const TemporaryFolder folder;
+  folder.write("target.svg", "old");
+  const std::string link = (folder.path() / "link.svg").string();
+  std::filesystem::create_symlink(folder.path() / "target.svg", link);
+  EXPECT_EQ(reeve({"show", "TR5", "--svg", link}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_TRUE(read_text(folder.path() / "target.svg").starts_with("<svg"));
 }
 
 TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {

@@ -1,0 +1,23 @@
+// The texts of a schematic that are no labels of segments, and their places.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/schematic_layout.hpp"
+
+namespace reeve {
+
+// Title and subtitle at the top; returns where the drawing may begin.
+double add_heading(const SchematicFrame& frame, SchematicLayout& layout);
+
+// Over the fingertip, or over what holds it.
+void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& layout);
+
+// Beside the arrow at the carriage: its place and size.
+DrawnText motor_text(const SchematicLayout& layout);
+
+// Breaks behind spaces, '-' and '+' where a line would grow wider.
+std::vector<std::string> wrap(const std::string& text, double size, bool bold, double width);
+
+}  // namespace reeve
