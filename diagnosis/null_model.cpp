@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <utility>
 
 #include "numerics/random.hpp"
 
@@ -46,16 +47,23 @@ Eigen::VectorXd Projection::taken_out(Eigen::VectorXd vector) const {
 
 NullModel::NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
                      std::uint64_t seed, std::size_t replicates)
-    : problem_(problem), projection_(projection), at_(at), seed_(seed), replicates_(replicates) {}
+    : problem_(problem),
+      projection_(projection),
+      at_(at),
+      reading_(at.reading_N.cwiseQuotient(problem.deviation_N)),
+      expected_(expected_readings(problem, at).cwiseQuotient(problem.deviation_N)),
+      seed_(seed),
+      replicates_(replicates) {}
 
 Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
-  Problem simulated = problem_;
-  for (Eigen::Index i = 0; i < simulated.measured_N.size(); ++i) {
+  Eigen::VectorXd drawn(reading_.size());
+  for (Eigen::Index i = 0; i < drawn.size(); ++i) {
     const double z =
         normal(seed_, static_cast<std::uint32_t>(replicate), static_cast<std::uint64_t>(i));
-    simulated.measured_N[i] = std::max(0.0, at_.reading_N[i] + simulated.deviation_N[i] * z);
+    drawn[i] = std::max(0.0, reading_[i] + z) - expected_[i];
   }
-  return projection_.taken_out(residuals(simulated, at_));
+  take_out_scales(problem_, at_, drawn);
+  return projection_.taken_out(std::move(drawn));
 }
 
 void NullModel::for_each(

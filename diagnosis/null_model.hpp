@@ -49,6 +49,8 @@ class NullModel {
   const Problem& problem_;
   const Projection& projection_;
   const Forecast& at_;
+  Eigen::VectorXd reading_;   // in units of the noise
+  Eigen::VectorXd expected_;  // likewise, what is read on average
   std::uint64_t seed_;
   std::size_t replicates_;
 };

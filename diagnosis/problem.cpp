@@ -11,6 +11,26 @@ namespace {
 
 using Eigen::Index;
 
+double rectified(double reading_N, double deviation_N) {
+  constexpr double far = 4;
+  const double z = reading_N / deviation_N;
+  if (z > far) return reading_N;
+  const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
+  const double density = std::exp(-z * z / 2) * std::numbers::inv_sqrtpi * std::numbers::sqrt2 / 2;
+  return reading_N * below + deviation_N * density;
+}
+
+// A step that is small beside the range and large beside the accuracy of a forecast.
+constexpr double step_share = 1e-4;
+
+Forecast moved(const Problem& problem, Model model, std::size_t effect, std::size_t parameter,
+               double value) {
+  model.effects[effect].values[parameter] = value;
+  return forecast(*problem.dataset, model);
+}
+
+}  // namespace
+
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
   for (const DatasetRow& row : problem.dataset->rows) {
     if (row.has_motor_tension) continue;
@@ -25,29 +45,9 @@ void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd
   }
 }
 
-double rectified(double reading_N, double deviation_N) {
-  constexpr double far = 4;
-  const double z = reading_N / deviation_N;
-  if (z > far) return reading_N;
-  const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
-  const double density = std::exp(-z * z / 2) * std::numbers::inv_sqrtpi * std::numbers::sqrt2 / 2;
-  return reading_N * below + deviation_N * density;
-}
-
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
   return forecast.reading_N.binaryExpr(problem.deviation_N, &rectified);
 }
-
-// A step that is small beside the range and large beside the accuracy of a forecast.
-constexpr double step_share = 1e-4;
-
-Forecast moved(const Problem& problem, Model model, std::size_t effect, std::size_t parameter,
-               double value) {
-  model.effects[effect].values[parameter] = value;
-  return forecast(*problem.dataset, model);
-}
-
-}  // namespace
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
   Problem result{&dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())), deviation_N};

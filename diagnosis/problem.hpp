@@ -29,6 +29,12 @@ struct Problem {
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
 
+// m of each cell, N.
+Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);
+
+// Takes what a change of the rows' free scales could explain out of a vector in units of the noise.
+void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened);
+
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
 
 // Σ e²; infinite where the model has no tensions.

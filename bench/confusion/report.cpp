@@ -1,0 +1,259 @@
+#include "bench/confusion/report.hpp"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace reeve::bench {
+namespace {
+
+using Binomial = boost::math::binomial_distribution<>;
+
+bool is_visible(const Outcome& outcome, double visible) {
+  return outcome.planted.empty() || outcome.oracle > visible;
+}
+
+// ---- the confusion matrix ----
+
+struct Tally {
+  std::size_t right = 0, wrong = 0, abstained = 0, invisible = 0;
+
+  void count(const Outcome& outcome, double visible) {
+    if (!is_visible(outcome, visible)) {
+      ++invisible;
+    } else if (as_it_should_be(outcome)) {
+      ++right;
+    } else if (names_wrong(outcome, outcome.finding)) {
+      ++wrong;
+    } else {
+      ++abstained;
+    }
+  }
+};
+
+std::string text(const Tally& tally) {
+  const std::string visible = fmt::format("{}/{}/{}", tally.right, tally.wrong, tally.abstained);
+  return tally.invisible == 0 ? visible : visible + fmt::format(" ({})", tally.invisible);
+}
+
+// Pairs are too many kinds for a table of kinds.
+std::string row_of(const Outcome& outcome) {
+  return outcome.trial.part == Part::pairs ? "two causes" : outcome.trial.kind();
+}
+
+std::string matrix(const std::vector<Outcome>& outcomes, double visible) {
+  std::vector<std::string> rows, columns;
+  std::map<std::pair<std::string, std::string>, Tally> tallies;
+  const auto add = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Outcome& outcome : outcomes) {
+    add(rows, row_of(outcome));
+    add(columns, outcome.trial.column());
+    tallies[{row_of(outcome), outcome.trial.column()}].count(outcome, visible);
+  }
+  std::sort(columns.begin(), columns.end());
+  std::string out = "| planted | " + fmt::format("{}", fmt::join(columns, " | ")) + " |\n| --- |";
+  for (std::size_t i = 0; i < columns.size(); ++i) out += " --- |";
+  for (const std::string& row : rows) {
+    out += "\n| " + row + " |";
+    for (const std::string& column : columns) out += " " + text(tallies[{row, column}]) + " |";
+  }
+  return out + "\n\n";
+}
+
+// ---- rates ----
+
+Rate rate(const std::vector<const Outcome*>& outcomes,
+          const std::function<bool(const Outcome&)>& hit) {
+  Rate rate;
+  for (const Outcome* outcome : outcomes) rate.count(hit(*outcome));
+  return rate;
+}
+
+std::string plain(const std::string& what, const Rate& rate) {
+  if (rate.of == 0) return fmt::format("- {}: nothing to count", what);
+  return fmt::format("- {}: {:.1f} % ({} of {}; 95 % interval {:.1f} to {:.1f} %)", what,
+                     100 * rate.share(), rate.hits, rate.of, 100 * rate.low(), 100 * rate.high());
+}
+
+std::string required(const std::string& what, const Rate& rate, const std::string& requirement,
+                     bool met) {
+  if (rate.of == 0) return plain(what, rate) + "\n";
+  return fmt::format("{}; required {}: {}\n", plain(what, rate), requirement,
+                     met ? "met" : "NOT MET");
+}
+
+std::string at_least(const std::string& what, const Rate& rate, double percent) {
+  return required(what, rate, fmt::format("at least {} %", percent), 100 * rate.share() >= percent);
+}
+
+std::string at_most(const std::string& what, const Rate& rate, double percent) {
+  return required(what, rate, fmt::format("at most {} %", percent), 100 * rate.share() <= percent);
+}
+
+bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding); }
+
+std::string verdicts(const std::vector<const Outcome*>& outcomes) {
+  std::map<std::string, std::size_t> counts;
+  for (const Outcome* outcome : outcomes) ++counts[name(outcome->finding.verdict)];
+  std::string out = "- verdicts:";
+  for (const auto& [verdict, count] : counts) out += fmt::format(" {} {},", verdict, count);
+  out.back() = '\n';
+  return out;
+}
+
+std::string coverage(const std::vector<const Outcome*>& outcomes) {
+  Rate all;
+  std::map<std::string, Rate> by_parameter;
+  for (const Outcome* outcome : outcomes) {
+    for (const FoundInterval& interval : outcome->intervals) {
+      all.count(interval.covers());
+      by_parameter[interval.parameter].count(interval.covers());
+    }
+  }
+  // Few intervals that are all right are no sign that they are too wide.
+  std::string out = required("true value within the interval", all, "90 to 98 %",
+                             all.share() >= 0.9 && (all.of == 0 || all.low() <= 0.98));
+  for (const auto& [parameter, covered] : by_parameter) {
+    out += fmt::format("  - {}: {} of {}\n", parameter, covered.hits, covered.of);
+  }
+  return out;
+}
+
+std::string gains(const std::vector<const Outcome*>& outcomes) {
+  Rate reached;
+  double found = 0, possible = 0;
+  for (const Outcome* outcome : outcomes) {
+    if (!outcome->gain) continue;
+    found += outcome->gain->found;
+    possible += outcome->gain->possible;
+    reached.count(outcome->gain->found >= 0.9 * outcome->gain->possible);
+  }
+  if (reached.of == 0) return "- held-out gain: nothing to count\n";
+  return fmt::format(
+      "- held-out gain, reduction of the rms residual over that of the truth: {:.1f} % of {:.3f} on "
+      "average; 90 % of it is reached in {} of {} sets; required at least 90 %: {}\n",
+      100 * found / possible, possible / static_cast<double>(reached.of), reached.hits, reached.of,
+      found >= 0.9 * possible ? "met" : "NOT MET");
+}
+
+// In one group of causes that explain the data alike.
+bool reports_both(const Outcome& outcome) {
+  if (outcome.finding.verdict != Verdict::indistinguishable) return false;
+  const auto& groups = outcome.finding.indistinguishable;
+  return std::any_of(groups.begin(), groups.end(), [&](const std::vector<std::string>& group) {
+    const std::set<std::string> names(group.begin(), group.end());
+    return std::all_of(outcome.alike.begin(), outcome.alike.end(),
+                       [&](const std::string& alike) { return names.contains(alike); });
+  });
+}
+
+bool resolves(const Outcome& outcome) {
+  return outcome.with_more && names_all(outcome, *outcome.with_more);
+}
+
+bool same_as_without_copies(const Outcome& outcome) {
+  return outcome.with_more && outcome.with_more->verdict == outcome.finding.verdict &&
+         outcome.with_more->named == outcome.finding.named;
+}
+
+std::string rates(Part part, const std::vector<const Outcome*>& seen) {
+  switch (part) {
+    case Part::single:
+      return at_least("named right", rate(seen, as_it_should_be), 95) +
+             at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
+    case Part::coverage:
+      return coverage(seen) + gains(seen);
+    case Part::null:
+      return at_most("a cause named where none is hidden", rate(seen, wrong), 5) +
+             plain(
+                 "any verdict but none",
+                 rate(seen, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
+             "\n";
+    case Part::pairs:
+      return at_least("both named and nothing else", rate(seen, as_it_should_be), 85) +
+             plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
+             gains(seen);
+    case Part::unknown:
+      return at_least("unexplained", rate(seen, as_it_should_be), 90) +
+             plain("a cause of the library named with it", rate(seen, wrong)) + "\n";
+    case Part::alias:
+      return at_least("indistinguishable, with both names", rate(seen, reports_both), 95) +
+             at_least("resolved with the further runs", rate(seen, resolves), 95);
+    case Part::leakage:
+      return at_least("all copied rows dropped",
+                      rate(seen, [](const Outcome& o) { return o.copies_dropped.value(); }), 100) +
+             at_least("the same verdict as without copies", rate(seen, same_as_without_copies),
+                      100);
+  }
+  return "";
+}
+
+std::string found_text(const Finding& finding) {
+  std::string out = fmt::format("{}: {}", name(finding.verdict), fmt::join(finding.named, ", "));
+  for (const auto& group : finding.indistinguishable) {
+    out += fmt::format(" [{}]", fmt::join(group, " ~ "));
+  }
+  return out;
+}
+
+}  // namespace
+
+double Rate::share() const {
+  return of == 0 ? 0 : static_cast<double>(hits) / static_cast<double>(of);
+}
+
+double Rate::low() const {
+  return Binomial::find_lower_bound_on_p(static_cast<double>(of), static_cast<double>(hits), 0.025);
+}
+
+double Rate::high() const {
+  return Binomial::find_upper_bound_on_p(static_cast<double>(of), static_cast<double>(hits), 0.025);
+}
+
+bool as_it_should_be(const Outcome& outcome) {
+  const Finding& finding = outcome.finding;
+  switch (outcome.trial.part) {
+    case Part::unknown:
+      return finding.verdict == Verdict::unexplained;
+    case Part::alias:
+      return reports_both(outcome);
+    case Part::leakage:
+      return outcome.copies_dropped.value_or(false) && same_as_without_copies(outcome);
+    default:
+      return outcome.planted.empty() ? finding.verdict == Verdict::none
+                                     : names_all(outcome, finding);
+  }
+}
+
+std::string report(Part part, const std::vector<Outcome>& outcomes, double visible) {
+  std::vector<const Outcome*> seen;
+  for (const Outcome& outcome : outcomes) {
+    if (is_visible(outcome, visible)) seen.push_back(&outcome);
+  }
+  return fmt::format(
+             "## {}\n\n{} data sets, {} with a visible effect (log-likelihood ratio of the truth "
+             "above {}). Right/wrong/abstained (invisible):\n\n",
+             name(part), outcomes.size(), seen.size(), visible) +
+         matrix(outcomes, visible) + rates(part, seen) + verdicts(seen) + "\n";
+}
+
+std::string misses(const std::vector<Outcome>& outcomes, double visible) {
+  std::string out;
+  for (const Outcome& outcome : outcomes) {
+    if (as_it_should_be(outcome) || !is_visible(outcome, visible)) continue;
+    out += fmt::format("- {} {} ({}), ratio {:.0f}: {} -> {}", name(outcome.trial.part),
+                       outcome.trial.seed, outcome.trial.column(), outcome.oracle,
+                       fmt::join(outcome.planted, " + "), found_text(outcome.finding));
+    if (outcome.with_more) out += "; then " + found_text(*outcome.with_more);
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace reeve::bench

@@ -1,0 +1,231 @@
+#include "bench/confusion/trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/notation.hpp"
+
+namespace reeve::bench {
+namespace {
+
+using testing::EffectKind;
+using testing::EffectSize;
+using testing::NoiseLevel;
+using testing::Planted;
+using testing::PlantingPlan;
+
+const std::array sizes{EffectSize::small, EffectSize::medium, EffectSize::large};
+const std::array noises{testing::low_noise, testing::high_noise};
+
+// Distinct seeds for distinct parts and indices.
+std::uint64_t mixed(std::uint64_t seed, Part part, std::size_t index) {
+  std::uint64_t z = seed * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(part) * 0x632be59bU +
+                    (static_cast<std::uint64_t>(index) << 20U);
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  return z ^ (z >> 31U);
+}
+
+std::vector<EffectKind> kinds_with_parameters() {
+  std::vector<EffectKind> kinds = testing::library_effects();
+  std::erase(kinds, EffectKind::wrong_grasp);
+  std::erase(kinds, EffectKind::seized_contact);
+  return kinds;
+}
+
+template <typename Item, typename Items>
+Item turn(const Items& items, std::size_t& index) {
+  const Item item = items[index % items.size()];
+  index /= items.size();
+  return item;
+}
+
+std::vector<EffectKind> two_kinds(std::uint64_t seed) {
+  testing::Dice dice(seed);
+  std::vector<EffectKind> kinds = testing::library_effects();
+  dice.shuffle(kinds);
+  return {kinds[0], kinds[1]};
+}
+
+Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
+  Trial trial;
+  trial.part = part;
+  trial.seed = mixed(seed, part, index);
+  PlantingPlan& plan = trial.plan;
+  switch (part) {
+    case Part::single:
+      plan.effects = {turn<EffectKind>(testing::library_effects(), index)};
+      plan.size = turn<EffectSize>(sizes, index);
+      break;
+    case Part::coverage:
+      plan.effects = {turn<EffectKind>(kinds_with_parameters(), index)};
+      plan.size = index++ % 2 == 0 ? EffectSize::medium : EffectSize::large;
+      index /= 2;
+      break;
+    case Part::pairs:
+      plan.effects = two_kinds(trial.seed);
+      plan.size = index++ % 2 == 0 ? EffectSize::medium : EffectSize::large;
+      index /= 2;
+      break;
+    case Part::unknown:
+      plan.effects = {turn<EffectKind>(testing::unknown_effects(), index)};
+      plan.size = turn<EffectSize>(sizes, index);
+      break;
+    case Part::alias:
+      trial.alias = turn<testing::AliasKind>(testing::alias_kinds(), index);
+      plan.size = EffectSize::large;
+      break;
+    case Part::leakage:
+      if (index % 2 == 1) plan.effects = {turn<EffectKind>(testing::library_effects(), index)};
+      break;
+    case Part::null:
+      break;
+  }
+  plan.noise = turn<NoiseLevel>(noises, index);
+  return trial;
+}
+
+MeasuredData parse(const std::string& csv) {
+  return parse_measured_data(csv, "planted.csv",
+                             [](const std::string& word) { return parse_routing(word); });
+}
+
+Finding finding_of(const DiagnosisResult& result) {
+  Finding finding{result.verdict, {}, result.indistinguishable};
+  for (const NamedCause& cause : result.causes) finding.named.push_back(cause.name);
+  return finding;
+}
+
+// Parameters are matched by their order, not by what they are called.
+std::vector<FoundInterval> intervals_of(const Planted& planted, const DiagnosisResult& result) {
+  std::vector<FoundInterval> intervals;
+  for (const testing::PlantedCause& hidden : planted.causes) {
+    for (const NamedCause& found : result.causes) {
+      if (found.name != hidden.name) continue;
+      const std::size_t count = std::min(hidden.parameters.size(), found.parameters.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& [parameter, truth] = hidden.parameters[i];
+        const EstimatedParameter& estimate = found.parameters[i];
+        intervals.push_back({std::string(testing::name(hidden.kind)) + "." + parameter, truth,
+                             estimate.value, estimate.low, estimate.high});
+      }
+    }
+  }
+  return intervals;
+}
+
+// On the readings that the diagnosis held out.
+double possible_gain(const Planted& planted, const MeasuredData& data,
+                     const DiagnosisResult& result) {
+  std::map<std::pair<std::size_t, std::string>, const testing::PlantedCell*> cells;
+  for (const auto& cell : planted.cells) cells[{cell.row, cell.channel}] = &cell;
+  double nominal = 0, truth = 0;
+  for (const ComparedCell& compared : result.cells) {
+    if (!compared.held_out) continue;
+    const auto& cell =
+        *cells.at({compared.cell.reading, data.channels[compared.cell.channel].name});
+    nominal += std::pow(cell.reading_N - cell.nominal_N, 2);
+    truth += std::pow(cell.reading_N - cell.expected_N, 2);
+  }
+  return 1 - std::sqrt(truth / nominal);
+}
+
+double least_ratio(const Planted& planted) {
+  double least = planted.log_likelihood_ratio;
+  for (const auto& cause : planted.causes) least = std::min(least, cause.log_likelihood_ratio);
+  return least;
+}
+
+void diagnose_planted(const Planted& planted, const DiagnoseOptions& options, Outcome& outcome) {
+  const MeasuredData data = parse(planted.csv);
+  const DiagnosisResult result = diagnose(data, {}, options);
+  outcome.finding = finding_of(result);
+  for (const auto& cause : planted.causes) outcome.planted.push_back(cause.name);
+  outcome.oracle = least_ratio(planted);
+  outcome.csv = planted.csv;
+  outcome.intervals = intervals_of(planted, result);
+  if (names_all(outcome, outcome.finding) && result.held_out) {
+    outcome.gain = {result.held_out->reduction, possible_gain(planted, data, result)};
+  }
+}
+
+void diagnose_alias(const DiagnoseOptions& options, Outcome& outcome) {
+  const Trial& trial = outcome.trial;
+  const auto alias = testing::plant_alias(trial.alias, trial.plan.noise, trial.seed);
+  diagnose_planted(alias.aliased, options, outcome);
+  outcome.alike.assign(alias.names.begin(), alias.names.end());
+  outcome.with_more = finding_of(diagnose(parse(alias.separated.csv), {}, options));
+}
+
+void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Outcome& outcome) {
+  const MeasuredData copied = parse(testing::with_copied_runs(planted, 2));
+  const DiagnosisResult result = diagnose(copied, {}, options);
+  outcome.with_more = finding_of(result);
+  outcome.copies_dropped =
+      result.dropped_duplicates == copied.readings.size() - planted.experiment.rows.size();
+}
+
+}  // namespace
+
+const char* name(Part part) {
+  constexpr std::array names{"single", "null", "pairs", "unknown", "alias", "coverage", "leakage"};
+  return names[static_cast<std::size_t>(part)];
+}
+
+const std::vector<Part>& all_parts() {
+  static const std::vector<Part> parts{Part::single,   Part::null,    Part::pairs, Part::unknown,
+                                       Part::coverage, Part::leakage, Part::alias};
+  return parts;
+}
+
+std::string Trial::kind() const {
+  if (part == Part::alias) return testing::name(alias);
+  if (plan.effects.empty()) return "nothing";
+  std::string kinds;
+  for (const EffectKind kind : plan.effects) {
+    kinds += (kinds.empty() ? "" : " + ") + std::string(testing::name(kind));
+  }
+  return kinds;
+}
+
+std::string Trial::column() const {
+  const std::string noise = plan.noise.relative < 0.02 ? "1 %" : "3 %";
+  const bool sized = !plan.effects.empty();
+  return (sized ? std::string(testing::name(plan.size)) + ", " : "") + noise;
+}
+
+std::vector<Trial> trials_of(Part part, std::size_t sets, std::uint64_t seed) {
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < sets; ++i) trials.push_back(trial_of(part, i, seed));
+  return trials;
+}
+
+bool names_all(const Outcome& outcome, const Finding& finding) {
+  const std::set<std::string> hidden(outcome.planted.begin(), outcome.planted.end());
+  return finding.verdict == Verdict::cause &&
+         hidden == std::set<std::string>(finding.named.begin(), finding.named.end());
+}
+
+bool names_wrong(const Outcome& outcome, const Finding& finding) {
+  return std::any_of(finding.named.begin(), finding.named.end(), [&](const std::string& name) {
+    return std::find(outcome.planted.begin(), outcome.planted.end(), name) == outcome.planted.end();
+  });
+}
+
+Outcome run(const Trial& trial, const DiagnoseOptions& options) {
+  Outcome outcome;
+  outcome.trial = trial;
+  if (trial.part == Part::alias) {
+    diagnose_alias(options, outcome);
+    return outcome;
+  }
+  const Planted planted = testing::plant(trial.plan, trial.seed);
+  diagnose_planted(planted, options, outcome);
+  if (trial.part == Part::leakage) diagnose_copies(planted, options, outcome);
+  return outcome;
+}
+
+}  // namespace reeve::bench

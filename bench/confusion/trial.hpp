@@ -1,0 +1,72 @@
+// One planted data set, diagnosed: what was hidden, what was found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnose.hpp"
+#include "tests/support/planting.hpp"
+#include "tests/support/planting_alias.hpp"
+
+namespace reeve::bench {
+
+enum class Part : std::uint8_t { single, null, pairs, unknown, alias, coverage, leakage };
+const char* name(Part part);
+const std::vector<Part>& all_parts();
+
+struct Trial {
+  Part part = Part::single;
+  testing::PlantingPlan plan;
+  testing::AliasKind alias = testing::AliasKind::gain_or_offset;  // of part alias
+  std::uint64_t seed = 0;
+
+  std::string kind() const;    // tube_friction, gain_or_offset, nothing
+  std::string column() const;  // "small, 1 %"
+};
+
+// `sets` trials, evenly over what the part varies.
+std::vector<Trial> trials_of(Part part, std::size_t sets, std::uint64_t seed);
+
+struct FoundInterval {
+  std::string parameter;  // tube_friction.mu
+  double truth = 0, value = 0, low = 0, high = 0;
+
+  bool covers() const { return low <= truth && truth <= high; }
+};
+
+// Reductions of the rms residual on the same held-out readings.
+struct FoundGain {
+  double found = 0;
+  double possible = 0;  // by the truth
+};
+
+// Of one call of the diagnosis.
+struct Finding {
+  Verdict verdict = Verdict::none;
+  std::vector<std::string> named;
+  std::vector<std::vector<std::string>> indistinguishable;
+};
+
+struct Outcome {
+  Trial trial;
+  std::vector<std::string> planted;  // names of the causes
+  std::vector<std::string> alike;    // alias: the hidden cause, and the one that looks like it
+  double oracle = 0;                 // the least log-likelihood ratio of the hidden causes
+  Finding finding;
+  std::optional<Finding> with_more;      // alias: with the separating rows
+  std::optional<bool> copies_dropped;    // leakage: all copied rows, and nothing else
+  std::vector<FoundInterval> intervals;  // of causes named right
+  std::optional<FoundGain> gain;         // where the named causes are the hidden ones
+  std::string csv;
+};
+
+Outcome run(const Trial& trial, const DiagnoseOptions& options);
+
+// Whether the named causes are just the hidden ones.
+bool names_all(const Outcome& outcome, const Finding& finding);
+// Whether a cause is named that is not hidden there.
+bool names_wrong(const Outcome& outcome, const Finding& finding);
+
+}  // namespace reeve::bench
