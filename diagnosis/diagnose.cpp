@@ -89,10 +89,11 @@ class Diagnosis {
 
   Noise noise_left_by(const Model& model) const {
     const Forecast at = forecast(sample_.training, model);
-    const Problem plain =
-        problem(sample_.training,
-                Eigen::VectorXd::Ones(static_cast<Eigen::Index>(sample_.training.cells.size())));
-    return noise_of_residuals(sample_.training, residuals(plain, at),
+    // In newton, and so sure that no reading is near what a sensor cannot read below.
+    constexpr double sure_N = 1e-6;
+    const auto cells = static_cast<Eigen::Index>(sample_.training.cells.size());
+    const Problem plain = problem(sample_.training, Eigen::VectorXd::Constant(cells, sure_N));
+    return noise_of_residuals(sample_.training, sure_N * residuals(plain, at),
                               static_cast<double>(parameter_count(model)));
   }
 

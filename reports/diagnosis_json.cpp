@@ -138,6 +138,7 @@ std::string diagnosis_json(const DiagnosisReport& report) {
   add_findings(json, report);
   add_evidence(json, report);
   json["simulated"] = report.data.simulated;
+  json["too_few"] = result.too_few_readings;
   json["rows"] = result.rows;
   json["runs"] = result.runs;
   json["held_out_runs"] = result.held_out_runs;

@@ -14,10 +14,10 @@
 namespace reeve {
 
 struct DiagnosisSettings {
-  double alpha = 0.05;
-  double hold_out = 0.3;
-  std::uint64_t seed = 1;
-  std::size_t replicates = 400;
+  double alpha = DiagnoseOptions{}.alpha;
+  double hold_out = DiagnoseOptions{}.hold_out;
+  std::uint64_t seed = DiagnoseOptions{}.seed;
+  std::size_t replicates = DiagnoseOptions{}.replicates;
   bool explore = false;  // whether generated routings were offered for the next measurement
 };
 

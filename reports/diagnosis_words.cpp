@@ -61,8 +61,10 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
 std::string estimate(const EstimatedParameter& parameter, double value) {
   const double half = (parameter.high - parameter.low) / 2;
   if (!std::isfinite(half) || half <= 0) return fmt::format("{:.4g}", value);
-  const int places = std::clamp(static_cast<int>(-std::floor(std::log10(half))), 0, 6);
-  return fmt::format("{:.{}f}", value, places);
+  // Two digits of a width that begins with 1 or 2, else one.
+  const int places = std::clamp(static_cast<int>(std::ceil(std::log10(3 / half))), 0, 6);
+  const bool vanishes = value != 0 && std::abs(value) < 0.5 * std::pow(10.0, -places);
+  return vanishes ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, places);
 }
 
 std::string cause_text(const NamedCause& cause) {
@@ -74,11 +76,12 @@ std::string cause_text(const NamedCause& cause) {
 }
 
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {
+  const bool rises = held_out.reduction < 0;
   return fmt::format("on {} {} by {} ({} to {}): from {} to {}", plural(runs, "held-out run"),
-                     held_out.reduction < 0 ? "rise" : "fall",
-                     percent_text(std::abs(held_out.reduction)), percent_text(held_out.low),
-                     percent_text(held_out.high), newton(held_out.rms_before_N),
-                     newton(held_out.rms_after_N));
+                     rises ? "rise" : "fall", percent_text(std::abs(held_out.reduction)),
+                     percent_text(rises ? -held_out.high : held_out.low),
+                     percent_text(rises ? -held_out.low : held_out.high),
+                     newton(held_out.rms_before_N), newton(held_out.rms_after_N));
 }
 
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
@@ -98,7 +101,9 @@ std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisR
 
 std::string newton(double value) { return fmt::format("{:.2g} N", value); }
 
-std::string percent_text(double share) { return fmt::format("{:.0f} %", 100 * share); }
+std::string percent_text(double share) {
+  return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // never -0
+}
 
 std::string chance_text(double p_value, std::size_t replicates) {
   return fmt::format("in {} {:.2g} % of data sets",

@@ -217,7 +217,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
   EXPECT_EQ(keys(json),
             "verdict causes indistinguishable separating_measurement unexplained next_measurement "
-            "held_out not_confirmed weighed structure noise ranking simulated rows runs "
+            "held_out not_confirmed weighed structure noise ranking simulated too_few rows runs "
             "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
             "version");
   const Json& cause = json["causes"][0];

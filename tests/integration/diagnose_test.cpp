@@ -90,6 +90,20 @@ TEST(Diagnose, WritesWhatItPrintsAndOneLineForEachValue) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2 + 60 * 4);
 }
 
+TEST(Diagnose, SavesAModelThatRankTakes) {
+  const TemporaryFolder folder;
+  const std::string model = (folder.path() / "model.toml").string();
+  const ProcessResult result =
+      reeve({"diagnose", with_cause, "--format", "json", "--save-model", model});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(read_text(model).find("\n# The data are simulated"), std::string::npos);
+  const Json ranked =
+      Json::parse(reeve({"rank", "--catalog", "--model", model, "--format", "json"}).out);
+  std::vector<std::string> order;
+  for (const Json& design : ranked["designs"]) order.push_back(design["name"]);
+  EXPECT_EQ(Json::parse(result.out)["ranking"]["after"], order);
+}
+
 TEST(Diagnose, GivesTheSameBytesForAnyNumberOfThreads) {
   const Arguments one{"diagnose", with_cause, "--format", "json", "--threads", "1"};
   const Arguments three{"diagnose", with_cause, "--format", "json", "--threads", "3"};
