@@ -84,7 +84,11 @@ class Diagnosis {
     const std::optional<Noise> measured = noise_without_model(sample_.training);
     noise_is_measured_ = measured.has_value();
     result_.noise = measured ? *measured : noise_left_by(nominal_);
-    problem_ = problem(sample_.training, deviations(sample_.training, result_.noise));
+    problem_ = problem(sample_.training, deviations_under(sample_.training, nominal_));
+  }
+
+  Eigen::VectorXd deviations_under(const Dataset& part, const Model& model) const {
+    return deviations(part, result_.noise, forecast(part, model).reading_N);
   }
 
   Noise noise_left_by(const Model& model) const {
@@ -98,9 +102,8 @@ class Diagnosis {
   }
 
   void update_noise(Problem& problem, const Model& model) {
-    if (noise_is_measured_) return;
-    result_.noise = noise_left_by(model);
-    problem.deviation_N = deviations(sample_.training, result_.noise);
+    if (!noise_is_measured_) result_.noise = noise_left_by(model);
+    problem.deviation_N = deviations_under(sample_.training, model);
   }
 
   bool find_causes() {
@@ -142,7 +145,8 @@ class Diagnosis {
   void confirm() {
     weigh();
     if (sample_.held_out.cells.empty()) return;
-    const Problem unseen = problem(sample_.held_out, deviations(sample_.held_out, result_.noise));
+    const Problem unseen =
+        problem(sample_.held_out, deviations_under(sample_.held_out, result_.model));
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       NamedCause& cause = result_.causes[c];
       const Fit before = fit(problem_, without(result_.model, place(result_.model, cause.effect)));
@@ -278,7 +282,7 @@ class Diagnosis {
       if (part.cells.empty()) continue;
       const Forecast before = forecast(part, nominal_);
       const Forecast after = forecast(part, result_.model);
-      const Eigen::VectorXd deviation = deviations(part, result_.noise);
+      const Eigen::VectorXd deviation = deviations(part, result_.noise, after.reading_N);
       for (std::size_t i = 0; i < part.cells.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         result_.cells.push_back(

@@ -257,8 +257,8 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
   const Effect& named = model.effects[effect];
   best->parameter = named.cause->parameters(model.hardware).front().name;
   best->why = fmt::format(
-      "it says most about {} of {}: {} readings are expected to narrow its 95 % "
-      "interval by {:.0f} %",
+      "it says most about {} of {}: {} readings are expected to narrow what "
+      "noise leaves open of it by {:.0f} %",
       best->parameter, name(named), planned_readings, 100 * (1 - best->width_expected / now));
   return best;
 }

@@ -177,10 +177,15 @@ double Noise::deviation(double tension_N) const {
   return std::hypot(absolute_N, relative * tension_N);
 }
 
-Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(dataset.cells.size()));
+Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
+                           const Eigen::VectorXd& expected_N) {
+  constexpr double far = 5;
+  Eigen::VectorXd result(expected_N.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
-    result[i] = noise.deviation(dataset.cells[static_cast<std::size_t>(i)].measured_N);
+    const double measured = dataset.cells[static_cast<std::size_t>(i)].measured_N;
+    const double at_expected = noise.deviation(expected_N[i]);
+    const bool near = std::abs(measured - expected_N[i]) <= far * at_expected;
+    result[i] = near ? at_expected : noise.deviation(measured);
   }
   return result;
 }

@@ -34,8 +34,11 @@ struct ScatterSample {
   double kept = 1;
 };
 
-// sd of each cell.
-Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise);
+// sd of each cell at what a model expects it to read; where the reading is far from that, at the
+// reading. (Always at the reading would be worse: readings that chance made small would weigh more
+// than those that it made large.)
+Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
+                           const Eigen::VectorXd& expected_N);
 
 // From repeats or smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);

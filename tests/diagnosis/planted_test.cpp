@@ -1,0 +1,124 @@
+// Effects that are hidden in simulated data by code that shares nothing with the causes
+// (tests/support/planting.hpp), and what the diagnosis makes of them. A fixed small part of
+// bench/confusion, which reports rates.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnose.hpp"
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/support/planting.hpp"
+#include "tests/support/planting_alias.hpp"
+
+namespace reeve::testing {
+namespace {
+
+DiagnosisResult diagnosed(const std::string& csv) {
+  DiagnoseOptions options;
+  options.replicates = 300;
+  return diagnose(read_data(csv), Hardware{}, options);
+}
+
+std::vector<std::string> named(const DiagnosisResult& result) {
+  std::vector<std::string> names;
+  for (const NamedCause& cause : result.causes) names.push_back(cause.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> hidden(const Planted& planted) {
+  std::vector<std::string> names;
+  for (const PlantedCause& cause : planted.causes) names.push_back(cause.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Planted plant(const std::vector<EffectKind>& effects, std::uint64_t seed) {
+  PlantingPlan plan;
+  plan.effects = effects;
+  plan.size = EffectSize::medium;
+  plan.noise = low_noise;
+  return plant(plan, seed);
+}
+
+class PlantedCauses : public ::testing::TestWithParam<EffectKind> {};
+
+TEST_P(PlantedCauses, AreNamedAndNothingElseIs) {
+  const Planted planted = plant({GetParam()}, 51);
+  const DiagnosisResult result = diagnosed(planted.csv);
+  EXPECT_EQ(named(result), hidden(planted));
+  EXPECT_EQ(result.verdict, Verdict::cause);
+  ASSERT_TRUE(result.held_out.has_value());
+  EXPECT_GT(result.held_out->reduction, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PlantedCauses, ::testing::ValuesIn(library_effects()),
+                         [](const auto& kind) { return std::string(name(kind.param)); });
+
+class PlantedUnknowns : public ::testing::TestWithParam<EffectKind> {};
+
+TEST_P(PlantedUnknowns, AreUnexplained) {
+  EXPECT_EQ(diagnosed(plant({GetParam()}, 52).csv).verdict, Verdict::unexplained);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effects()),
+                         [](const auto& kind) { return std::string(name(kind.param)); });
+
+TEST(PlantedNothing, IsNothingFound) {
+  for (const std::uint64_t seed : {53, 54, 55, 56}) {
+    const DiagnosisResult result = diagnosed(plant({}, seed).csv);
+    EXPECT_EQ(result.verdict, Verdict::none) << seed;
+    EXPECT_TRUE(result.causes.empty()) << seed;
+  }
+}
+
+TEST(PlantedPairs, AreBothNamed) {
+  const Planted planted =
+      plant({EffectKind::sheath_friction, EffectKind::load_dependent_friction}, 57);
+  EXPECT_EQ(named(diagnosed(planted.csv)), hidden(planted));
+}
+
+TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
+  const PlantedAlias planted = plant_alias(AliasKind::speed_or_temperature, low_noise, 58);
+  const DiagnosisResult alike = diagnosed(planted.aliased.csv);
+  EXPECT_EQ(alike.verdict, Verdict::indistinguishable);
+  ASSERT_FALSE(alike.indistinguishable.empty());
+  for (const std::string& name : planted.names) {
+    const auto& group = alike.indistinguishable.front();
+    EXPECT_NE(std::find(group.begin(), group.end(), name), group.end()) << name;
+  }
+  EXPECT_TRUE(alike.separating_measurement.has_value());
+  const DiagnosisResult apart = diagnosed(planted.separated.csv);
+  EXPECT_EQ(apart.verdict, Verdict::cause);
+  EXPECT_EQ(named(apart), std::vector<std::string>{planted.names[0]});
+}
+
+TEST(PlantedLeakage, IsNoticedAndChangesNothing) {
+  const Planted planted = plant({EffectKind::tube_friction}, 59);
+  const DiagnosisResult clean = diagnosed(planted.csv);
+  const DiagnosisResult leaking = diagnosed(with_copied_runs(planted, 2));
+  EXPECT_GT(leaking.dropped_duplicates, 10U);
+  EXPECT_EQ(leaking.rows, clean.rows);
+  EXPECT_EQ(named(leaking), named(clean));
+  EXPECT_EQ(count_notes(leaking.notes, NoteKind::duplicate_across_runs), 1U);
+}
+
+TEST(PlantedWear, IsFoundAlikeByAnyNumberOfThreads) {
+  const MeasuredData data = read_data(plant({EffectKind::wear}, 60).csv);
+  DiagnoseOptions options;
+  options.replicates = 100;
+  options.threads = 1;
+  const DiagnosisResult one = diagnose(data, Hardware{}, options);
+  options.threads = 3;
+  const DiagnosisResult three = diagnose(data, Hardware{}, options);
+  ASSERT_EQ(named(one), named(three));
+  for (std::size_t i = 0; i < one.cells.size(); ++i) {
+    ASSERT_EQ(one.cells[i].after_N, three.cells[i].after_N);
+  }
+  EXPECT_EQ(one.structure_p_value, three.structure_p_value);
+}
+
+}  // namespace
+}  // namespace reeve::testing
