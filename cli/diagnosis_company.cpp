@@ -7,6 +7,7 @@
 
 #include "catalog/model_file.hpp"
 #include "core/canonical.hpp"
+#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/version.hpp"
 #include "diagnosis/csv.hpp"
@@ -80,7 +81,11 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
   if (extended.effects.empty()) return std::nullopt;
   Model before;
   before.hardware = plain;
-  return CatalogueRanking{order(before, catalogue), order(extended, catalogue)};
+  try {
+    return CatalogueRanking{order(before, catalogue), order(extended, catalogue)};
+  } catch (const InputError&) {
+    return std::nullopt;  // fitted to extreme readings, the model has no tensions in some routing
+  }
 }
 
 std::string extended_model_toml(const DiagnosisReport& report,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.hpp"
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/cause_search.hpp"
 #include "diagnosis/fit.hpp"
@@ -155,7 +156,11 @@ class Diagnosis {
     for (WeighedCause& weighed : result_.weighed) {
       const auto found = std::find_if(weighed_models_.begin(), weighed_models_.end(),
                                       [&](const auto& item) { return item.first == weighed.name; });
-      weighed.held_out = held_out_gain(unseen, nominal_, found->second, options_.seed);
+      try {
+        weighed.held_out = held_out_gain(unseen, nominal_, found->second, options_.seed);
+      } catch (const InputError&) {
+        // In some held-out row this model has no tensions: nothing to weigh it by.
+      }
     }
     drop_refuted();
     if (!result_.causes.empty()) {

@@ -22,6 +22,8 @@ struct Coordinate {
   }
 };
 
+constexpr double no_tensions = 1e300;
+
 std::vector<Coordinate> coordinates(const Model& model) {
   constexpr double orders = 100;
   std::vector<Coordinate> result;
@@ -36,6 +38,8 @@ std::vector<Coordinate> coordinates(const Model& model) {
 }
 
 }  // namespace
+
+bool has_tensions(const Fit& fit) { return fit.misfit < no_tensions; }
 
 Fit fit(const Problem& problem, const Model& model) {
   constexpr int evaluations = 25;
@@ -56,7 +60,7 @@ Fit fit(const Problem& problem, const Model& model) {
   const Minimum best = refine(
       [&](const std::vector<double>& at) {
         set(at);
-        return std::min(misfit(problem, trial), 1e300);
+        return std::min(misfit(problem, trial), no_tensions);
       },
       box, start, evaluations * static_cast<int>(free.size() + 1));
   set(best.at);

@@ -13,6 +13,9 @@ struct Fit {
   double misfit = 0;  // Σ e²
 };
 
+// Whether the fitted model has tensions at all; otherwise its misfit is beyond any number.
+bool has_tensions(const Fit& fit);
+
 // From the model's own values.
 Fit fit(const Problem& problem, const Model& model);
 

@@ -90,9 +90,14 @@ Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Fo
     const double value = here.values[p];
     const double up = std::min(value + step, range.high);
     const double down = std::max(value - step, range.low);
-    const Eigen::VectorXd change = difference(problem, at, moved(problem, model, effect, p, up)) -
-                                   difference(problem, at, moved(problem, model, effect, p, down));
-    result.col(static_cast<Index>(p)) = change / (up - down);
+    auto column = result.col(static_cast<Index>(p));
+    try {
+      column = (difference(problem, at, moved(problem, model, effect, p, up)) -
+                difference(problem, at, moved(problem, model, effect, p, down))) /
+               (up - down);
+    } catch (const InputError&) {
+      column.setZero();  // at the edge of what has tensions
+    }
   }
   return result;
 }

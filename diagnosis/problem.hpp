@@ -43,7 +43,8 @@ double misfit(const Problem& problem, const Model& model);
 // A difference of forecasts, seen from `at`, in units of the noise.
 Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other);
 
-// One column for each parameter of the effect at this place of the model.
+// One column for each parameter of the effect at this place of the model; 0 where the model has no
+// tensions beside it.
 Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
                             std::size_t effect);
 // Of all effects side by side.

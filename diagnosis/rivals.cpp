@@ -22,6 +22,7 @@ std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_
   const double degrees = problem.dataset->degrees_of_freedom();
   std::vector<Rival> result;
   for (std::size_t i = 0; i < which.size(); ++i) {
+    if (!has_tensions(fits[i])) continue;
     const double deficit = gain_from_misfits(base.misfit, now, degrees) -
                            gain_from_misfits(base.misfit, fits[i].misfit, degrees);
     result.push_back({outlook.candidates()[which[i]].name, fits[i], deficit});
