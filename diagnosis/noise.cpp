@@ -60,7 +60,8 @@ double degrees(const std::vector<ScatterSample>& samples) {
   return sum;
 }
 
-std::vector<ScatterSample> repeats(const Dataset& dataset) {
+// Marks the cells that it used.
+std::vector<ScatterSample> repeats(const Dataset& dataset, std::vector<char>& used) {
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction, double, double, double,
                          double, std::optional<double>>;
   std::map<Key, Group> groups;
@@ -83,6 +84,7 @@ std::vector<ScatterSample> repeats(const Dataset& dataset) {
     for (const std::size_t i : group) mean += dataset.cells[i].measured_N / n;
     for (const std::size_t i : group) {
       samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n});
+      used[i] = 1;
     }
   }
   return samples;
@@ -137,7 +139,7 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
   }
 }
 
-std::vector<ScatterSample> smoothing(const Dataset& dataset) {
+std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<char>& used) {
   const double level = median_reading(dataset);
   std::vector<ScatterSample> samples;
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
@@ -147,6 +149,7 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset) {
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     for (std::size_t i = row.first; i < row.last; ++i) {
+      if (used[i] != 0) continue;
       auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
                                     reading.direction}];
       rows.push_back(r);
@@ -167,6 +170,8 @@ const char* name(NoiseSource source) {
       return "repeats";
     case NoiseSource::smoothing:
       return "smoothing";
+    case NoiseSource::repeats_and_smoothing:
+      return "repeats and smoothing";
     case NoiseSource::residuals:
       return "residuals";
   }
@@ -191,11 +196,16 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
 }
 
 std::optional<Noise> noise_without_model(const Dataset& dataset) {
-  const std::vector<ScatterSample> repeated = repeats(dataset);
-  if (degrees(repeated) >= enough_degrees) return fit(dataset, repeated, NoiseSource::repeats);
-  const std::vector<ScatterSample> smoothed = smoothing(dataset);
-  if (degrees(smoothed) >= enough_degrees) return fit(dataset, smoothed, NoiseSource::smoothing);
-  return std::nullopt;
+  std::vector<char> used(dataset.cells.size(), 0);
+  std::vector<ScatterSample> samples = repeats(dataset, used);
+  const bool repeated = !samples.empty();
+  const std::vector<ScatterSample> smoothed = smoothing(dataset, used);
+  samples.insert(samples.end(), smoothed.begin(), smoothed.end());
+  if (degrees(samples) < enough_degrees) return std::nullopt;
+  return fit(dataset, samples,
+             !repeated          ? NoiseSource::smoothing
+             : smoothed.empty() ? NoiseSource::repeats
+                                : NoiseSource::repeats_and_smoothing);
 }
 
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,

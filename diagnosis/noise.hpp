@@ -1,10 +1,14 @@
 // How far readings scatter where nothing changes: sd² = absolute² + (relative T)².
 //
-// Estimated, in this order, from
-//   repeats     readings of a channel under the same conditions, if there are enough
-//   smoothing   readings of a channel in one routing, grasp and direction, beside a regression of
-//               T / T_M on load, speed, cycle, temperature and order: what no smooth law explains
-//   residuals   of a model, where the data are too few for either
+// Estimated from
+//   repeats     readings of a channel under the same conditions
+//   smoothing   other readings of a channel in one routing, grasp and direction, beside a
+//   regression
+//               of T / T_M on load, speed, cycle, temperature and order: what no smooth law
+//               explains
+// together, since repeats of few conditions cannot tell the relative part from the absolute one;
+// or, where the data are too few for either, from
+//   residuals   of a model
 // Both parts together maximise the (restricted) likelihood of the residuals.
 #pragma once
 
@@ -14,7 +18,7 @@
 
 namespace reeve {
 
-enum class NoiseSource : std::uint8_t { repeats, smoothing, residuals };
+enum class NoiseSource : std::uint8_t { repeats, smoothing, repeats_and_smoothing, residuals };
 const char* name(NoiseSource source);
 
 struct Noise {
@@ -40,7 +44,7 @@ struct ScatterSample {
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N);
 
-// From repeats or smoothing; nothing if there are too few.
+// From repeats and smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);
 // From what a model with so many fitted parameters leaves.
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,

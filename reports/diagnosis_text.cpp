@@ -24,7 +24,9 @@ std::string data_text(const DiagnosisReport& report) {
   const Noise& noise = result.noise;
   const char* source = noise.source == NoiseSource::repeats     ? "repeated readings"
                        : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
-                                                                : "what the model leaves";
+                       : noise.source == NoiseSource::repeats_and_smoothing
+                           ? "repeated readings and what no smooth law explains"
+                           : "what the model leaves";
   return text +
          fmt::format("Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)\n",
                      100 * noise.relative, newton(noise.absolute_N), source,
