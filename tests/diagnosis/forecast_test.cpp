@@ -1,0 +1,78 @@
+#include "diagnosis/forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "causes/library.hpp"
+#include "diagnosis/comparison.hpp"
+#include "diagnosis/problem.hpp"
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+const double tube = std::exp(-0.18 * std::numbers::pi);
+const double sheath = std::exp(-0.36 * std::numbers::pi);
+
+Dataset all_of(const MeasuredData& data) {
+  std::vector<std::size_t> readings(data.readings.size());
+  std::iota(readings.begin(), readings.end(), std::size_t{0});
+  return dataset(data, readings);
+}
+
+TEST(Forecast, OfThePlainModelIsWhatCompareSays) {
+  const MeasuredData data = read_data(
+      "run,routing,held,direction,motor_tension_N,sheath_angle_rad,T1_N,T2_N,Ta_N\n"
+      "1,TR3,1,pull,10,,1,2,5\n1,TR5,,release,7,5,1,2,\n2,M-1-T-2-F,2,pull,3,,1,,3\n");
+  const Forecast forecast = reeve::forecast(all_of(data), {});
+  const Comparison comparison = compare(data, {});
+  ASSERT_EQ(static_cast<std::size_t>(forecast.reading_N.size()), comparison.values.size());
+  for (std::size_t i = 0; i < comparison.values.size(); ++i) {
+    EXPECT_NEAR(forecast.reading_N[static_cast<Eigen::Index>(i)], comparison.values[i].predicted,
+                1e-12);
+  }
+}
+
+TEST(Forecast, WithoutMotorTensionAddsUpToTheMeasuredTensions) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,4,2\n");
+  const Forecast forecast = reeve::forecast(all_of(data), {});
+  EXPECT_NEAR(forecast.reading_N.sum(), 6, 1e-12);
+  EXPECT_NEAR(forecast.reading_N[1] / forecast.reading_N[0], tube, 1e-12);
+}
+
+// The scale of such a row comes from the readings, at which the exponent then is taken.
+TEST(Forecast, OfALoadDependentLawTakesTheLoadFromTheReadingsThemselves) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,40,30\n");
+  Model model;
+  add_effect(model, {find_cause("load_dependent_friction"), {}, {0.2}});
+  const Forecast forecast = reeve::forecast(all_of(data), model);
+  const double high = forecast.reading_N[0];
+  const double exponent = 0.18 * std::numbers::pi * std::pow(high / 10, -0.2);
+  EXPECT_NEAR(forecast.reading_N.sum(), 70, 1e-6);
+  EXPECT_NEAR(forecast.reading_N[1] / high, std::exp(-exponent), 1e-7);
+}
+
+TEST(Residuals, IgnoreTheScaleOfARowWithoutMotorTension) {
+  const MeasuredData small = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,4,2\n");
+  const Dataset dataset = all_of(small);
+  const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.1, 0.1});
+  const Eigen::VectorXd left = residuals(problem, forecast(dataset, {}));
+  EXPECT_NEAR(left.dot(Eigen::Vector2d{1, tube}), 0, 1e-9);
+}
+
+// Half of the normal noise about 0 is cut off: its mean is sd / sqrt(2 pi).
+TEST(Residuals, KnowThatASensorCannotReadBelowZero) {
+  const MeasuredData data = read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n");
+  const Dataset dataset = all_of(data);
+  const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.5, 0.01});
+  Forecast forecast{Eigen::Vector2d{0, 10 * sheath * tube}, Eigen::Vector2d{0, 0}};
+  const Eigen::VectorXd expected = expected_readings(problem, forecast);
+  EXPECT_NEAR(expected[0], 0.5 / std::sqrt(2 * std::numbers::pi), 1e-12);
+  EXPECT_EQ(expected[1], forecast.reading_N[1]);
+}
+
+}  // namespace
+}  // namespace reeve::testing

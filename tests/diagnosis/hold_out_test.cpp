@@ -1,0 +1,87 @@
+#include "diagnosis/hold_out.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// Three runs on TR3, three on TR5, one on TR1, four rows each.
+std::string seven_runs() {
+  std::string text = "run,routing,motor_tension_N,T1_N\n";
+  int value = 100;
+  for (const char* run : {"a TR3", "b TR3", "c TR3", "d TR5", "e TR5", "f TR5", "g M-1-T-2-F"}) {
+    const std::string name(run, 1);
+    for (int row = 0; row < 4; ++row) {
+      text += name + "," + std::string(run + 2) + ",10," + std::to_string(value++) + "e-2\n";
+    }
+  }
+  return text;
+}
+
+TEST(SplitByRun, NeverTearsARunApart) {
+  const MeasuredData data = read_data(seven_runs());
+  const Split split = split_by_run(data, 0.3, 1);
+  std::set<std::size_t> training, held_out;
+  for (const std::size_t i : split.training) training.insert(data.readings[i].run);
+  for (const std::size_t i : split.held_out) held_out.insert(data.readings[i].run);
+  for (const std::size_t run : held_out) EXPECT_EQ(training.count(run), 0U);
+  EXPECT_EQ(split.training.size() + split.held_out.size(), data.readings.size());
+  EXPECT_EQ(held_out.size(), 2U);
+}
+
+TEST(SplitByRun, KeepsARunOfEveryRoutingInTraining) {
+  const MeasuredData data = read_data(seven_runs());
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const Split split = split_by_run(data, 0.5, seed);
+    std::set<std::size_t> routings;
+    for (const std::size_t i : split.training) routings.insert(data.readings[i].routing);
+    EXPECT_EQ(routings.size(), 3U) << seed;
+  }
+}
+
+TEST(SplitByRun, IsDrawnByTheSeed) {
+  const MeasuredData data = read_data(seven_runs());
+  EXPECT_EQ(split_by_run(data, 0.3, 5).held_out, split_by_run(data, 0.3, 5).held_out);
+  std::set<std::vector<std::size_t>> drawn;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    drawn.insert(split_by_run(data, 0.3, seed).held_out_runs);
+  }
+  EXPECT_GT(drawn.size(), 3U);
+}
+
+TEST(SplitByRun, DropsRepeatedRowsOfAnyRun) {
+  const MeasuredData data = read_data(
+      "run,routing,motor_tension_N,T1_N\n1,TR3,10,1\n1,TR3,10,1\n2,TR3,10,1\n2,TR3,10,2\n");
+  const Split split = split_by_run(data, 0, 1);
+  EXPECT_EQ(split.dropped, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(split.training, (std::vector<std::size_t>{0, 3}));
+}
+
+TEST(SplitByRun, HoldsNothingOutOfOneRun) {
+  const MeasuredData data = read_data("run,routing,motor_tension_N,T1_N\n1,TR3,10,1\n1,TR3,10,2\n");
+  EXPECT_TRUE(split_by_run(data, 0.3, 1).held_out.empty());
+}
+
+TEST(Thinned, TakesFromEveryRunAlike) {
+  std::string text = "run,routing,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 100; ++i) {
+    text += (i < 80 ? "long" : "short") + std::string(",TR3,10,") + std::to_string(i) + "\n";
+  }
+  const MeasuredData data = read_data(text);
+  const Split split = split_by_run(data, 0, 1);
+  const auto kept = thinned(data, split.training, 20);
+  const auto of_long = std::count_if(kept.begin(), kept.end(),
+                                     [&](std::size_t i) { return data.readings[i].run == 0; });
+  EXPECT_NEAR(static_cast<double>(of_long), 16, 1);
+  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 1);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+}
+
+}  // namespace
+}  // namespace reeve::testing

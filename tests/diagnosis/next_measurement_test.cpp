@@ -1,0 +1,80 @@
+#include "diagnosis/next_measurement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "causes/library.hpp"
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// One load, one speed.
+const std::string few_conditions =
+    "run,routing,motor_tension_N,speed_mm_s,T1_N,T2_N\n"
+    "1,M-1-F,20,30,6,3\n2,M-1-F,20,30,6.1,3.1\n3,M-1-F,20,30,6.05,3.05\n";
+
+Model with(const char* cause, std::vector<double> values, Subject subject = {}) {
+  Model model;
+  add_effect(model, {find_cause(cause), std::move(subject), std::move(values)});
+  return model;
+}
+
+MeasurementPlan plan(const MeasuredData& data) {
+  return {&data,
+          {{"M-1-F", parse_routing("M-1-F")}, {"M-1-T-2-F", parse_routing("M-1-T-2-F")}},
+          Noise{0.02, 0.05, NoiseSource::repeats, 30}};
+}
+
+// At 30 mm/s both make the exponents of tubes and sheaths the same multiple.
+TEST(SeparatingMeasurement, OfSpeedAndFrictionAsksForAnotherSpeed) {
+  const MeasuredData data = read_data(few_conditions);
+  const double slope = 0.1;
+  const double factor = 1 + slope * std::log(3);
+  Model friction = with("tube_friction", {0.18 * factor});
+  add_effect(friction, {find_cause("sheath_friction"), {}, {0.18 * factor}});
+  const auto measurement = separating_measurement(
+      plan(data), with("speed_dependent_friction", {slope}), "a", friction, "b");
+  ASSERT_TRUE(measurement.has_value());
+  EXPECT_NE(measurement->measurement.conditions.speed_mm_s, 30);
+  EXPECT_TRUE(measurement->measurement.uses_speed);
+  EXPECT_GT(measurement->expected_log_likelihood, 1);
+}
+
+TEST(SeparatingMeasurement, OfGainAndOffsetAsksForAnotherLoad) {
+  const MeasuredData data = read_data(few_conditions);
+  Subject t1;
+  t1.channel = parse_segment("T1");
+  const double read = 20 * std::exp(-0.36 * std::numbers::pi);
+  const auto measurement =
+      separating_measurement(plan(data), with("sensor_gain", {1.1}, t1), "gain",
+                             with("sensor_offset", {0.1 * read}, t1), "offset");
+  ASSERT_TRUE(measurement.has_value());
+  EXPECT_GT(std::abs(measurement->measurement.conditions.motor_tension_N - 20), 1);
+}
+
+TEST(SeparatingMeasurement, DoesNotExistBetweenEqualModels) {
+  const MeasuredData data = read_data(few_conditions);
+  const Model model = with("tube_friction", {0.1});
+  EXPECT_FALSE(separating_measurement(plan(data), model, "a", model, "b").has_value());
+}
+
+TEST(ShrinkingMeasurement, IsExpectedToNarrowWhatItSaysItNarrows) {
+  const MeasuredData data = read_data(few_conditions);
+  std::vector<std::size_t> readings(data.readings.size());
+  std::iota(readings.begin(), readings.end(), std::size_t{0});
+  const Dataset dataset = reeve::dataset(data, readings);
+  const Problem problem = reeve::problem(dataset, Eigen::VectorXd::Constant(6, 0.1));
+  const auto measurement =
+      shrinking_measurement(plan(data), problem, with("tube_friction", {0.15}), 0);
+  ASSERT_TRUE(measurement.has_value());
+  EXPECT_EQ(measurement->parameter, "mu");
+  EXPECT_LT(measurement->width_expected, measurement->width_now);
+  EXPECT_GT(measurement->width_expected, 0);
+}
+
+}  // namespace
+}  // namespace reeve::testing
