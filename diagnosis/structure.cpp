@@ -158,17 +158,13 @@ class Tests {
       const double along = static_cast<double>(dataset_.rows[r].reading) /
                            static_cast<double>(data_.readings.size());
       for (std::size_t f = 0; f < frequencies; ++f) {
-        // Half a turn first: a drift.
-        const double turn =
-            std::numbers::pi * along *
-            (f == 0 ? 1.0
-                    : 2.0 * static_cast<double>(f) * static_cast<double>(rows / 2) /
-                          static_cast<double>(frequencies) *
-                          static_cast<double>(data_.readings.size()) / static_cast<double>(rows));
+        // Half a turn from the first reading to the last, which is a drift; then whole turns.
+        const double turn = 2 * std::numbers::pi * along * (f == 0 ? 0.5 : static_cast<double>(f));
+        const auto cosine = 2 * static_cast<Index>(f);
         for (std::size_t i = dataset_.rows[r].first; i < dataset_.rows[r].last; ++i) {
           const auto row = static_cast<Index>(i);
-          columns(row, 2 * static_cast<Index>(f)) = relative_[row] * std::cos(turn);
-          columns(row, 2 * static_cast<Index>(f) + 1) = relative_[row] * std::sin(turn);
+          columns(row, cosine) = relative_[row] * std::cos(turn);
+          columns(row, cosine + 1) = relative_[row] * std::sin(turn);
         }
       }
     }
