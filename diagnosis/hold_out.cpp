@@ -13,13 +13,20 @@ namespace {
 
 constexpr std::uint32_t stream = 0x401d;
 
-// Runs by the routings they were measured on, each list in an order drawn by the seed.
-std::vector<std::vector<std::size_t>> strata(const MeasuredData& data, std::uint64_t seed) {
+// Runs by the routings they were measured on, each list in an order drawn by the seed. Of
+// runs that are nothing but repetitions there is nothing to hold out.
+std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
+                                             const std::set<std::size_t>& dropped,
+                                             std::uint64_t seed) {
   std::vector<std::set<std::size_t>> routings(data.runs.size());
-  for (const Reading& reading : data.readings) routings[reading.run].insert(reading.routing);
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    if (dropped.count(i) != 0) continue;
+    routings[data.readings[i].run].insert(data.readings[i].routing);
+  }
   std::map<std::set<std::size_t>, std::vector<std::size_t>> by_routings;
-  for (std::size_t run = 0; run < data.runs.size(); ++run)
-    by_routings[routings[run]].push_back(run);
+  for (std::size_t run = 0; run < data.runs.size(); ++run) {
+    if (!routings[run].empty()) by_routings[routings[run]].push_back(run);
+  }
   std::vector<std::vector<std::size_t>> result;
   for (auto& [key, runs] : by_routings) {
     std::stable_sort(runs.begin(), runs.end(), [&](std::size_t a, std::size_t b) {
@@ -32,13 +39,15 @@ std::vector<std::vector<std::size_t>> strata(const MeasuredData& data, std::uint
   return result;
 }
 
-std::set<std::size_t> draw_held_out(const MeasuredData& data, double share, std::uint64_t seed) {
+std::set<std::size_t> draw_held_out(const MeasuredData& data, const std::set<std::size_t>& dropped,
+                                    double share, std::uint64_t seed) {
   std::set<std::size_t> held;
-  if (share <= 0 || data.runs.size() < 2) return held;
+  auto left = strata(data, dropped, seed);
+  std::size_t count = 0;
+  for (const auto& runs : left) count += runs.size();
+  if (share <= 0 || count < 2) return held;
   const auto wanted = std::clamp<std::size_t>(
-      static_cast<std::size_t>(std::lround(share * static_cast<double>(data.runs.size()))), 1,
-      data.runs.size() - 1);
-  auto left = strata(data, seed);
+      static_cast<std::size_t>(std::lround(share * static_cast<double>(count))), 1, count - 1);
   // Where every routing has one run only, a run of its own has to do.
   for (const std::size_t least : {std::size_t{2}, std::size_t{1}}) {
     for (bool found = true; found && held.size() < wanted;) {
@@ -61,7 +70,7 @@ Split split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
   Split split;
   split.dropped = repeated_readings(data);
   const std::set<std::size_t> dropped(split.dropped.begin(), split.dropped.end());
-  const std::set<std::size_t> held = draw_held_out(data, share, seed);
+  const std::set<std::size_t> held = draw_held_out(data, dropped, share, seed);
   for (std::size_t i = 0; i < data.readings.size(); ++i) {
     if (dropped.count(i) != 0) continue;
     (held.count(data.readings[i].run) != 0 ? split.held_out : split.training).push_back(i);
