@@ -76,7 +76,7 @@ Split split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
     (held.count(data.readings[i].run) != 0 ? split.held_out : split.training).push_back(i);
   }
   for (std::size_t run = 0; run < data.runs.size(); ++run) {
-    (held.count(run) != 0 ? split.held_out_runs : split.training_runs).push_back(run);
+    if (held.count(run) != 0) split.held_out_runs.push_back(run);
   }
   return split;
 }

@@ -16,7 +16,6 @@ namespace reeve {
 struct Split {
   std::vector<std::size_t> training;  // readings, ascending
   std::vector<std::size_t> held_out;
-  std::vector<std::size_t> training_runs;
   std::vector<std::size_t> held_out_runs;
   std::vector<std::size_t> dropped;  // readings that repeat an earlier one in every value
 };
