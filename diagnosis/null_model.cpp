@@ -13,7 +13,9 @@ namespace {
 // Of the length of a column: what is shorter after projection was rounding.
 constexpr double rounding = 1e-5;
 
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+}  // namespace
+
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
   Eigen::MatrixXd scaled = columns;
   for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
@@ -25,10 +27,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
 }
 
-}  // namespace
-
 Projection::Projection(const Problem& problem, const Model& model, const Forecast& at)
-    : basis_(orthonormal(sensitivities(problem, model, at))),
+    : basis_(orthonormal_basis(sensitivities(problem, model, at))),
       degrees_(problem.dataset->degrees_of_freedom() - static_cast<double>(basis_.cols())) {}
 
 void Projection::take_out(Eigen::MatrixXd& columns) const {

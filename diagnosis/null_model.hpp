@@ -17,6 +17,9 @@
 
 namespace reeve {
 
+// Of what the columns span; columns that others explain up to rounding add nothing.
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
+
 // Takes the sensitivities of a model's parameters out of other vectors.
 class Projection {
  public:

@@ -25,12 +25,6 @@ VectorXd relative(const Problem& problem, const Forecast& at) {
   return at.reading_N.cwiseQuotient(problem.deviation_N);
 }
 
-MatrixXd orthonormal(const MatrixXd& columns) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-  qr.setThreshold(1e-6);
-  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
 using CellKey = std::function<std::string(const Cell&, const Reading&)>;
 
 std::map<std::string, std::vector<std::size_t>> groups(const Dataset& dataset, const CellKey& key) {
@@ -83,7 +77,7 @@ class Tests {
  private:
   void add(std::string about, MatrixXd columns, bool scan) {
     projection_.take_out(columns);
-    if (!scan) columns = orthonormal(columns);
+    if (!scan) columns = orthonormal_basis(columns);
     if (scan) normalise_pairs(columns);
     if (columns.cols() > 0) tests_.push_back({std::move(about), std::move(columns), scan});
   }
