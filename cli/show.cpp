@@ -2,16 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "causes/model_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "core/canonical.hpp"
+#include "cli/shown_routing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
-#include "core/notation.hpp"
-#include "reports/names.hpp"
 #include "reports/show_report.hpp"
-#include "search/evaluation.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -41,25 +37,10 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
 ShowReport report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
-  ShowReport report;
-  report.model = flags.model.read().model;
-  report.word = to_word(routing);
-  report.canonical = to_word(canonical(routing, FingerIdentity::identical));
-  report.name = name_of(catalogue, report.word);
-  report.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
-  report.network = expand(routing);
-  require_contacts_to_match(report.model.hardware, {routing});
-  ModelSolver solver(report.model, effective_hardware(report.model), report.word, report.network);
-  const GraspSet grasps = cli::grasps(flags, report.network.fingers);
-  for (const WeightedGrasp& weighted : grasps) {
-    const TensionState& state =
-        solver.solve(weighted.grasp, report.direction, report.model.conditions);
-    if (!solver.converged()) ++report.unconverged;
-    report.grasps.push_back(
-        {weighted.grasp, state, performance(report.network, state, report.direction)});
-  }
-  report.values = DesignEvaluator(report.model, grasps).evaluate(routing);
-  return report;
+  const Model model = flags.model.read().model;
+  require_contacts_to_match(model.hardware, {routing});
+  const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
+  return shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
 }
 
 std::string dot(const ShowFlags& flags, const ShowReport& report) {

@@ -2,7 +2,7 @@
 # others happened to include before it.
 file(GLOB headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
      numerics/*.hpp core/*.hpp causes/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp reports/*.hpp
-     cli/*.hpp)
+     pages/*.hpp cli/*.hpp)
 set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")
 file(CONFIGURE OUTPUT "${sources}" CONTENT "")
 foreach(header IN LISTS headers)

@@ -1,0 +1,30 @@
+#include "cli/shown_routing.hpp"
+
+#include "causes/model_solver.hpp"
+#include "core/canonical.hpp"
+#include "core/notation.hpp"
+#include "reports/names.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve::cli {
+
+ShowReport shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                         Direction direction, const Catalogue& catalogue) {
+  ShowReport report;
+  report.model = model;
+  report.word = to_word(routing);
+  report.canonical = to_word(canonical(routing, FingerIdentity::identical));
+  report.name = name_of(catalogue, report.word);
+  report.direction = direction;
+  report.network = expand(routing);
+  ModelSolver solver(model, effective_hardware(model), report.word, report.network);
+  for (const WeightedGrasp& weighted : grasps) {
+    const TensionState& state = solver.solve(weighted.grasp, direction, model.conditions);
+    if (!solver.converged()) ++report.unconverged;
+    report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
+  }
+  report.values = DesignEvaluator(model, grasps).evaluate(routing);
+  return report;
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,57 @@
+#include "pages/page.hpp"
+
+#include <utility>
+
+#include "core/version.hpp"
+#include "pages/asset_table.hpp"
+#include "pages/chart_engine.hpp"
+#include "pages/template.hpp"
+#include "reports/files.hpp"
+
+namespace reeve {
+
+Figure figure(Figure without_picture, const Json& static_spec) {
+  without_picture.svg = chart_svg(static_spec, without_picture.id);
+  return without_picture;
+}
+
+Figure figure(Figure without_picture) {
+  const Json spec = without_picture.spec;
+  return figure(std::move(without_picture), spec);
+}
+
+std::string figure_html(const Figure& figure) {
+  return render("figure.mustache", {{"id", figure.id},
+                                    {"title", figure.title},
+                                    {"caption", figure.caption},
+                                    {"alt", figure.alt},
+                                    {"svg", figure.svg},
+                                    {"spec", script_json(figure.spec)}});
+}
+
+std::string schematic_html(const std::string& id, const std::string& svg) {
+  return render("schematic.mustache", {{"id", id}, {"svg", svg}});
+}
+
+std::string page_html(const Page& page) {
+  return render("page.mustache", {{"title", page.title},
+                                  {"body", page.body},
+                                  {"style", asset("page.css")},
+                                  {"theme", script_json(Json::parse(asset("chart_theme.json")))},
+                                  {"data", script_json(page.data)},
+                                  {"license", asset("vega-license.txt")},
+                                  {"vega", asset("vega.js")},
+                                  {"vega_lite", asset("vega-lite.js")},
+                                  {"common", asset("page.js")},
+                                  {"script", page.script.empty() ? "" : asset(page.script)},
+                                  {"version", version_json()}});
+}
+
+void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
+  prepare_directory(directory / "figures", "--out");
+  for (const FigureFile& figure : figures) {
+    write_file(directory / "figures" / (figure.id + ".svg"), figure.svg);
+  }
+}
+
+}  // namespace reeve

@@ -1,0 +1,48 @@
+#include "pages/template.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "pages/asset_table.hpp"
+#include "pages/page.hpp"
+
+namespace reeve {
+namespace {
+
+std::string bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Assets, AreEmbeddedByteForByte) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(REEVE_SOURCE_DIR) + "/pages/assets")) {
+    EXPECT_EQ(asset(entry.path().filename().string()), bytes(entry.path())) << entry.path();
+  }
+  EXPECT_THROW(asset("no such file"), std::out_of_range);
+}
+
+TEST(Template, EscapesTextOfUsers) {
+  const std::string page = page_html({"<script>alert(1)</script>", "", "", Json::object()});
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert"), std::string::npos);
+}
+
+TEST(Template, JsonCannotCloseItsScript) {
+  const Json json{{"name", "</script><!--<script>"}};
+  const std::string text = script_json(json);
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  EXPECT_EQ(Json::parse(text), json);
+}
+
+TEST(Template, SaysWhichTemplateThereIsNot) {
+  EXPECT_THROW(render("nothing.mustache", {}), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace reeve
