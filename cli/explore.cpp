@@ -76,6 +76,7 @@ void write_files(const ExploreReport& report, const std::filesystem::path& direc
   const std::string note = reason.empty() ? "" : "partial: " + reason;
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
+  write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
   write_file(directory / "summary.json", explore_summary_json(report));
 }
 
@@ -122,8 +123,8 @@ int run(const ExploreFlags& flags) {
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
   write_files(report, flags.out);
   if (!flags.format.is("json")) {
-    std::cout << fmt::format("\nWritten: designs.csv, pareto.csv and summary.json in {}\n",
-                             flags.out);
+    std::cout << fmt::format(
+        "\nWritten: designs.csv, pareto.csv, sample.csv and summary.json in {}\n", flags.out);
   }
   return partial_note(report).empty() ? done : interrupted;
 }
@@ -147,7 +148,9 @@ void add_explore(CLI::App& program, int& exit_code) {
                    "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")
+  command
+      ->add_option("--out", flags->out,
+                   "Folder for designs.csv, pareto.csv, sample.csv and summary.json")
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json"});

@@ -24,14 +24,22 @@ Archive::Archive(std::vector<Objective> objectives, std::size_t keep)
 bool Archive::may_rank(const ObjectiveValues& values) const {
   const Goodness candidate = goodness(values, objectives_);
   if (corner_.size() > 0 && (candidate < corner_).all()) return false;
-  const auto enough = static_cast<Eigen::Index>(keep_);
-  return count_dominators(guards_, guards_.rows(), candidate, enough) < enough;
+  return !has_enough_dominators(guards_.rows(), candidate, 0);
 }
 
 void Archive::add(Design design) {
   Goodness value = goodness(design.values, objectives_);
   entries_.push_back({std::move(design), std::move(value), 0});
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
+}
+
+// `beaten` are known to beat it besides.
+bool Archive::has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                                    Eigen::Index beaten) const {
+  const auto enough = static_cast<Eigen::Index>(keep_);
+  // Counting costs time for each row, and there are not even as many.
+  if (rows + beaten < enough) return false;
+  return count_dominators(guards_, rows, candidate, enough) + beaten >= enough;
 }
 
 void Archive::compact() {
@@ -52,7 +60,7 @@ void Archive::compact() {
       last->equals_left_out += entry.equals_left_out + 1;
       continue;
     }
-    if (count_dominators(guards_, kept, entry.goodness, enough) + equals >= enough) continue;
+    if (has_enough_dominators(kept, entry.goodness, equals)) continue;
     guards_.row(kept) = entry.goodness.transpose();
     Entry& slot = entries_[static_cast<std::size_t>(kept)];
     if (&slot != &entry) slot = std::move(entry);

@@ -41,6 +41,8 @@ class Archive {
     std::uint64_t equals_left_out = 0;
   };
 
+  bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                             Eigen::Index beaten) const;
   void compact();
   void place_guards();
 

@@ -45,6 +45,31 @@ std::vector<Eigen::Index> descending(const GoodnessMatrix& matrix) {
   return order;
 }
 
+// With two objectives a front is as good as the best second value that it has seen: rows come with
+// falling first values, so whatever has at least the second value, and is no equal, dominates.
+std::vector<int> fronts_of_two(const GoodnessMatrix& matrix) {
+  const std::vector<Eigen::Index> order = descending(matrix);
+  std::vector<double>
+      best;  // of each front, negated: ascending, since front k dominates front k + 1
+  std::vector<int> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto row = matrix.row(order[i]);
+    int& front = result[static_cast<std::size_t>(order[i])];
+    if (i > 0 && (row == matrix.row(order[i - 1])).all()) {
+      front = result[static_cast<std::size_t>(order[i - 1])];
+      continue;
+    }
+    const auto place = std::upper_bound(best.begin(), best.end(), -row[1]);
+    front = static_cast<int>(place - best.begin()) + 1;
+    if (place == best.end()) {
+      best.push_back(-row[1]);
+    } else {
+      *place = -row[1];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Goodness goodness(const ObjectiveValues& values, const std::vector<Objective>& objectives) {
@@ -67,6 +92,7 @@ Eigen::Index count_dominators(const GoodnessMatrix& matrix, Eigen::Index rows,
 }
 
 std::vector<int> fronts(const GoodnessMatrix& matrix) {
+  if (matrix.cols() == 2) return fronts_of_two(matrix);
   const std::vector<Eigen::Index> order = descending(matrix);
   GoodnessMatrix sorted(matrix.rows(), matrix.cols());
   std::vector<int> sorted_front(order.size());

@@ -18,8 +18,10 @@ TEST(ExploreFiles, AreThreeAndNothingElse) {
   const Explored explored({"--fingers", "2"});
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "pareto.csv", "summary.json"}));
-  EXPECT_NE(explored.result.out.find("Written: designs.csv, pareto.csv and summary.json in out\n"),
+  EXPECT_EQ(explored.files(),
+            (Arguments{"designs.csv", "pareto.csv", "sample.csv", "summary.json"}));
+  EXPECT_NE(explored.result.out.find(
+                "Written: designs.csv, pareto.csv, sample.csv and summary.json in out\n"),
             std::string::npos);
 }
 
