@@ -161,13 +161,22 @@ class Exploration {
       if (ranked.front == 1) result.front.push_back(ranked);
       if (ranked.rank <= options_.top) result.top.push_back(ranked);
     }
-    result.sample = sample_.designs();
+    result.sample = sampled();
     place_references(content.ranked);
     result.references = references_;
     for (const DesignEvaluator& evaluator : evaluators_) {
       result.unconverged += evaluator.unconverged();
     }
     return result;
+  }
+
+  // Most of what was sampled on the way is not in the sample, so its return friction waits.
+  std::vector<Design> sampled() {
+    std::vector<Design> designs = sample_.designs();
+    for (Design& design : designs) {
+      design.values = evaluators_[0].evaluate(parse_routing(design.word));
+    }
+    return designs;
   }
 
   // Beyond the first `top` the archive has gaps, so only ranks up to there are ranks.
