@@ -5,6 +5,7 @@
 #include "causes/model_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
@@ -85,7 +86,7 @@ void run(const ShowFlags& flags) {
   } else if (flags.format.is("dot")) {
     std::cout << dot(flags, shown);
   } else {
-    std::cout << show_table(shown);
+    std::cout << printed(show_sheet(shown), flags.format);
   }
 }
 
@@ -108,7 +109,7 @@ void add_show(CLI::App& program, int&) {
                     "Also draw the routing into this file, in the grasp of --held (without --held: "
                     "the parts alone, no tensions)");
   flags->model.add_to(*command);
-  flags->format.add_to(*command, {"table", "json", "dot"});
+  flags->format.add_to(*command, with_tables({"json", "dot"}));
   command->callback([flags] { run(*flags); });
 }
 
