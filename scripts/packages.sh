@@ -4,7 +4,8 @@
 PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlopt-dev
   libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev librandom123-dev)
-PACKAGES_TEST=(libgtest-dev librapidcheck-dev)
+# python3-pandas for the lines of docs/tables.md.
+PACKAGES_TEST=(libgtest-dev librapidcheck-dev python3 python3-pandas)
 PACKAGES_CI=(clang-format clang-tidy)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
 # installs these unasked.
