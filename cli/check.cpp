@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "reports/catalogue_sheet.hpp"
 #include "reports/check_report.hpp"
 
@@ -34,12 +35,12 @@ void add_check(CLI::App& program, int& exit_code) {
   svg->add_to(*command,
               "Also draw the catalogue's routings into this file, in the grasps of their published "
               "numbers");
-  format->add_to(*command, {"table", "json"});
+  format->add_to(*command, with_tables({"json"}));
   command->callback([format, svg, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
     const CheckReport report = check(catalogue);
     if (svg->is_given()) svg->write(catalogue_sheet(solve(catalogue)));
-    std::cout << (format->is("json") ? check_json(report) : check_table(report));
+    std::cout << (format->is("json") ? check_json(report) : printed(check_sheet(report), *format));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;
   });
 }

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
+#include "cli/printing.hpp"
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "reports/compare_report.hpp"
@@ -55,7 +56,8 @@ void write_files(const CompareReport& report, const CompareFlags& flags) {
 void run(const CompareFlags& flags) {
   const CompareReport result = report(flags);
   if (flags.out_given->count() > 0) write_files(result, flags);
-  std::cout << (flags.format.is("json") ? compare_json(result) : compare_table(result));
+  std::cout << (flags.format.is("json") ? compare_json(result)
+                                        : printed(compare_sheet(result), flags.format));
 }
 
 }  // namespace
@@ -70,7 +72,7 @@ void add_compare(CLI::App& program, int&) {
   flags->out_given = command->add_option(
       "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
   flags->hardware.add_to(*command);
-  flags->format.add_to(*command, {"table", "json"});
+  flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags] { run(*flags); });
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "reports/count_report.hpp"
 #include "search/counting.hpp"
 
@@ -20,7 +21,8 @@ void run(const CountFlags& flags) {
   const RoutingCounts counts = for_option(fmt::format("--fingers {}: ", options.fingers), [&] {
     return count_routings(options.parts, options.fingers, options.identity);
   });
-  std::cout << (flags.format.is("json") ? count_json(counts) : count_table(counts));
+  std::cout << (flags.format.is("json") ? count_json(counts)
+                                        : printed(count_sheet(counts), flags.format));
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ void add_count(CLI::App& program, int&) {
       program.add_subcommand("count", "How many routings a set of parts makes, by formula");
   auto flags = std::make_shared<CountFlags>();
   flags->generator.add_to(*command, false);
-  flags->format.add_to(*command, {"table", "json"});
+  flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags] { run(*flags); });
 }
 

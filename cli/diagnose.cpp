@@ -15,6 +15,7 @@
 #include "cli/diagnosis_company.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
+#include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "reports/diagnosis_report.hpp"
@@ -104,7 +105,8 @@ void run(const DiagnoseFlags& flags) {
   if (flags.save_model_given->count() > 0) {
     write_file(flags.save_model, extended_model_toml(result, flags.hardware.read().uncertainty));
   }
-  std::cout << (flags.format.is("json") ? diagnosis_json(result) : diagnosis_text(result));
+  std::cout << (flags.format.is("json") ? diagnosis_json(result)
+                                        : printed(diagnosis_sheet(result), flags.format));
 }
 
 // A check of CLI11's; it lets no NaN pass.
@@ -167,7 +169,7 @@ void add_diagnose(CLI::App& program, int&) {
       "--save-model", flags->save_model,
       "TOML file for the extended model, which rank, explore and show take as --model");
   flags->hardware.add_to(*command);
-  flags->format.add_to(*command, {"table", "json"});
+  flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags] { run(*flags); });
 }
 

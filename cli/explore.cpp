@@ -13,6 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
@@ -120,12 +121,11 @@ int run(const ExploreFlags& flags) {
       explore_report(explore_options, std::move(result), distributions, catalogue);
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
-  std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
+  std::cout << (flags.format.is("json") ? explore_summary_json(report)
+                                        : printed(explore_sheet(report), flags.format));
   write_files(report, flags.out);
-  if (!flags.format.is("json")) {
-    std::cout << fmt::format(
-        "\nWritten: designs.csv, pareto.csv, sample.csv and summary.json in {}\n", flags.out);
-  }
+  std::cout << announced("designs.csv, pareto.csv, sample.csv and summary.json", flags.out,
+                         flags.format);
   return partial_note(report).empty() ? done : interrupted;
 }
 
@@ -153,7 +153,7 @@ void add_explore(CLI::App& program, int& exit_code) {
                    "Folder for designs.csv, pareto.csv, sample.csv and summary.json")
       ->capture_default_str();
   flags->model.add_to(*command);
-  flags->format.add_to(*command, {"table", "json"});
+  flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
@@ -119,7 +120,7 @@ int run(const RankFlags& flags) {
   } else if (flags.format.is("csv")) {
     std::cout << design_csv(report.designs);
   } else {
-    std::cout << rank_table(report);
+    std::cout << printed(rank_sheet(report), flags.format);
   }
   return done;
 }
@@ -142,7 +143,7 @@ void add_rank(CLI::App& program, int& exit_code) {
                     "each other one is least");
   flags->ranking.add_to(*command);
   flags->model.add_to(*command);
-  flags->format.add_to(*command, {"table", "json", "csv"});
+  flags->format.add_to(*command, with_tables({"json", "csv"}));
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

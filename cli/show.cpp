@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "cli/shown_routing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
@@ -66,7 +67,7 @@ void run(const ShowFlags& flags) {
   } else if (flags.format.is("dot")) {
     std::cout << dot(flags, shown);
   } else {
-    std::cout << show_table(shown);
+    std::cout << printed(show_sheet(shown), flags.format);
   }
 }
 
@@ -89,7 +90,7 @@ void add_show(CLI::App& program, int&) {
                     "Also draw the routing into this file, in the grasp of --held (without --held: "
                     "the parts alone, no tensions)");
   flags->model.add_to(*command);
-  flags->format.add_to(*command, {"table", "json", "dot"});
+  flags->format.add_to(*command, with_tables({"json", "dot"}));
   command->callback([flags] { run(*flags); });
 }
 

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/experiment_flags.hpp"
 #include "cli/inputs.hpp"
+#include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -189,7 +190,8 @@ void run(const SimulateFlags& flags) {
   SimulationReport report = report_of(flags);
   if (flags.power > 0) {
     const PowerReport power = power_of(std::move(report), flags.power);
-    std::cout << (flags.format.is("json") ? power_json(power) : power_table(power));
+    std::cout << (flags.format.is("json") ? power_json(power)
+                                          : printed(power_sheet(power), flags.format));
     return;
   }
   report.simulation = simulate(report.plan, report.model, report.noise, report.seed);
@@ -232,7 +234,7 @@ void add_simulate(CLI::App& program, int&) {
                        "how often what is hidden is found; no data are written")
           ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
           ->excludes(flags->out_given);
-  flags->format.add_to(*command, {"table", "json"});
+  flags->format.add_to(*command, with_tables({"json"}));
   command->get_option("--format")->needs(power);
   command->callback([flags] { run(*flags); });
 }

@@ -1,11 +1,12 @@
 #include "cli/supervision.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <iostream>
 #include <utility>
+
+#include "cli/progress_bar.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -14,6 +15,14 @@ std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 void request_stop(int) { stop_requested.store(true); }
+
+// In place of the line that stands there. One column stays free: a full line moves some terminals
+// on to the next.
+void show_line(const std::string& text, std::size_t width) {
+  std::cerr << '\r' << text.substr(0, width - 1) << "\x1b[K" << std::flush;
+}
+
+void wipe_line() { std::cerr << "\r\x1b[K" << std::flush; }
 
 }  // namespace
 
@@ -27,37 +36,32 @@ const std::atomic<bool>& stop_on_interrupt() {
 }
 
 ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), visible_(::isatty(STDERR_FILENO) == 1) {}
+    : what_(std::move(what)), terminal_(terminal(STDERR_FILENO)) {}
 
 ProgressLine::~ProgressLine() {
-  if (printed_) std::cerr << "\r\x1b[K" << std::flush;
+  if (printed_) wipe_line();
 }
 
 void ProgressLine::operator()(const Progress& progress) {
   constexpr auto pause = std::chrono::milliseconds(200);
   const Clock::time_point now = Clock::now();
-  if (!visible_ || now - last_ < pause || progress.total == 0) return;
+  if (!terminal_.obeys_codes || now - last_ < pause || progress.total == 0) return;
   last_ = now;
   printed_ = true;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  const double rate = static_cast<double>(progress.done) / seconds;
-  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  const double left = static_cast<double>(progress.total - progress.done) / rate;
-  std::cerr << fmt::format("\r{}: {:.0f} %, {:.0f} a second, {:.0f} s left\x1b[K", what_,
-                           100 * share, rate, left)
-            << std::flush;
+  show_line(progress_bar(what_, progress, seconds, terminal_.width - 1), terminal_.width);
 }
 
-StageLine::StageLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
+StageLine::StageLine() : terminal_(terminal(STDERR_FILENO)) {}
 
 StageLine::~StageLine() {
-  if (!shown_.empty()) std::cerr << "\r\x1b[K" << std::flush;
+  if (!shown_.empty()) wipe_line();
 }
 
 void StageLine::show(const std::string& stage) {
-  if (!visible_ || stage == shown_) return;
+  if (!terminal_.obeys_codes || stage == shown_) return;
   shown_ = stage;
-  std::cerr << fmt::format("\r{}\x1b[K", stage) << std::flush;
+  show_line(stage, terminal_.width);
 }
 
 }  // namespace reeve::cli

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/terminal.hpp"
 #include "search/explore.hpp"
 
 namespace reeve::cli {
@@ -19,7 +20,7 @@ class Interrupted : public std::runtime_error {
 // From here on the first Ctrl-C (or SIGTERM) only sets the flag; a second one ends the process.
 const std::atomic<bool>& stop_on_interrupt();
 
-// Rate, share done and time left on stderr; silent where stderr is no terminal.
+// A bar, share done, rate and time left on stderr; silent where stderr is no terminal.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);
@@ -33,7 +34,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
-  bool visible_;
+  Terminal terminal_;
   bool printed_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
@@ -51,7 +52,7 @@ class StageLine {
   void show(const std::string& stage);
 
  private:
-  bool visible_;
+  Terminal terminal_;
   std::string shown_;
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "reports/json.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -14,34 +13,57 @@ std::string published_text(const CheckItem& item) {
   return item.printed.empty() ? number_text(item.published) : item.printed;
 }
 
-std::string reasons(const CheckReport& report) {
-  std::string text;
+Section reasons(const CheckReport& report) {
+  Section section{"Why they differ", std::nullopt, {}};
   for (const CheckItem& item : report.items) {
     if (item.reason.empty()) continue;
-    text += fmt::format("{} {}, {}: {}\n", item.routing, item.source, item.quantity, item.reason);
+    section.lines.push_back(
+        {fmt::format("{} {}, {}: {}", item.routing, item.source, item.quantity, item.reason)});
   }
-  return text.empty() ? "" : "\nWhy they differ\n" + text;
+  return section;
 }
 
-std::string misprints(const CheckReport& report) {
-  std::string text;
+Section misprints(const CheckReport& report) {
+  Section section{"Misprints that change no number", std::nullopt, {}};
   for (const CheckedMisprint& misprint : report.misprints) {
-    text += fmt::format("{} {}: {}\n", misprint.routing, misprint.source, misprint.text);
+    section.lines.push_back(
+        {fmt::format("{} {}: {}", misprint.routing, misprint.source, misprint.text)});
   }
-  return text.empty() ? "" : "\nMisprints that change no number\n" + text;
+  return section;
+}
+
+Tint tint(CheckStatus status) {
+  switch (status) {
+    case CheckStatus::agrees:
+      return Tint::none;
+    case CheckStatus::explained:
+      return Tint::notable;
+    case CheckStatus::differs:
+      return Tint::bad;
+  }
+  return Tint::none;
 }
 
 }  // namespace
 
-std::string check_table(const CheckReport& report) {
-  TextTable table({"<routing", "<source", "<quantity", "published", "computed", "<status"});
+Sheet check_sheet(const CheckReport& report) {
+  Table table{{text_column("routing"), text_column("source"), text_column("quantity"),
+               number_column("published"), number_column("computed"), text_column("status")},
+              {}};
   for (const CheckItem& item : report.items) {
     table.add({item.routing, item.source, item.quantity, published_text(item),
-               number_text(item.computed), name(item.status)});
+               number_text(item.computed), name(item.status)},
+              tint(item.status));
   }
-  return fmt::format("{}{}{}\n{} agree, {} explained, {} differ\n", table.text(), reasons(report),
-                     misprints(report), report.count(CheckStatus::agrees),
-                     report.count(CheckStatus::explained), report.count(CheckStatus::differs));
+  Sheet sheet{{{"", table, {}}}};
+  sheet.add(reasons(report));
+  sheet.add(misprints(report));
+  sheet.add(
+      {"",
+       std::nullopt,
+       {{fmt::format("{} agree, {} explained, {} differ", report.count(CheckStatus::agrees),
+                     report.count(CheckStatus::explained), report.count(CheckStatus::differs))}}});
+  return sheet;
 }
 
 std::string check_json(const CheckReport& report) {

@@ -3,10 +3,11 @@
 #include <string>
 
 #include "catalog/check.hpp"
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
-std::string check_table(const CheckReport& report);
+Sheet check_sheet(const CheckReport& report);
 std::string check_json(const CheckReport& report);
 
 }  // namespace reeve

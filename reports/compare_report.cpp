@@ -9,7 +9,6 @@
 #include "reports/csv_field.hpp"
 #include "reports/data_text.hpp"
 #include "reports/json.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -34,17 +33,21 @@ std::string percent(double value) {
   return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "-";
 }
 
-void add_row(TextTable& table, const std::string& by, const ResidualSummary& summary) {
+void add_row(Table& table, const std::string& by, const ResidualSummary& summary) {
   table.add({by, for_message(summary.group), std::to_string(summary.count),
              figure(summary.mean_measured), figure(summary.mean_residual), figure(summary.rms),
              percent(summary.relative_rms)});
 }
 
 // The first groups of a kind; the JSON has all.
-std::string summary_table(const QuantitySummary& summary, const std::string& heading) {
+Section summary_section(const QuantitySummary& summary, const std::string& title,
+                        const std::string& unit) {
   constexpr std::size_t most = 20;
-  if (summary.all.count == 0) return "";
-  TextTable table({"<by", "<group", "values", "mean measured", "mean residual", "rms", "rms/mean"});
+  if (summary.all.count == 0) return {};
+  Table table{{text_column("by"), text_column("group"), number_column("values", "", 2),
+               number_column("mean measured", unit, 1), number_column("mean residual", unit),
+               number_column("rms", unit), number_column("rms/mean")},
+              {}};
   add_row(table, "all", summary.all);
   for (const Grouping& grouping : groupings) {
     const std::vector<ResidualSummary>& groups = summary.*grouping.summaries;
@@ -56,7 +59,7 @@ std::string summary_table(const QuantitySummary& summary, const std::string& hea
           {grouping.name, fmt::format("… {} more", groups.size() - most), "", "", "", "", ""});
     }
   }
-  return "\n" + heading + "\n" + table.text();
+  return {title, table, {}};
 }
 
 Json to_json(const ResidualSummary& summary) {
@@ -107,18 +110,22 @@ std::vector<DataNote> all_notes(const CompareReport& report) {
 
 }  // namespace
 
-std::string compare_table(const CompareReport& report) {
+Sheet compare_sheet(const CompareReport& report) {
   const MeasuredData& data = report.data;
-  std::string text =
-      fmt::format("{}: {} in {}\n", data.file, plural(data.readings.size(), "reading"),
-                  plural(data.runs.size(), "run"));
-  if (data.simulated) text += fmt::format("The data are {}.\n", simulated_text);
-  text +=
-      "Nothing is fitted: predicted are the tensions of the model with its hardware as given.\n";
-  text += summary_table(report.comparison.tension, "Tensions in N, measured - predicted");
-  text += summary_table(report.comparison.share,
-                        "Shares of the measured strands, measured - predicted (no motor tension)");
-  return text + notes_text(all_notes(report));
+  Section opening;
+  opening.lines.push_back(
+      {fmt::format("{}: {} in {}", data.file, plural(data.readings.size(), "reading"),
+                   plural(data.runs.size(), "run"))});
+  if (data.simulated) opening.lines.push_back(simulated_line());
+  opening.lines.push_back(
+      {"Nothing is fitted: predicted are the tensions of the model with its hardware as given."});
+  Sheet sheet{{opening}};
+  sheet.add(summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));
+  sheet.add(summary_section(
+      report.comparison.share,
+      "Shares of the measured strands, measured - predicted (no motor tension)", ""));
+  sheet.add(notes_section(all_notes(report)));
+  return sheet;
 }
 
 std::string compare_json(const CompareReport& report) {

@@ -7,6 +7,7 @@
 #include "core/hardware.hpp"
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/measured_data.hpp"
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
@@ -17,7 +18,7 @@ struct CompareReport {
   Comparison comparison;
 };
 
-std::string compare_table(const CompareReport& report);
+Sheet compare_sheet(const CompareReport& report);
 std::string compare_json(const CompareReport& report);
 // One line for each reading and channel; a comment line at the top if the data are simulated.
 std::string residuals_csv(const CompareReport& report);

@@ -1,16 +1,15 @@
 #include "reports/count_report.hpp"
 
 #include "reports/json.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 
-std::string count_table(const RoutingCounts& counts) {
-  TextTable table({"<routings", "number"});
+Sheet count_sheet(const RoutingCounts& counts) {
+  Table table{{text_column("routings"), number_column("number")}, {}};
   table.add({"all", std::to_string(counts.all)});
   table.add({"every tendon actuated", std::to_string(counts.actuated)});
   table.add({"actuated, one tendon", std::to_string(counts.one_tendon)});
-  return table.text();
+  return {{{"", table, {}}}};
 }
 
 std::string count_json(const RoutingCounts& counts) {

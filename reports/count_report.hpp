@@ -2,11 +2,12 @@
 
 #include <string>
 
+#include "reports/sheet.hpp"
 #include "search/counting.hpp"
 
 namespace reeve {
 
-std::string count_table(const RoutingCounts& counts);
+Sheet count_sheet(const RoutingCounts& counts);
 std::string count_json(const RoutingCounts& counts);
 
 }  // namespace reeve

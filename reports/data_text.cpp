@@ -22,6 +22,8 @@ std::string plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+SheetLine simulated_line() { return {fmt::format("The data are {}.", simulated_text), true}; }
+
 std::string held_field(Grasp grasp) {
   return fmt::format("{}", fmt::join(held_fingers(grasp), ";"));
 }
@@ -30,10 +32,12 @@ const char* direction_field(Direction direction) {
   return direction == Direction::pull ? "pull" : "release";
 }
 
-std::string notes_text(const std::vector<DataNote>& notes) {
-  std::string text;
-  for (const DataNote& note : notes) text += "- " + note.text + lines_text(note.lines) + "\n";
-  return text.empty() ? "" : "\nNotes\n" + text;
+Section notes_section(const std::vector<DataNote>& notes) {
+  Section section{"Notes", std::nullopt, {}};
+  for (const DataNote& note : notes) {
+    section.lines.push_back({"- " + note.text + lines_text(note.lines)});
+  }
+  return section;
 }
 
 void add_notes(Json& list, const std::vector<DataNote>& notes) {

@@ -7,6 +7,7 @@
 #include "core/grasp.hpp"
 #include "diagnosis/note.hpp"
 #include "reports/json.hpp"
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
@@ -15,12 +16,14 @@ inline constexpr const char* simulated_text = "simulated: a comment line of the 
 // "1 run", "2 runs"
 std::string plural(std::size_t count, const std::string& noun);
 
+SheetLine simulated_line();
+
 // "1;2", as in a file of measured tensions
 std::string held_field(Grasp grasp);
 const char* direction_field(Direction direction);
 
-// One line each, with the heading; "" if there are none.
-std::string notes_text(const std::vector<DataNote>& notes);
+// One line each.
+Section notes_section(const std::vector<DataNote>& notes);
 // Appends to a list.
 void add_notes(Json& list, const std::vector<DataNote>& notes);
 

@@ -7,7 +7,6 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/names.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -23,6 +22,28 @@ std::string range(const RankDistribution& distribution) {
   return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
 }
 
+// Least missed in a narrow window are the counts of parts.
+std::vector<TableColumn> columns(bool uncertain) {
+  std::vector<TableColumn> columns{number_column("rank"),
+                                   number_column("front", "", 2),
+                                   text_column("name"),
+                                   text_column("routing"),
+                                   number_column("uniformity"),
+                                   number_column("efficiency"),
+                                   number_column("force", "", 3),
+                                   number_column("jams", "", 5),
+                                   number_column("sheaths", "", 6),
+                                   number_column("pulleys", "", 8),
+                                   number_column("knots", "", 9),
+                                   number_column("travel", "mm/mm", 4),
+                                   number_column("return", "", 7)};
+  if (!uncertain) return columns;
+  for (const char* heading : {"first", "median", "5–95 %"}) {
+    columns.push_back(number_column(heading, "", 1));
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
@@ -36,13 +57,9 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
   return designs;
 }
 
-std::string design_table(const std::vector<ListedDesign>& designs) {
+Table design_table(const std::vector<ListedDesign>& designs) {
   const bool uncertain = with_distributions(designs);
-  std::vector<std::string> headings{"rank",       "front",  "<name", "<routing", "uniformity",
-                                    "efficiency", "force",  "jams",  "sheaths",  "pulleys",
-                                    "knots",      "travel", "return"};
-  if (uncertain) headings.insert(headings.end(), {"first", "median", "5–95 %"});
-  TextTable table(headings);
+  Table table{columns(uncertain), {}};
   for (const ListedDesign& design : designs) {
     const ObjectiveValues& values = design.ranked.design.values;
     const auto cell = [&](Objective objective, int decimals) {
@@ -67,9 +84,10 @@ std::string design_table(const std::vector<ListedDesign>& designs) {
       cells.push_back(fixed(design.distribution->median, 0));
       cells.push_back(range(*design.distribution));
     }
+    cells.resize(table.columns.size());
     table.add(std::move(cells));
   }
-  return table.text();
+  return table;
 }
 
 std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {

@@ -7,6 +7,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "reports/json.hpp"
+#include "reports/sheet.hpp"
 #include "search/ranking.hpp"
 #include "search/uncertainty.hpp"
 
@@ -25,7 +26,7 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const Catalogue& catalogue);
 
 // Uniformity and efficiency as mean/worst over the grasps.
-std::string design_table(const std::vector<ListedDesign>& designs);
+Table design_table(const std::vector<ListedDesign>& designs);
 
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");

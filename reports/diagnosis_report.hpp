@@ -10,6 +10,7 @@
 #include "core/hardware.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/measured_data.hpp"
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
@@ -42,7 +43,7 @@ struct DiagnosisReport {
 // What is wrong, which cause, how much better: a few lines.
 std::string diagnosis_answer(const DiagnosisReport& report);
 // The answer, then what it rests on.
-std::string diagnosis_text(const DiagnosisReport& report);
+Sheet diagnosis_sheet(const DiagnosisReport& report);
 std::string diagnosis_json(const DiagnosisReport& report);
 // One line for each reading and channel; a comment line at the top if the data are simulated.
 std::string diagnosis_residuals_csv(const DiagnosisReport& report);

@@ -6,7 +6,6 @@
 #include "reports/data_text.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/diagnosis_words.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -14,34 +13,46 @@ namespace {
 // Of lists that can be long; the JSON has all.
 constexpr std::size_t most_rows = 8;
 
-std::string data_text(const DiagnosisReport& report) {
+Section data_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  std::string text =
-      fmt::format("\nData\n{}: {} in {}, {} of them held out; {} dropped\n", report.data.file,
-                  plural(result.rows, "reading"), plural(result.runs, "run"), result.held_out_runs,
-                  plural(result.dropped_duplicates, "repeated reading"));
-  if (report.data.simulated) text += fmt::format("The data are {}.\n", simulated_text);
+  Section section{"Data", std::nullopt, {}};
+  section.lines.push_back(
+      {fmt::format("{}: {} in {}, {} of them held out; {} dropped", report.data.file,
+                   plural(result.rows, "reading"), plural(result.runs, "run"), result.held_out_runs,
+                   plural(result.dropped_duplicates, "repeated reading"))});
+  if (report.data.simulated) section.lines.push_back(simulated_line());
   const Noise& noise = result.noise;
   const char* source = noise.source == NoiseSource::repeats     ? "repeated readings"
                        : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
                        : noise.source == NoiseSource::repeats_and_smoothing
                            ? "repeated readings and what no smooth law explains"
                            : "what the model leaves";
-  return text +
-         fmt::format("Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)\n",
-                     100 * noise.relative, newton(noise.absolute_N), source,
-                     noise.degrees_of_freedom);
+  section.lines.push_back({fmt::format(
+      "Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
+      100 * noise.relative, newton(noise.absolute_N), source, noise.degrees_of_freedom)});
+  return section;
 }
 
 std::string range_text(const std::optional<Range>& range) {
   return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : "-";
 }
 
-std::string causes_text(const DiagnosisReport& report) {
+std::vector<TableColumn> cause_columns() {
+  return {text_column("cause"),
+          text_column("parameter"),
+          number_column("value"),
+          number_column("95 % interval"),
+          number_column("nominal"),
+          number_column("literature", "", 1),
+          text_column("unit"),
+          number_column("p"),
+          text_column("runner-up (log-likelihood less)")};
+}
+
+Section causes_section(const DiagnosisReport& report) {
   const std::vector<NamedCause>& causes = report.result.causes;
-  if (causes.empty()) return "";
-  TextTable table({"<cause", "<parameter", "value", "95 % interval", "nominal", "literature",
-                   "<unit", "p", "<runner-up (log-likelihood less)"});
+  if (causes.empty()) return {};
+  Table table{cause_columns(), {}};
   for (const NamedCause& cause : causes) {
     const std::string p = fmt::format("{:.2g}", cause.p_value);
     const std::string other = cause.runner_up ? fmt::format("{} ({:.1f})", cause.runner_up->name,
@@ -61,10 +72,10 @@ std::string causes_text(const DiagnosisReport& report) {
                  first ? other : ""});
     }
   }
-  return "\nCauses, each accepted against chance over the whole search\n" + table.text();
+  return {"Causes, each accepted against chance over the whole search", table, {}};
 }
 
-void add_gain(TextTable& table, const std::string& name, const HeldOut& held_out) {
+void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
   table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
              percent_text(held_out.reduction),
              fmt::format("{} to {}", percent_text(held_out.low), percent_text(held_out.high)),
@@ -73,88 +84,112 @@ void add_gain(TextTable& table, const std::string& name, const HeldOut& held_out
              fmt::format("{:.3g}", held_out.expected_gain)});
 }
 
-std::string gains_text(const DiagnosisReport& report) {
+Section gains_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  if (!result.held_out) return "";
-  TextTable table({"<with", "rms before", "rms after", "reduction", "95 % interval",
-                   "log-likelihood gain", "95 % interval", "expected gain"});
+  if (!result.held_out) return {};
+  Table table{{text_column("with"), number_column("rms before"), number_column("rms after"),
+               number_column("reduction"), number_column("95 % interval"),
+               number_column("log-likelihood gain", "", 1), number_column("95 % interval", "", 2),
+               number_column("expected gain", "", 3)},
+              {}};
   for (const NamedCause& cause : result.causes) {
     if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
   }
   if (result.causes.size() > 1) add_gain(table, "all together", *result.held_out);
-  return fmt::format("\nGain on {} that the fit has not seen, each cause over all others\n{}",
-                     plural(result.held_out_runs, "run"), table.text());
+  return {fmt::format("Gain on {} that the fit has not seen, each cause over all others",
+                      plural(result.held_out_runs, "run")),
+          table,
+          {}};
 }
 
-std::string weighed_text(const DiagnosisReport& report) {
+Section weighed_section(const DiagnosisReport& report) {
   const std::vector<WeighedCause>& weighed = report.result.weighed;
-  if (weighed.empty()) return "";
-  TextTable table({"<model", "training runs", "held-out runs", "rms held out"});
+  if (weighed.empty()) return {};
+  Table table{{text_column("model"), number_column("training runs"), number_column("held-out runs"),
+               number_column("rms held out")},
+              {}};
   for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
     const std::optional<HeldOut>& held_out = weighed[i].held_out;
     table.add({weighed[i].name, fmt::format("{:.1f}", weighed[i].gain),
                held_out ? fmt::format("{:.1f}", held_out->log_likelihood_gain) : "-",
                held_out ? newton(held_out->rms_after_N) : "-"});
   }
-  std::string text = "\nWeighed: gain in log-likelihood over the model as it stands\n";
-  text += table.text();
-  if (weighed.size() > most_rows) text += fmt::format("… {} more\n", weighed.size() - most_rows);
+  Section section{"Weighed: gain in log-likelihood over the model as it stands", table, {}};
+  if (weighed.size() > most_rows) {
+    section.lines.push_back({fmt::format("… {} more", weighed.size() - most_rows)});
+  }
   for (const std::string& name : report.result.not_confirmed) {
-    text += fmt::format("{} failed on the held-out runs, and is not named.\n", name);
+    section.lines.push_back(
+        {fmt::format("{} failed on the held-out runs, and is not named.", name)});
   }
-  return text;
+  return section;
 }
 
-std::string indistinguishable_text(const DiagnosisReport& report) {
-  const DiagnosisResult& result = report.result;
-  if (result.indistinguishable.empty()) return "";
-  std::string text = fmt::format(
-      "\nCannot be told apart (less than {:.2g} in log-likelihood between them)\n", alias_margin);
-  for (const std::vector<std::string>& names : result.indistinguishable) {
-    text += fmt::format("- {}\n", fmt::join(names, ", "));
+Section indistinguishable_section(const DiagnosisReport& report) {
+  Section section{
+      fmt::format("Cannot be told apart (less than {:.2g} in log-likelihood between them)",
+                  alias_margin),
+      std::nullopt,
+      {}};
+  for (const std::vector<std::string>& names : report.result.indistinguishable) {
+    section.lines.push_back({fmt::format("- {}", fmt::join(names, ", "))});
   }
-  return text;
+  return section;
 }
 
-std::string left_text(const DiagnosisReport& report) {
+Section left_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  if (result.structure.empty()) return "";
+  if (result.structure.empty()) return {};
   constexpr std::size_t most = 3;
-  TextTable table({"<residuals follow", "deviations from chance", "p of this alone"});
+  Table table{{text_column("residuals follow"), number_column("deviations from chance"),
+               number_column("p of this alone")},
+              {}};
   for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
     const StructureFinding& finding = result.structure[i];
     table.add({finding.about, fixed(finding.statistic, 1), fmt::format("{:.2g}", finding.p_value)});
   }
-  return fmt::format("\nWhat is left, the strongest of {} ({} for all together)\n{}",
-                     plural(result.structure.size(), "pattern"),
-                     p_text(result.structure_p_value, report.settings.replicates), table.text());
+  return {fmt::format("What is left, the strongest of {} ({} for all together)",
+                      plural(result.structure.size(), "pattern"),
+                      p_text(result.structure_p_value, report.settings.replicates)),
+          table,
+          {}};
 }
 
-std::string next_text(const DiagnosisReport& report) {
+Section next_section(const DiagnosisReport& report) {
   const std::optional<PlannedMeasurement>& next = report.result.next_measurement;
-  if (!next) return "";
-  return fmt::format("\nNext measurement\n{}: {}.\n", measurement_text(*next, report), next->why);
+  if (!next) return {};
+  return {"Next measurement",
+          std::nullopt,
+          {{fmt::format("{}: {}.", measurement_text(*next, report), next->why)}}};
 }
 
-std::string ranking_text(const DiagnosisReport& report) {
-  if (!report.ranking) return "";
+Section ranking_section(const DiagnosisReport& report) {
+  if (!report.ranking) return {};
   const CatalogueRanking& ranking = *report.ranking;
-  std::string text =
-      "\nRanking of the catalogue (2 fingers, over mean uniformity and efficiency)\n";
+  Section section{"Ranking of the catalogue (2 fingers, over mean uniformity and efficiency)",
+                  std::nullopt,
+                  {}};
   if (!ranking.changes()) {
-    return text + fmt::format("does not change: {}\n", fmt::join(ranking.after, ", "));
+    section.lines.push_back({fmt::format("does not change: {}", fmt::join(ranking.after, ", "))});
+  } else {
+    section.lines.push_back({fmt::format("changes from  {}", fmt::join(ranking.before, ", "))});
+    section.lines.push_back({fmt::format("        to    {}", fmt::join(ranking.after, ", "))});
   }
-  return text + fmt::format("changes from  {}\n        to    {}\n", fmt::join(ranking.before, ", "),
-                            fmt::join(ranking.after, ", "));
+  return section;
 }
 
 }  // namespace
 
-std::string diagnosis_text(const DiagnosisReport& report) {
-  return diagnosis_answer(report) + causes_text(report) + gains_text(report) +
-         weighed_text(report) + indistinguishable_text(report) + left_text(report) +
-         next_text(report) + ranking_text(report) + data_text(report) +
-         notes_text(report.result.notes);
+Sheet diagnosis_sheet(const DiagnosisReport& report) {
+  Section answer;
+  add_lines(answer.lines, diagnosis_answer(report));
+  Sheet sheet{{answer}};
+  for (const auto part : {causes_section, gains_section, weighed_section, indistinguishable_section,
+                          left_section, next_section, ranking_section, data_section}) {
+    sheet.add(part(report));
+  }
+  sheet.add(notes_section(report.result.notes));
+  return sheet;
 }
 
 }  // namespace reeve

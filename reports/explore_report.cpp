@@ -6,7 +6,6 @@
 
 #include "reports/model_text.hpp"
 #include "reports/names.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -30,7 +29,7 @@ std::string counts_text(const ExploreResult& result) {
   return text + fmt::format(", {} evaluated", result.evaluated);
 }
 
-std::string front_text(const ExploreReport& report) {
+Section front_section(const ExploreReport& report) {
   std::string text =
       fmt::format("Pareto front over {}: {} design{}", objective_names(report.options.objectives),
                   report.front.size(), report.front.size() == 1 ? "" : "s");
@@ -39,7 +38,7 @@ std::string front_text(const ExploreReport& report) {
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
   if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
-  return text + "\n" + design_table(first(report.front, shown_at_most));
+  return {text, design_table(first(report.front, shown_at_most)), {}};
 }
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
@@ -48,10 +47,12 @@ std::string standing(const ExploreReport& report, const ReferenceStanding& refer
   return reference.generated ? fmt::format(">{}", report.options.top) : "not among them";
 }
 
-std::string known_text(const ExploreReport& report) {
-  if (report.result.references.empty()) return "";
-  TextTable table(
-      {"<name", "<routing", "rank", "front", "dominated by", "uniformity", "efficiency"});
+Section known_section(const ExploreReport& report) {
+  if (report.result.references.empty()) return {};
+  Table table{{text_column("name"), text_column("routing"), number_column("rank"),
+               number_column("front", "", 1), number_column("dominated by", "", 2),
+               number_column("uniformity"), number_column("efficiency")},
+              {}};
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
     table.add({report.reference_names[i], reference.design.word, standing(report, reference),
@@ -60,7 +61,22 @@ std::string known_text(const ExploreReport& report) {
                fixed(value(reference.design.values, Objective::uniformity_mean)),
                fixed(value(reference.design.values, Objective::efficiency_mean))});
   }
-  return "\nWhere the known routings stand\n" + table.text();
+  return {"Where the known routings stand", table, {}};
+}
+
+std::vector<SheetLine> opening_lines(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  std::vector<SheetLine> lines{{counts_text(result) + fmt::format(" in {:.2f} s ({:.0f} a second)",
+                                                                  result.seconds, rate(result))}};
+  const std::string note = partial_note(report);
+  if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
+  for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
+  for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
+    lines.push_back(line);
+  }
+  lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
+                   to_text(report.options.grasps)});
+  return lines;
 }
 
 Json known_json(const ExploreReport& report) {
@@ -119,19 +135,13 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   return report;
 }
 
-std::string explore_table(const ExploreReport& report) {
-  std::string text = counts_text(report.result);
-  text +=
-      fmt::format(" in {:.2f} s ({:.0f} a second)\n", report.result.seconds, rate(report.result));
-  const std::string note = partial_note(report);
-  if (!note.empty()) text += "PARTIAL: " + note + "\n";
-  for (const std::string& line : notes(report)) text += "Note: " + line + "\n";
-  text += model_text(report.options.model, report.result.unconverged);
-  text += "Uniformity and efficiency are given as mean/worst over the grasps " +
-          to_text(report.options.grasps) + "\n\n" + front_text(report);
+Sheet explore_sheet(const ExploreReport& report) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
-  text += fmt::format("\nTop {}\n{}", top.size(), design_table(top));
-  return text + known_text(report);
+  Sheet sheet{{{"", std::nullopt, opening_lines(report)},
+               front_section(report),
+               {fmt::format("Top {}", top.size()), design_table(top), {}}}};
+  sheet.add(known_section(report));
+  return sheet;
 }
 
 std::vector<std::string> notes(const ExploreReport& report) {

@@ -7,6 +7,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "reports/design_list.hpp"
+#include "reports/sheet.hpp"
 #include "search/explore.hpp"
 #include "search/uncertainty.hpp"
 
@@ -28,7 +29,7 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
                              const std::vector<RankDistribution>& distributions,
                              const Catalogue& catalogue);
 
-std::string explore_table(const ExploreReport& report);
+Sheet explore_sheet(const ExploreReport& report);
 std::string explore_summary_json(const ExploreReport& report);
 // What the user should know of how the ranking came about; usually nothing.
 std::vector<std::string> notes(const ExploreReport& report);

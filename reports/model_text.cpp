@@ -72,27 +72,28 @@ Json model_json(const Model& model, std::uint64_t unconverged) {
   return json;
 }
 
-std::string model_text(const Model& model, std::uint64_t unconverged) {
-  if (model.effects.empty()) return "";
+std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged) {
+  if (model.effects.empty()) return {};
   const std::string effects = list(model, true);
   std::string text = "Model with " + (effects.empty() ? "no effect on designs" : effects) + ", at";
   for (const ConditionRow& row : condition_table()) {
     text += fmt::format("{} {} {:.6g}", row.name == condition_table()[0].name ? "" : ",", row.name,
                         model.conditions.*row.value);
   }
-  text += "\n";
+  std::vector<SheetLine> lines{{text}};
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {
-    text += "Left out, since they are of the rig's sensors and records and not of a design: " +
-            left_out + "\n";
+    lines.push_back(
+        {"Left out, since they are of the rig's sensors and records and not of a design: " +
+         left_out});
   }
   if (unconverged > 0) {
-    text += fmt::format(
-        "Note: friction takes nearly all of some tension; {} tension solve{} did not converge, and "
-        "the figures are approximate\n",
-        unconverged, unconverged == 1 ? "" : "s");
+    lines.push_back({fmt::format("Note: friction takes nearly all of some tension; {} tension "
+                                 "solve{} did not converge, and the figures are approximate",
+                                 unconverged, unconverged == 1 ? "" : "s"),
+                     true});
   }
-  return text;
+  return lines;
 }
 
 }  // namespace reeve

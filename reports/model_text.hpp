@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <vector>
 
 #include "causes/model.hpp"
 #include "reports/json.hpp"
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
@@ -14,7 +15,7 @@ namespace reeve {
 // null for the plain friction model, which the hardware says all about.
 Json model_json(const Model& model, std::uint64_t unconverged);
 
-// Lines for a person; "" for the plain friction model.
-std::string model_text(const Model& model, std::uint64_t unconverged);
+// None for the plain friction model.
+std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged);
 
 }  // namespace reeve

@@ -4,7 +4,6 @@
 
 #include "causes/named_effect.hpp"
 #include "reports/json.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -34,37 +33,42 @@ std::string named_text(const PowerTrial& trial) {
   return text.empty() ? "nothing" : text;
 }
 
-std::string others_text(const PowerReport& report) {
+Section others_section(const PowerReport& report) {
   constexpr std::size_t most = 10;
-  std::string text;
+  Section section{"Not found, and what was named", std::nullopt, {}};
   std::size_t listed = 0;
   std::size_t others = 0;
   for (const PowerTrial& trial : report.trials) {
     if (trial.finding == Finding::found) continue;
     if (++others > most) continue;
     ++listed;
-    text += fmt::format("  seed {}: {}: {}\n", trial.seed, name(trial.finding), named_text(trial));
+    section.lines.push_back(
+        {fmt::format("  seed {}: {}: {}", trial.seed, name(trial.finding), named_text(trial))});
   }
-  if (others > listed) text += fmt::format("  … {} more\n", others - listed);
-  return text.empty() ? "" : "\nNot found, and what was named\n" + text;
+  if (others > listed) section.lines.push_back({fmt::format("  … {} more", others - listed)});
+  return section;
 }
 
 }  // namespace
 
-std::string power_table(const PowerReport& report) {
+Sheet power_sheet(const PowerReport& report) {
   const SimulationReport& experiment = report.experiment;
   const bool hides_nothing = experiment.model.effects.empty();
-  std::string text = fmt::format("{} simulated experiments, seeds {} to {}, with {}\n\n",
-                                 report.trials.size(), report.trials.front().seed,
-                                 report.trials.back().seed, hidden_text(experiment.model));
-  TextTable table({"<finding", "count", "share", "95 % interval", "<meaning"});
+  const std::string opening = fmt::format("{} simulated experiments, seeds {} to {}, with {}",
+                                          report.trials.size(), report.trials.front().seed,
+                                          report.trials.back().seed, hidden_text(experiment.model));
+  Table table{{text_column("finding"), number_column("count"), number_column("share"),
+               number_column("95 % interval"), text_column("meaning")},
+              {}};
   for (const FindingShare& share : finding_shares(report.trials)) {
     if (hides_nothing && share.finding == Finding::none) continue;
     table.add({name(share.finding), std::to_string(share.count), fmt::format("{:.3f}", share.share),
                fmt::format("{:.3f} to {:.3f}", share.interval.low, share.interval.high),
                meaning(share.finding, hides_nothing)});
   }
-  return text + table.text() + others_text(report);
+  Sheet sheet{{{"", std::nullopt, {{opening, true}}}, {"", table, {}}}};
+  sheet.add(others_section(report));
+  return sheet;
 }
 
 std::string power_json(const PowerReport& report) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/power.hpp"
+#include "reports/sheet.hpp"
 #include "reports/simulation_report.hpp"
 
 namespace reeve {
@@ -14,7 +15,7 @@ struct PowerReport {
   std::vector<PowerTrial> trials;
 };
 
-std::string power_table(const PowerReport& report);
+Sheet power_sheet(const PowerReport& report);
 std::string power_json(const PowerReport& report);
 
 }  // namespace reeve

@@ -2,7 +2,6 @@
 
 #include "reports/json.hpp"
 #include "reports/model_text.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -14,18 +13,22 @@ std::string name_of(const RankReport& report, const std::string& word) {
   return word;
 }
 
-std::string margin_text(const RankReport& report) {
-  if (!report.margins || report.margins->empty()) return "";
-  TextTable table(
-      {"<over", "lead", "least lead", "mu tube", "mu sheath", "mu bearing", "sheath angle, rad"});
+Section margin_section(const RankReport& report) {
+  if (!report.margins || report.margins->empty()) return {};
+  Table table{{text_column("over"), number_column("lead"), number_column("least lead"),
+               number_column("mu tube"), number_column("mu sheath"), number_column("mu bearing"),
+               number_column("sheath angle, rad")},
+              {}};
   for (const Margin& margin : *report.margins) {
     table.add({name_of(report, margin.challenger), fixed(margin.nominal_lead, 4),
                fixed(margin.least_lead, 4), fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu),
                fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
   }
-  return "\nLead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
-         "coefficients it is least; below 0 the order turns there\n" +
-         table.text();
+  return {
+      "Lead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
+      "coefficients it is least; below 0 the order turns there",
+      table,
+      {}};
 }
 
 Json margins_json(const std::vector<Margin>& margins) {
@@ -45,11 +48,14 @@ Json margins_json(const std::vector<Margin>& margins) {
 
 }  // namespace
 
-std::string rank_table(const RankReport& report) {
-  return model_text(report.model, report.unconverged) + "Front by front over " +
-         objective_names(report.objectives) +
-         "; uniformity and efficiency as mean/worst over the grasps " + to_text(report.grasps) +
-         "\n\n" + design_table(report.designs) + margin_text(report);
+Sheet rank_sheet(const RankReport& report) {
+  std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  lines.push_back({"Front by front over " + objective_names(report.objectives) +
+                   "; uniformity and efficiency as mean/worst over the grasps " +
+                   to_text(report.grasps)});
+  Sheet sheet{{{"", std::nullopt, lines}, {"", design_table(report.designs), {}}}};
+  sheet.add(margin_section(report));
+  return sheet;
 }
 
 std::string rank_json(const RankReport& report) {

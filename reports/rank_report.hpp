@@ -7,6 +7,7 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "reports/design_list.hpp"
+#include "reports/sheet.hpp"
 #include "search/margin.hpp"
 #include "search/objectives.hpp"
 #include "search/uncertainty.hpp"
@@ -24,7 +25,7 @@ struct RankReport {
   std::optional<std::vector<Margin>> margins;
 };
 
-std::string rank_table(const RankReport& report);
+Sheet rank_sheet(const RankReport& report);
 std::string rank_json(const RankReport& report);
 
 }  // namespace reeve

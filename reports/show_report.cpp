@@ -5,7 +5,6 @@
 #include "reports/json.hpp"
 #include "reports/model_text.hpp"
 #include "reports/schematic_svg.hpp"
-#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -68,11 +67,14 @@ std::string held_text(const ShownGrasp& shown) {
   return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
 }
 
-std::string tension_table(const ShowReport& report) {
-  std::vector<std::string> headings{"<held"};
-  for (const Segment& segment : report.network.segments) headings.push_back(name(segment));
-  for (const char* figure : {"uniformity", "efficiency", "force"}) headings.emplace_back(figure);
-  TextTable table(headings);
+Table tension_table(const ShowReport& report) {
+  Table table{{text_column("held")}, {}};
+  for (const Segment& segment : report.network.segments) {
+    table.columns.push_back(number_column(name(segment), "N/N"));
+  }
+  for (const char* figure : {"uniformity", "efficiency", "force"}) {
+    table.columns.push_back(number_column(figure));
+  }
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{held_text(shown)};
     for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
@@ -81,16 +83,16 @@ std::string tension_table(const ShowReport& report) {
     cells.push_back(fixed(shown.performance.force_transmission));
     table.add(cells);
   }
-  return table.text();
+  return table;
 }
 
-std::string share_table(const ShowReport& report) {
+Table share_table(const ShowReport& report) {
   const std::vector<Segment>& segments = report.network.segments;
-  std::vector<std::string> headings{"<held"};
+  Table table{{text_column("held")}, {}};
   for (const Segment& segment : segments) {
-    if (segment.kind == SegmentKind::strand) headings.push_back(name(segment));
+    if (segment.kind != SegmentKind::strand) continue;
+    table.columns.push_back(number_column(name(segment), "%"));
   }
-  TextTable table(headings);
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{held_text(shown)};
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -100,13 +102,14 @@ std::string share_table(const ShowReport& report) {
     }
     table.add(cells);
   }
-  return table.text();
+  return table;
 }
 
-std::string contact_table(const ShowReport& report) {
-  std::vector<std::string> headings{"<contact", "<kind"};
-  for (const ShownGrasp& shown : report.grasps) headings.push_back("<held " + to_text(shown.grasp));
-  TextTable table(headings);
+Table contact_table(const ShowReport& report) {
+  Table table{{text_column("contact"), text_column("kind")}, {}};
+  for (const ShownGrasp& shown : report.grasps) {
+    table.columns.push_back(text_column("held " + to_text(shown.grasp)));
+  }
   const Network& network = report.network;
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
     std::vector<std::string> cells{
@@ -117,26 +120,34 @@ std::string contact_table(const ShowReport& report) {
     }
     table.add(cells);
   });
-  return table.text();
+  return table;
 }
 
-std::string objective_lines(const ObjectiveValues& values) {
-  TextTable table({"<objective", "value", "<unit", "<meaning"});
+Table objective_list(const ObjectiveValues& values) {
+  Table table{{text_column("objective"), number_column("value"), text_column("unit"),
+               text_column("meaning")},
+              {}};
   for (const ObjectiveRow& row : objective_table()) {
     table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
   }
-  return table.text();
+  return table;
 }
 
 }  // namespace
 
-std::string show_table(const ShowReport& report) {
-  return fmt::format(
-      "{}\n{}\nTensions {}, {}\n{}\nShares of the strands, %\n{}\nSliding\n{}\n"
-      "Over these grasps, pulling\n{}",
-      heading(report), model_text(report.model, report.unconverged), unit_text(report),
-      report.direction == Direction::pull ? "pulling" : "releasing", tension_table(report),
-      share_table(report), contact_table(report), objective_lines(report.values));
+Sheet show_sheet(const ShowReport& report) {
+  std::vector<SheetLine> lines{{heading(report)}};
+  for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
+    lines.push_back(line);
+  }
+  return {{{"", std::nullopt, lines},
+           {fmt::format("Tensions {}, {}", unit_text(report),
+                        report.direction == Direction::pull ? "pulling" : "releasing"),
+            tension_table(report),
+            {}},
+           {"Shares of the strands, %", share_table(report), {}},
+           {"Sliding", contact_table(report), {}},
+           {"Over these grasps, pulling", objective_list(report.values), {}}}};
 }
 
 std::string show_json(const ShowReport& report) {

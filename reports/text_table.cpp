@@ -3,53 +3,84 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+
+#include "reports/table_fit.hpp"
+#include "reports/text_width.hpp"
 
 namespace reeve {
 namespace {
 
-// Columns on the screen, for the UTF-8 that we print: every code point is one.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
-}
-
-}  // namespace
-
-TextTable::TextTable(const std::vector<std::string>& headings) {
-  std::vector<std::string> plain;
-  for (const std::string& heading : headings) {
-    const bool left = heading.starts_with('<');
-    left_.push_back(left);
-    plain.push_back(left ? heading.substr(1) : heading);
+Ink ink_of(Tint tint) {
+  switch (tint) {
+    case Tint::none:
+      return Ink::plain;
+    case Tint::good:
+      return Ink::good;
+    case Tint::notable:
+      return Ink::notable;
+    case Tint::bad:
+      return Ink::bad;
   }
-  rows_.push_back(std::move(plain));
+  return Ink::plain;
 }
 
-void TextTable::add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-std::string TextTable::text() const {
-  std::vector<std::size_t> widths(left_.size(), 0);
-  for (const auto& row : rows_) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+// One row of a table, in as many lines as its cells need.
+std::string row_text(const Table& table, const TableRow& row,
+                     const std::vector<std::size_t>& widths, Ink ink, const Look& look) {
+  std::vector<std::vector<std::string>> cells;
+  std::size_t height = 1;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    cells.push_back(wrap_words(row.cells[i], widths[i]));
+    height = std::max(height, cells[i].size());
   }
   std::string text;
-  for (const auto& row : rows_) {
+  for (std::size_t k = 0; k < height; ++k) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - width(row[i]), ' ');
-      line += i == 0 ? "" : "  ";
-      line += left_[i] ? row[i] + padding : padding + row[i];
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      line += i == 0 ? "" : std::string(column_gap, ' ');
+      line += padded(k < cells[i].size() ? cells[i][k] : "", widths[i], table.columns[i].is_text);
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
+    text += inked(line, ink, look) + '\n';
   }
   return text;
 }
 
-std::string fixed(double value, int decimals) {
-  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+std::string part_text(const Table& table, const std::vector<std::size_t>& widths,
+                      const Look& look) {
+  TableRow headings;
+  for (const TableColumn& column : table.columns) headings.cells.push_back(column.heading);
+  std::string text = row_text(table, headings, widths, Ink::strong, look);
+  for (const TableRow& row : table.rows) {
+    text += row_text(table, row, widths, ink_of(row.tint), look);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string inked(const std::string& line, Ink ink, const Look& look) {
+  if (!look.colour || ink == Ink::plain || line.empty()) return line;
+  const char* code = ink == Ink::strong ? "1"
+                     : ink == Ink::good ? "32"
+                     : ink == Ink::bad  ? "31"
+                                        : "33";
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, line);
+}
+
+std::string text(const Table& table, const Look& look) {
+  if (look.width == 0) return part_text(table, natural_widths(table), look);
+  const FittedTable fitted = fit(table, look.width);
+  std::string text;
+  for (const Table& part : fitted.parts) {
+    text += (text.empty() ? "" : "\n") + part_text(part, shrunk_widths(part, look.width), look);
+  }
+  if (fitted.left_out.empty()) return text;
+  const std::string left_out =
+      fmt::format("Left out for want of room: {}. A wider window and --format json have all.",
+                  fmt::join(fitted.left_out, ", "));
+  for (const std::string& line : wrap_words(left_out, look.width)) text += line + '\n';
+  return text;
 }
 
 }  // namespace reeve

@@ -1,25 +1,26 @@
-// Tables for people: columns aligned, numbers to the right.
+// A table in columns that are aligned, numbers to the right.
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <vector>
+
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
-class TextTable {
- public:
-  // A column whose heading begins with '<' is aligned to the left.
-  explicit TextTable(const std::vector<std::string>& headings);
-
-  void add(std::vector<std::string> cells);
-  std::string text() const;
-
- private:
-  std::vector<bool> left_;
-  std::vector<std::vector<std::string>> rows_;
+// Where text is shown. By default no window limits it and nothing can show colour: a file, a pipe.
+struct Look {
+  std::size_t width = 0;  // in columns; 0: any
+  bool colour = false;
 };
 
-// A number with this many decimals; "-" if it is none.
-std::string fixed(double value, int decimals = 3);
+// In a narrow window dispensable columns are left out, which a line below says; then texts are
+// wrapped; and what still finds no room follows below, with the first column again.
+std::string text(const Table& table, const Look& look = {});
+
+enum class Ink : std::uint8_t { plain, strong, good, notable, bad };
+
+// The line with the codes for its ink around it, if the look has colour.
+std::string inked(const std::string& line, Ink ink, const Look& look);
 
 }  // namespace reeve

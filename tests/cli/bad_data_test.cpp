@@ -23,7 +23,7 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
       compare({"ragged.csv"}, "ragged.csv:2:6: the row ends after 2 fields: expected 3"),
       compare({"alone.csv"}, "alone.csv: there is nothing to compare: expected rows with "),
       compare({"ok.csv", "--hardware", "contact.toml"}, "hardware: contact 'a-T9': expected two"),
-      compare({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json}"),
+      compare({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
       {{"compare", "ok.csv", "--out", "cell.csv"},
        "--out 'cell.csv': expected a folder that can be written to: Not a directory",
        {}},
@@ -48,7 +48,7 @@ TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
       diagnose({"name.csv"}, "routing 'TR9': no such name in the catalogue"),
       diagnose({"alone.csv"}, "alone.csv: there is nothing to diagnose: expected rows with "),
       diagnose({"ok.csv", "--hardware", "contact.toml"}, "hardware: contact 'a-T9': expected two"),
-      diagnose({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json}"),
+      diagnose({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
   });
 }
 

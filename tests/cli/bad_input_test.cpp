@@ -68,7 +68,7 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
       show_tr1({"--held", ""}, "held '': '': expected none, or finger numbers from 1 to 2"),
       show_tr1({"--held", "one"}, "held 'one': 'one': expected none, or finger numbers"),
       show_tr1({"--direction", "sideways"}, "--direction: sideways not in {pull,release}"),
-      show_tr1({"--format", "xml"}, "--format: xml not in {table,json,dot}"),
+      show_tr1({"--format", "xml"}, "--format: xml not in {table,json,dot,markdown,latex}"),
       show_tr1({"--format", "dot", "--held", "1", "--held", "2"},
                "--format dot draws one grasp: expected --held once at most"),
       show_tr1({"--svg", "a.svg", "--held", "1", "--held", "2"},
@@ -174,7 +174,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
               "grasps '1:0': '1:0': expected a held list and a weight from 1e-6 to 1e6"),
       explore({"--fingers", "20", "--grasps", "all"},
               "grasps 'all': 20 fingers have 2^20 grasps; expected at most 16 fingers"),
-      explore({"--format", "csv"}, "--format: csv not in {table,json}"),
+      explore({"--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
       explore({"extra"}, "extra"),
   });
 }
@@ -204,7 +204,9 @@ TEST(BadRank, IsNamedWithTheRoutings) {
        {}},
       {{"rank", "M-F"}, "routing 'M-F': it has no fingers, so there is nothing to rank", {}},
       {{"rank", "TR1", "F-1-T-2-F"}, "routing 'F-1-T-2-F': the tendon with T1 is not actuated", {}},
-      {{"rank", "TR1", "--format", "xml"}, "--format: xml not in {table,json,csv}", {}},
+      {{"rank", "TR1", "--format", "xml"},
+       "--format: xml not in {table,json,csv,markdown,latex}",
+       {}},
       {{"rank", "TR1", "--draws", "100001"}, "--draws: Value 100001 not in range 1 to 100000", {}},
   });
 }
@@ -219,7 +221,7 @@ TEST(BadUsage, PointsToTheHelp) {
       {{"count", "--fingers", "65"}, "--fingers: Value 65 not in range 1 to 64", {}},
       {{"count", "--fingers", "64"}, "more than 2^63 routings", {}},
       {{"check", "TR1"}, "TR1; see reeve --help", {}},
-      {{"check", "--format", "csv"}, "--format: csv not in {table,json}", {}},
+      {{"check", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}", {}},
   });
 }
 

@@ -124,6 +124,11 @@ std::string output_of(const std::vector<std::string>& arguments) {
   return result.out;
 }
 
+void expect_text(const std::string& text, const std::filesystem::path& file) {
+  if (updating()) std::ofstream(file, std::ios::binary) << text;
+  EXPECT_EQ(text, read_text(file)) << file;
+}
+
 TEST(GoldenShow, OfAGraspInWhichFrictionStopsAFinger) {
   expect_json(output_of({"show", "TR5", "--held", "1", "--format", "json"}),
               "show_tr5_held_1.json");
@@ -160,6 +165,19 @@ TEST(GoldenRank, OfTheCatalogueWithUncertainty) {
   expect_csv(output_of(arguments), "rank_catalog_uncertain.csv");
 }
 
+// What a pipe gets: no colour, and lines as long as they are.
+TEST(GoldenTables, OfTheCatalogueInEveryFormat) {
+  expect_text(output_of({"rank", "--catalog"}), file_of("rank_catalog.txt"));
+  expect_text(output_of({"rank", "--catalog", "--format", "markdown"}), file_of("rank_catalog.md"));
+  expect_text(output_of({"rank", "--catalog", "--format", "latex"}), file_of("rank_catalog.tex"));
+}
+
+TEST(GoldenTables, OfOneRoutingAndOfTheCheck) {
+  expect_text(output_of({"show", "TR5"}), file_of("show_tr5.txt"));
+  expect_text(output_of({"show", "TR5", "--format", "latex"}), file_of("show_tr5.tex"));
+  expect_text(output_of({"check"}), file_of("check.txt"));
+}
+
 TEST(GoldenExplore, OfTwoFingers) {
   const TemporaryFolder folder;
   output_of({"explore", "--fingers", "2", "--out", folder.path().string()});
@@ -187,11 +205,6 @@ TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
   EXPECT_EQ(result.err, "");
   expect_json(result.out, "compare.json");
   expect_csv(read_text(folder.path() / "residuals.csv"), "compare_residuals.csv");
-}
-
-void expect_text(const std::string& text, const std::filesystem::path& file) {
-  if (updating()) std::ofstream(file, std::ios::binary) << text;
-  EXPECT_EQ(text, read_text(file)) << file;
 }
 
 TEST(GoldenSchematic, OfTheSevenInThePapersGrasp) {

@@ -207,6 +207,7 @@ TEST(Diagnose, ThatIsStoppedWritesNothing) {
 TEST(Diagnose, ShowsItsStageOnATerminal) {
   ProcessOptions options;
   options.stderr_is_terminal = true;
+  options.environment["TERM"] = "xterm";
   const ProcessResult result = reeve({"diagnose", with_cause}, options);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.err.find("searching for causes"), std::string::npos);

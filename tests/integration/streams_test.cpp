@@ -24,17 +24,28 @@ TEST(Progress, IsSilentWhereStderrIsNoTerminal) {
 TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
   ProcessOptions options;
   options.stderr_is_terminal = true;
+  options.environment["TERM"] = "xterm";
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
                                     }};
   const Explored explored({"--fingers", "9"}, options);
   ASSERT_FALSE(explored.result.timed_out);
   EXPECT_EQ(explored.result.exit_code, 3);
-  EXPECT_TRUE(explored.result.err.starts_with("\rexploring: 0 %, ")) << explored.result.err;
+  EXPECT_TRUE(explored.result.err.starts_with("\rexploring [>")) << explored.result.err;
+  EXPECT_NE(explored.result.err.find("]   0 %, "), std::string::npos);
   EXPECT_NE(explored.result.err.find(" a second, "), std::string::npos);
   EXPECT_TRUE(explored.result.err.ends_with("\r\x1b[K")) << explored.result.err;
   // The table stays clean.
   EXPECT_EQ(explored.result.out.find('\x1b'), std::string::npos);
+}
+
+// Codes would be shown as they are.
+TEST(Progress, IsSilentOnATerminalThatKnowsNoCodes) {
+  ProcessOptions options;
+  options.stderr_is_terminal = true;
+  options.environment["TERM"] = "dumb";
+  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
+  EXPECT_EQ(Explored({"--fingers", "9"}, options).result.err, "");
 }
 
 TEST(Progress, LeavesNoTraceOfShortWork) {

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <pty.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -37,15 +38,22 @@ Channel open_pipe() {
   return {ends[0], ends[1]};
 }
 
-Channel open_terminal() {
+// One that passes every byte as it is.
+Channel open_terminal(unsigned short width) {
   Channel channel;
-  if (::openpty(&channel.ours, &channel.theirs, nullptr, nullptr, nullptr) != 0) fail("openpty");
+  const winsize window{static_cast<unsigned short>(width == 0 ? 0 : 24), width, 0, 0};
+  if (::openpty(&channel.ours, &channel.theirs, nullptr, nullptr, &window) != 0) fail("openpty");
+  termios settings = {};
+  ::tcgetattr(channel.theirs, &settings);
+  ::cfmakeraw(&settings);
+  ::tcsetattr(channel.theirs, TCSANOW, &settings);
   ::fcntl(channel.ours, F_SETFD, FD_CLOEXEC);
   ::fcntl(channel.theirs, F_SETFD, FD_CLOEXEC);
   return channel;
 }
 
 Channel open_output(const ProcessOptions& options) {
+  if (options.stdout_terminal_width) return open_terminal(*options.stdout_terminal_width);
   if (options.stdout_to.empty()) return open_pipe();
   const int file = ::open(options.stdout_to.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) fail(options.stdout_to.string());
@@ -89,7 +97,7 @@ bool read_some(int from, std::string& text) {
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   Channel out = open_output(options);
-  Channel err = options.stderr_is_terminal ? open_terminal() : open_pipe();
+  Channel err = options.stderr_is_terminal ? open_terminal(80) : open_pipe();
   const pid_t child = ::fork();
   if (child < 0) fail("fork");
   if (child == 0) become(command, options, out.theirs, err.theirs);

@@ -33,6 +33,8 @@ struct ProcessOptions {
   std::chrono::seconds timeout{120};               // then it is killed
   std::filesystem::path stdout_to;                 // a file instead of the pipe
   bool stderr_is_terminal = false;
+  // A terminal as wide as that, in columns, instead of the pipe; 0: it does not know its width.
+  std::optional<unsigned short> stdout_terminal_width;
   std::optional<Disturbance> disturbance;
   // Bytes that a file may have. Beyond them the process dies of SIGXFSZ, or, if it ignores that,
   // cannot write: as on a full disk.

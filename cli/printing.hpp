@@ -1,0 +1,27 @@
+// Results on stdout: as text that fits the terminal, or as Markdown or LaTeX.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/inputs.hpp"
+#include "reports/sheet.hpp"
+
+namespace reeve::cli {
+
+// The formats of what prints a sheet: "table", these, "markdown" and "latex".
+std::vector<std::string> with_tables(const std::vector<std::string>& others);
+
+// In the format that was asked for, one of table, markdown and latex.
+std::string printed(const Sheet& sheet, const FormatOption& format);
+
+// Which files lie in the folder now, and where the page among them is. Only beside a table, where
+// nobody takes it for a part of the result; otherwise "".
+std::string announced(const std::string& files, const std::filesystem::path& folder,
+                      const FormatOption& format);
+
+// "Page: out/explore/index.html"; "" if there is none in the folder.
+std::string page_line(const std::filesystem::path& folder);
+
+}  // namespace reeve::cli

@@ -1,0 +1,64 @@
+// A result for people as a value: lines and tables, in order. It is made once; sheet_text.hpp,
+// sheet_markdown.hpp and sheet_latex.hpp write it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reeve {
+
+struct TableColumn {
+  std::string heading;
+  std::string unit;          // "" if there is none, or if each cell bears its own
+  bool is_text = false;      // to the left; numbers go to the right
+  unsigned dispensable = 0;  // where room is short the greatest is left out first; 0: never
+};
+
+TableColumn text_column(const std::string& heading);
+TableColumn number_column(const std::string& heading, const std::string& unit = "",
+                          unsigned dispensable = 0);
+
+// Beside a word that says the same.
+enum class Tint : std::uint8_t { none, good, notable, bad };
+
+struct TableRow {
+  std::vector<std::string> cells;
+  Tint tint = Tint::none;
+};
+
+struct Table {
+  std::vector<TableColumn> columns;
+  std::vector<TableRow> rows;
+
+  void add(std::vector<std::string> cells, Tint tint = Tint::none);
+};
+
+struct SheetLine {
+  std::string text;
+  bool caveat = false;  // whoever reads the tables must see it too
+};
+
+// A title, what it is the title of, and lines below. Each may be missing.
+struct Section {
+  std::string title;
+  std::optional<Table> table;
+  std::vector<SheetLine> lines;
+};
+
+struct Sheet {
+  std::vector<Section> sections;
+
+  // Nothing, if it holds neither a table nor a line.
+  void add(Section section);
+};
+
+// Appends the lines of a text as lines.
+void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat = false);
+
+// A number with this many decimals; "-" if it is none.
+std::string fixed(double value, int decimals = 3);
+
+}  // namespace reeve

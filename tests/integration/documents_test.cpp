@@ -1,0 +1,112 @@
+// The Python lines of docs/tables.md, run as they stand there on what `reeve explore` wrote.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::vector<std::string> python_blocks() {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "tables.md");
+  const std::string opening = "\n```python\n";
+  std::vector<std::string> blocks;
+  for (std::size_t at = document.find(opening); at != std::string::npos;
+       at = document.find(opening, at)) {
+    at += opening.size();
+    blocks.push_back(document.substr(at, document.find("```", at) - at));
+  }
+  return blocks;
+}
+
+// One that has the modules, "" if there is none. Debian's own packages are for Debian's own Python,
+// and another may stand before it.
+std::string python_with(const std::string& modules) {
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    if (run_process({python, "-c", "import " + modules}).exit_code == 0) return python;
+  }
+  return "";
+}
+
+ProcessResult run_python(const std::string& python, const std::string& script,
+                         const TemporaryFolder& folder) {
+  ProcessOptions options;
+  options.directory = folder.path();
+  options.environment = {{"PYTHONWARNINGS", "ignore"}, {"MPLBACKEND", "agg"}};
+  return run_process({python, "-c", script}, options);
+}
+
+struct WrittenTables {
+  TemporaryFolder folder;
+  std::string csv;
+  Json summary;
+
+  WrittenTables() {
+    ProcessOptions options;
+    options.directory = folder.path();
+    EXPECT_EQ(reeve({"explore"}, options).exit_code, 0);
+    csv = read_text(folder.path() / "out/explore/designs.csv");
+    summary = Json::parse(read_text(folder.path() / "out/explore/summary.json"));
+  }
+
+  std::size_t rows() const {
+    return static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')) - 1;
+  }
+};
+
+const std::string answers =
+    "\nprint(json.dumps([len(designs), len(front), front['routing'].tolist(), "
+    "list(designs.columns), known.loc['TR7', 'uniformity.mean'], summary['evaluated']]))\n";
+
+// The routings of the front, the fewest sheaths first.
+std::vector<std::string> sorted_front(const Json& summary) {
+  std::vector<Json> front(summary["front"].begin(), summary["front"].end());
+  std::stable_sort(front.begin(), front.end(),
+                   [](const Json& a, const Json& b) { return a["sheaths"] < b["sheaths"]; });
+  std::vector<std::string> routings;
+  for (const Json& design : front) routings.push_back(design["routing"]);
+  return routings;
+}
+
+void expect_what_was_written(const WrittenTables& written, const std::string& python,
+                             const std::string& lines) {
+  const ProcessResult result = run_python(python, lines + answers, written.folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const Json read = Json::parse(result.out);
+  EXPECT_EQ(read[0], written.rows());
+  EXPECT_EQ(read[1], written.summary["front"].size());
+  EXPECT_EQ(read[2].get<std::vector<std::string>>(), sorted_front(written.summary));
+  EXPECT_EQ(read[3][2], "routing");
+  EXPECT_EQ(read[5], written.summary["evaluated"]);
+  for (const Json& known : written.summary["known"]) {
+    if (known["name"] == "TR7") {
+      EXPECT_EQ(read[4], known["uniformity"]["mean"]);
+    }
+  }
+}
+
+TEST(PythonLines, ReadWhatAnExplorationWrites) {
+  const std::string python = python_with("pandas");
+  if (python.empty()) GTEST_SKIP() << "python3-pandas is not installed";
+  const std::vector<std::string> blocks = python_blocks();
+  ASSERT_EQ(blocks.size(), 2U);
+  WrittenTables written;
+  expect_what_was_written(written, python, blocks[0]);
+  // As after Ctrl-C.
+  written.folder.write("out/explore/designs.csv", "# partial: stopped, \"early\"\n" + written.csv);
+  expect_what_was_written(written, python, blocks[0]);
+  // matplotlib is four times as large as pandas, so nothing here asks for it.
+  const std::string with_drawing = python_with("pandas, matplotlib");
+  if (with_drawing.empty()) return;
+  const ProcessResult drawing = run_python(with_drawing, blocks[0] + blocks[1], written.folder);
+  EXPECT_EQ(drawing.exit_code, 0) << drawing.err;
+  EXPECT_TRUE(read_text(written.folder.path() / "front.pdf").starts_with("%PDF"));
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,110 @@
+// The same tables in every format, and nothing that a reader must know left out of one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
+
+std::string output(Arguments arguments, const std::string& format) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  arguments.insert(arguments.end(), {"--format", format});
+  const ProcessResult result = reeve(arguments, options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  return result.out;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
+  const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
+  return {{{"rank", "--catalog"}, 1},
+          {{"rank", "--catalog", "--margin", "--uncertainty", "--draws", "5"}, 2},
+          {{"explore"}, 3},
+          {{"show", "TR5"}, 4},
+          {{"count"}, 1},
+          {{"check"}, 1},
+          {{"compare", readings}, 2},
+          {{"diagnose", data, "--replicates", "99"}, 1},
+          {{"simulate", "--routings", "TR1,TR7", "--power", "1"}, 1}};
+}
+
+TEST(Formats, HaveTheSameTablesInMarkdownAndLatex) {
+  for (const auto& [arguments, tables] : commands_and_their_tables()) {
+    SCOPED_TRACE(arguments[0]);
+    const std::string markdown = output(arguments, "markdown");
+    const std::string latex = output(arguments, "latex");
+    EXPECT_EQ(occurrences(markdown, "\n| -") + markdown.starts_with("| -"), tables);
+    EXPECT_EQ(occurrences(latex, "\\begin{tabular}{"), tables);
+    EXPECT_EQ(occurrences(latex, "\\end{tabular}\n"), tables);
+    for (const char* rule : {"\\toprule\n", "\\midrule\n", "\\bottomrule\n"}) {
+      EXPECT_EQ(occurrences(latex, rule), tables);
+    }
+    // One line for each row, under one for the headings and in Markdown one for the rule.
+    EXPECT_EQ(occurrences(latex, " \\\\\n"), occurrences("\n" + markdown, "\n| ") - tables);
+    EXPECT_TRUE(latex.starts_with("% ") && latex.find("booktabs") < latex.find('\n'));
+  }
+}
+
+TEST(Formats, PutUnitsIntoTheHeadings) {
+  EXPECT_NE(output({"compare", readings}, "markdown").find(" mean measured (N) "),
+            std::string::npos);
+  EXPECT_NE(output({"show", "TR5"}, "latex").find("held & T1 (\\%) & T2 (\\%)"), std::string::npos);
+}
+
+TEST(Formats, SayThatDataAreSimulated) {
+  EXPECT_NE(output({"compare", readings}, "table").find("\nThe data are simulated: "),
+            std::string::npos);
+  EXPECT_NE(output({"compare", readings}, "markdown").find("\n**The data are simulated: "),
+            std::string::npos);
+  EXPECT_NE(output({"compare", readings}, "latex").find("\n\\noindent The data are simulated: "),
+            std::string::npos);
+}
+
+TEST(Formats, SayThatFingersAreToldApart) {
+  EXPECT_NE(output({"explore", "--grasps", "paper"}, "markdown").find("\n**Note: "),
+            std::string::npos);
+  EXPECT_NE(output({"explore", "--grasps", "paper"}, "latex").find("\n\\noindent Note: "),
+            std::string::npos);
+}
+
+TEST(Formats, AreThoseOfTheHelp) {
+  for (const auto& [command, formats] : std::vector<std::pair<std::string, std::string>>{
+           {"rank", "{table,json,csv,markdown,latex}"},
+           {"show", "{table,json,dot,markdown,latex}"},
+           {"explore", "{table,json,markdown,latex}"},
+           {"count", "{table,json,markdown,latex}"},
+           {"check", "{table,json,markdown,latex}"},
+           {"compare", "{table,json,markdown,latex}"},
+           {"diagnose", "{table,json,markdown,latex}"},
+           {"simulate", "{table,json,markdown,latex}"}}) {
+    EXPECT_NE(reeve({command, "--help"}).out.find(formats), std::string::npos) << command;
+  }
+}
+
+// Only the tables and what belongs to them: files are announced on the terminal alone.
+TEST(Formats, AnnounceNoFilesInAnExport) {
+  EXPECT_EQ(output({"explore"}, "latex").find("Written"), std::string::npos);
+  EXPECT_NE(output({"explore"}, "table").find("\nWritten: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace reeve::testing
