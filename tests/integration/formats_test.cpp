@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,6 +86,18 @@ TEST(Formats, SayThatFingersAreToldApart) {
             std::string::npos);
   EXPECT_NE(output({"explore", "--grasps", "paper"}, "latex").find("\n\\noindent Note: "),
             std::string::npos);
+}
+
+TEST(Formats, SayThatAnExplorationWasStopped) {
+  for (const auto& [format, note] :
+       {std::pair{"table", "\nPARTIAL: stopped after "}, std::pair{"markdown", "\n**PARTIAL: "},
+        std::pair{"latex", "\n\\noindent PARTIAL: "}}) {
+    ProcessOptions options;
+    options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::seconds(1))};
+    const Explored explored({"--fingers", "9", "--format", format}, options);
+    EXPECT_EQ(explored.result.exit_code, 3);
+    EXPECT_NE(explored.result.out.find(note), std::string::npos) << explored.result.out;
+  }
 }
 
 TEST(Formats, AreThoseOfTheHelp) {

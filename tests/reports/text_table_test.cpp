@@ -95,6 +95,12 @@ TEST(TextTable, GoesOnBelowWithItsFirstColumn) {
             "none  0.500\n");
 }
 
+TEST(TextTable, LeavesNothingOutIfItMustGoOnBelowAnyway) {
+  const std::string narrow = text(designs(), {20, false});
+  EXPECT_NE(narrow.find("knots\n"), std::string::npos) << narrow;
+  EXPECT_EQ(narrow.find("Left out"), std::string::npos) << narrow;
+}
+
 TEST(TextTable, IsNeverWiderThanTheWindow) {
   Table table = designs();
   table.add({"3", "M-1b-B-2b-F+M-3-T-4-M", "0.1", "1", "0"});
