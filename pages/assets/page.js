@@ -71,7 +71,7 @@ const reeve = (() => {
       const button = document.createElement("button");
       button.type = "button";
       button.textContent = `Save ${kind}`;
-      button.setAttribute("aria-label", `Save the figure ${name} as ${kind}`);
+      button.setAttribute("aria-label", `Save ${kind} of the figure ${name}`);
       button.addEventListener("click", async () => save(await svgText()));
       bar.append(button);
     };
