@@ -29,11 +29,11 @@ describe("every page", () => {
   });
   after(() => browser.close());
 
-  for (const { name } of pages) {
+  for (const { name, scripted } of pages) {
     const file = pageFile(name);
 
     test(`${name}: on a desk, in light and in dark`, async () => {
-      const { page, faults } = await open(browser, file);
+      const { page, faults } = await open(browser, file, { scripted });
       await screenshot(page, name, "desktop");
       await unfold(page);
       assert.deepEqual(await outlineFaults(page), []);
@@ -49,7 +49,7 @@ describe("every page", () => {
     });
 
     test(`${name}: on a phone, and printed`, async () => {
-      const { page, faults } = await open(browser, file, { width: phone });
+      const { page, faults } = await open(browser, file, { width: phone, scripted });
       await screenshot(page, name, "380");
       await unfold(page);
       await fitsThePhone(page);

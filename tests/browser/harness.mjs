@@ -35,9 +35,7 @@ export function startBrowser() {
 function noteFaults(page, url) {
   const faults = [];
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") {
-      faults.push(`console: ${message.text()}`);
-    }
+    if (message.type() === "error") faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`uncaught: ${error.message}`));
   page.on("dialog", async (dialog) => {
@@ -52,11 +50,13 @@ function noteFaults(page, url) {
   return faults;
 }
 
-// Opens a file; with JavaScript, waits until its charts are drawn. Close `page.context()` after use.
+// Opens a file; with JavaScript, waits until its charts are drawn, and if it is `scripted`, until its
+// own script has set data-ready on the root. Close `page.context()` after use.
 // `faults` is filled while the page lives: console errors, refusals of its security policy, dialogs,
 // requests for anything but itself.
 export async function open(browser, file, options = {}) {
   const { width = desktop, colorScheme = "light", javaScriptEnabled = true } = options;
+  const { scripted = false, address = "" } = options;
   const context = await browser.newContext({
     viewport: { width, height: 900 },
     colorScheme,
@@ -69,19 +69,35 @@ export async function open(browser, file, options = {}) {
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
   const faults = noteFaults(page, url);
-  await page.goto(url);
+  await page.goto(url + address);
+  if (javaScriptEnabled && scripted) {
+    await page.waitForSelector("html[data-ready]", { state: "attached" });
+  }
   if (javaScriptEnabled) await settled(page);
   return { page, faults };
 }
 
-// When all charts are drawn; those, too, that are drawn anew since the colours or the width changed.
-export async function settled(page) {
-  await page.evaluate(async () => {
+// When all charts are drawn, and nothing more is drawn or laid out: a page draws anew when colours,
+// width or choices change, and says so to nobody.
+export const settled = (page) =>
+  page.evaluate(async () => {
     await reeve.ready;
-    const figures = [...document.querySelectorAll("figure.chart")];
-    await Promise.all(figures.map((figure) => reeve.view(figure)?.runAsync()));
+    const moment = () => new Promise((resolve) => setTimeout(resolve, 60));
+    const inks = () => [...document.querySelectorAll(".live text")].map((t) => t.getAttribute("fill"));
+    const seen = () =>
+      [
+        document.querySelectorAll(".live *").length,
+        document.documentElement.scrollHeight,
+        inks().join(),
+      ].join(" ");
+    let before = "";
+    for (let same = 0; same < 4; ) {
+      await moment();
+      const now = seen();
+      same = now === before ? same + 1 : 0;
+      before = now;
+    }
   });
-}
 
 // With what can be unfolded unfolded: it has to be as good as the rest.
 export const unfold = (page) =>
@@ -91,22 +107,22 @@ export const unfold = (page) =>
 
 export const scrollWidth = (page) => page.evaluate(() => document.documentElement.scrollWidth);
 
-// Elements that stand out to the right of the window, for who looks for the culprit.
+// What stands out to the right of the window, or holds text that does, for who looks for the culprit.
 export const tooWide = (page, width) =>
   page.evaluate((limit) => {
-    const scrolls = (element) =>
-      element !== document.documentElement &&
-      element !== document.body &&
-      getComputedStyle(element).overflowX !== "visible";
+    const visible = (element) => getComputedStyle(element).overflowX === "visible";
     const inScroller = (element) => {
-      for (let at = element; at; at = at.parentElement) if (scrolls(at)) return true;
-      return false;
+      const at = element.parentElement;
+      return at !== null && at !== document.body && (!visible(at) || inScroller(at));
+    };
+    const end = (element) => {
+      const { left, right } = element.getBoundingClientRect();
+      return visible(element) ? Math.max(right, left + element.scrollWidth) : right;
     };
     return [...document.body.querySelectorAll("*")]
-      .filter((element) => element.getBoundingClientRect().right > limit + 1)
-      .filter((element) => !inScroller(element))
-      .map((element) => `<${element.tagName.toLowerCase()} id="${element.id}">`)
-      .slice(0, 10);
+      .filter((element) => end(element) > limit + 1 && !inScroller(element))
+      .slice(0, 8)
+      .map((element) => `<${element.tagName.toLowerCase()} id="${element.id}">`);
   }, width);
 
 // axe's serious and critical violations, a line for each.

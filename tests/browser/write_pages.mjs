@@ -11,7 +11,7 @@ for (const { name, command, environment } of pages) {
   const start = Date.now();
   const { status, stderr } = spawnSync(program, words, {
     encoding: "utf8",
-    env: { ...process.env, ...environment },
+    env: { ...process.env, ...environment?.() },
     stdio: ["ignore", "ignore", "pipe"],
   });
   const wrote = existsSync(pageFile(name));
