@@ -22,7 +22,8 @@ async function fitsThePhone(page) {
   assert.ok(width <= phone, `${width} px wide: ${await tooWide(page, phone)}`);
 }
 
-describe("every page", () => {
+// Two at a time, for two cores.
+describe("every page", { concurrency: 2 }, () => {
   let browser;
   before(async () => {
     browser = await startBrowser();
