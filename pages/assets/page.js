@@ -57,8 +57,9 @@ const reeve = (() => {
     const width = view.width();
     const sized = spec.width === "container" ? { ...spec, width } : spec;
     const copy = new vega.View(parsed(sized, themes.light), { renderer: "none" });
-    copy.background("white");
+    await copy.runAsync(); // first: a chart that never ran has no parts to take a state
     copy.setState(view.getState());
+    copy.background("white"); // last: the background is part of the state
     const svg = await copy.toSVG();
     copy.finalize();
     return svg;
@@ -71,7 +72,7 @@ const reeve = (() => {
       const button = document.createElement("button");
       button.type = "button";
       button.textContent = `Save ${kind}`;
-      button.setAttribute("aria-label", `Save the figure ${name} as ${kind}`);
+      button.setAttribute("aria-label", `Save ${kind} of the figure ${name}`);
       button.addEventListener("click", async () => save(await svgText()));
       bar.append(button);
     };

@@ -1,0 +1,81 @@
+// The page of a diagnosis: what it answers and draws is what diagnosis.json and residuals.csv hold.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { csvRecords } from "./csv.mjs";
+import { open, startBrowser } from "./harness.mjs";
+import {
+  cell,
+  countInSvg,
+  marks,
+  pngSize,
+  saveButton,
+  saved,
+  schematicTitle,
+} from "./looking.mjs";
+import { besidePage, jsonBesidePage, pageFile } from "./places.mjs";
+
+const verdicts = { cause: "cause", none: "none", alike: "indistinguishable" };
+
+for (const [kind, verdict] of Object.entries(verdicts)) {
+  describe(`diagnose: ${kind}`, () => {
+    const name = `diagnose-${kind}`;
+    const diagnosis = jsonBesidePage(name, "diagnosis.json");
+    const residuals = csvRecords(besidePage(name, "residuals.csv"));
+    const panels = diagnosis.causes.length > 0 ? 2 : 1; // before, and after
+    let browser;
+    let page;
+    let faults;
+    before(async () => {
+      browser = await startBrowser();
+      ({ page, faults } = await open(browser, pageFile(name)));
+    });
+    after(() => browser.close());
+
+    test("the verdict is the file's", async () => {
+      assert.equal(diagnosis.verdict, verdict);
+      assert.equal(await page.locator("#verdict").getAttribute("data-verdict"), verdict);
+    });
+
+    test("simulated data are called simulated", async () => {
+      assert.equal(await page.locator("#simulated").count(), diagnosis.simulated ? 1 : 0);
+    });
+
+    test("the plot has a mark for each compared value, before and after", async () => {
+      assert.ok(residuals.length > 0);
+      const count = await marks(page.locator("#compared")).count();
+      assert.equal(count, panels * residuals.length);
+    });
+
+    test("the plot is saved with its marks", async () => {
+      const figure = page.locator("#compared");
+      const svg = await saved(page, saveButton(figure, "SVG"));
+      const drawn = ".mark-symbol.role-mark > path";
+      const text = svg.bytes.toString("utf8");
+      assert.equal(await countInSvg(page, text, drawn), panels * residuals.length);
+      const png = await saved(page, saveButton(figure, "PNG"));
+      assert.ok(pngSize(png.bytes).width > 600);
+    });
+
+    test("the named causes are the file's, with their sizes", async () => {
+      const table = page.locator("#named-causes");
+      const rows = diagnosis.causes.filter(({ parameters }) => parameters.length > 0);
+      assert.equal(await table.count(), rows.length > 0 ? 1 : 0);
+      for (const { name: cause, parameters } of rows) {
+        const shown = Number(await cell(table, cause, "estimate"));
+        assert.ok(Math.abs(shown - parameters[0].value) < 0.001, `${cause}: ${shown}`);
+      }
+    });
+
+    test("the next measurement has the schematic of its routing", async () => {
+      const next = diagnosis.next_measurement ?? diagnosis.separating_measurement;
+      const schematic = page.locator("figure.schematic");
+      assert.equal(await schematic.count(), next ? 1 : 0);
+      if (!next) return;
+      assert.ok((await schematicTitle(schematic)).includes(next.routing));
+      const lead = await page.locator("#next ~ p.lead").first().textContent();
+      assert.ok(lead.includes(next.routing), lead);
+    });
+
+    test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));
+  });
+}

@@ -1,0 +1,77 @@
+// What holds for each page, whatever it shows.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import {
+  accessibilityFaults,
+  open,
+  phone,
+  print,
+  screenshot,
+  scrollWidth,
+  settled,
+  startBrowser,
+  tooWide,
+  unfold,
+} from "./harness.mjs";
+import { pages } from "./pages.mjs";
+import { pageFile } from "./places.mjs";
+import { outlineFaults, pictureFaults, staticFaults, textFaults } from "./structure.mjs";
+
+async function fitsThePhone(page) {
+  const width = await scrollWidth(page);
+  assert.ok(width <= phone, `${width} px wide: ${await tooWide(page, phone)}`);
+}
+
+// Two at a time, for two cores.
+describe("every page", { concurrency: 2 }, () => {
+  let browser;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.close());
+
+  for (const { name, scripted } of pages) {
+    const file = pageFile(name);
+
+    test(`${name}: on a desk, in light and in dark`, async () => {
+      const { page, faults } = await open(browser, file, { scripted });
+      await screenshot(page, name, "desktop");
+      await unfold(page);
+      assert.deepEqual(await outlineFaults(page), []);
+      assert.deepEqual(await pictureFaults(page), []);
+      assert.deepEqual(await textFaults(page), []);
+      assert.deepEqual(await accessibilityFaults(page), []);
+      await page.emulateMedia({ colorScheme: "dark" });
+      await settled(page);
+      await screenshot(page, name, "dark");
+      assert.deepEqual(await accessibilityFaults(page), [], "in dark");
+      assert.deepEqual(faults, []);
+      await page.context().close();
+    });
+
+    test(`${name}: on a phone, and printed`, async () => {
+      const { page, faults } = await open(browser, file, { width: phone, scripted });
+      await screenshot(page, name, "380");
+      await unfold(page);
+      await fitsThePhone(page);
+      await page.setViewportSize({ width: 794, height: 1123 });
+      await page.emulateMedia({ media: "print" });
+      await screenshot(page, name, "print");
+      assert.deepEqual(await staticFaults(page), []);
+      await print(page, name);
+      assert.deepEqual(faults, []);
+      await page.context().close();
+    });
+
+    test(`${name}: without JavaScript`, async () => {
+      const { page, faults } = await open(browser, file, { javaScriptEnabled: false });
+      await screenshot(page, name, "no-js");
+      assert.deepEqual(await staticFaults(page), []);
+      await page.setViewportSize({ width: phone, height: 900 });
+      await unfold(page);
+      await fitsThePhone(page);
+      assert.deepEqual(faults, []);
+      await page.context().close();
+    });
+  }
+});

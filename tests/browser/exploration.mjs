@@ -1,0 +1,42 @@
+// The page of an exploration, and what it must show: from the files beside it, never from itself.
+import { open, settled } from "./harness.mjs";
+import { csvRecords } from "./csv.mjs";
+import { column } from "./looking.mjs";
+import { besidePage, jsonBesidePage, pageFile } from "./places.mjs";
+
+export const name = "explore-2";
+export const summary = jsonBesidePage(name, "summary.json");
+export const designs = csvRecords(besidePage(name, "designs.csv"));
+export const byWord = new Map(designs.map((design) => [design.routing, design]));
+
+export const openExploration = (browser, options) =>
+  open(browser, pageFile(name), { scripted: true, ...options });
+
+// The designs that are drawn, with all that the chart holds of each.
+export async function drawn(page) {
+  const data = await page
+    .locator("#pareto .live .layer_1_marks > path")
+    .evaluateAll((paths) => paths.map((path) => path.__data__.datum));
+  return data.map(({ x, y, kind, tip }) => {
+    const [label] = tip.split("\n");
+    const more = /and (\d+) more in this spot/.exec(tip);
+    return { word: label.split(": ").pop(), x, y, kind, designs: 1 + Number(more?.[1] ?? 0) };
+  });
+}
+
+export const tableWords = (page) => column(page.locator("#designs"), "routing");
+
+export async function filterBy(page, { text = "", which = "listed" }) {
+  await page.locator("#filter-which").selectOption(which);
+  await page.locator("#filter-text").fill(text);
+  await page.waitForTimeout(200); // the page waits whether more is typed
+  await settled(page);
+}
+
+export async function clearSelection(page) {
+  if (await page.locator("#clear").isVisible()) await page.locator("#clear").click();
+  await page.locator(".card").first().waitFor({ state: "detached" });
+}
+
+export const box = (page, word) => page.locator(`#designs input[data-word="${word}"]`);
+export const card = (page, word) => page.locator(`.card[data-word="${word}"]`);

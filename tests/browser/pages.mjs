@@ -1,0 +1,38 @@
+// The pages that the tests look at. A new page is a line here; every_page.test.mjs then holds it to
+// what is asked of all.
+import { join } from "node:path";
+import { hostileCatalogue, hostileData } from "./hostile.mjs";
+import { executable, sampleExecutable, sources, written } from "./places.mjs";
+
+const inputs = join(written, "inputs");
+const golden = (name) => join(sources, "tests/golden", `diagnose_${name}.csv`);
+
+const hostileNames = () => ({ REEVE_CATALOG: hostileCatalogue(join(inputs, "catalog")) });
+
+const reeve = (name, words, more = {}) => ({
+  name,
+  command: (folder) => [executable, ...words(), "--out", folder],
+  ...more,
+});
+
+// `command` is given the folder to write to. What is `scripted` has a script of its own, which sets
+// data-ready on the root when it is done.
+export const pages = [
+  { name: "sample", command: (folder) => [sampleExecutable, folder] },
+  reeve("explore-2", () => ["explore", "--fingers", "2", "--uncertainty"], { scripted: true }),
+  reeve("explore-3", () => ["explore", "--fingers", "3", "--uncertainty"], { scripted: true }),
+  reeve("explore-hostile", () => ["explore"], {
+    scripted: true,
+    environment: hostileNames,
+  }),
+  reeve("show", () => ["show", "TR5"]),
+  reeve("show-bench", () => ["show", "M-F"]),
+  reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),
+  reeve("show-hostile", () => ["show", "X"], {
+    environment: hostileNames,
+  }),
+  reeve("diagnose-cause", () => ["diagnose", golden("cause")]),
+  reeve("diagnose-none", () => ["diagnose", golden("none")]),
+  reeve("diagnose-alike", () => ["diagnose", golden("indistinguishable")]),
+  reeve("diagnose-hostile", () => ["diagnose", hostileData(inputs)]),
+];

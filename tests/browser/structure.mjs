@@ -1,0 +1,77 @@
+// What a page is made of: headings, tables, pictures. Each function returns what is wrong.
+
+// Headings in order, one of the first level, ids that are unique, tables that say what they show.
+export const outlineFaults = (page) =>
+  page.evaluate(() => {
+    const faults = [];
+    const levels = [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")].map((heading) =>
+      Number(heading.tagName[1]),
+    );
+    if (levels[0] !== 1) faults.push("the first heading is no h1");
+    if (levels.filter((level) => level === 1).length !== 1) faults.push("not one h1");
+    levels.forEach((level, i) => {
+      if (i > 0 && level > levels[i - 1] + 1) faults.push(`h${level} after h${levels[i - 1]}`);
+    });
+    const ids = [...document.querySelectorAll("[id]")].map((element) => element.id);
+    for (const id of ids.filter((id, i) => ids.indexOf(id) !== i)) faults.push(`two ids ${id}`);
+    for (const table of document.querySelectorAll("table")) {
+      const name = table.id || table.caption?.textContent || "a table";
+      if (!table.caption?.textContent.trim()) faults.push(`${name}: no caption`);
+      if (table.querySelector("th:not([scope])")) faults.push(`${name}: th without scope`);
+      if (!table.querySelector("th")) faults.push(`${name}: no headings`);
+    }
+    if (!document.title.trim()) faults.push("no title");
+    return faults;
+  });
+
+// With JavaScript: every chart is drawn, says in words what it shows, and can be saved.
+export const pictureFaults = (page) =>
+  page.evaluate(() => {
+    const faults = [];
+    const size = (element) => element?.getBoundingClientRect() ?? { width: 0, height: 0 };
+    const visible = (figure) => figure.getClientRects().length > 0;
+    for (const figure of [...document.querySelectorAll("figure.chart")].filter(visible)) {
+      const live = figure.querySelector(".live");
+      const drawn = size(live.querySelector("svg"));
+      if (drawn.width < 100 || drawn.height < 50) faults.push(`${figure.id} is not drawn`);
+      if (size(figure.querySelector(".static")).width > 0) faults.push(`${figure.id} is there twice`);
+      if (!live.getAttribute("aria-label")?.trim()) faults.push(`${figure.id} has no text`);
+    }
+    const figures = [...document.querySelectorAll("figure.chart, figure.schematic")];
+    for (const figure of figures.filter(visible)) {
+      const buttons = figure.querySelectorAll(".save button").length;
+      if (buttons !== 2) faults.push(`${figure.id} has ${buttons} buttons to save it`);
+    }
+    return faults;
+  });
+
+// Printed, or without JavaScript: the static picture of every chart, and that alone. A chart that
+// only a choice of the reader brings up has none: it shows as it is, or not at all.
+export const staticFaults = (page) =>
+  page.evaluate(() => {
+    const faults = [];
+    const wide = (element) => element?.getBoundingClientRect().width > 100;
+    const visible = (figure) => figure.getClientRects().length > 0;
+    for (const figure of [...document.querySelectorAll("figure.chart")].filter(visible)) {
+      const still = figure.querySelector(".static");
+      const picture = still ?? figure.querySelector(".live");
+      if (!wide(picture.querySelector("svg"))) faults.push(`${figure.id}: no picture`);
+      if (still && wide(figure.querySelector(".live"))) faults.push(`${figure.id} is there twice`);
+      if (!picture.getAttribute("aria-label")?.trim()) faults.push(`${figure.id} has no text`);
+    }
+    return faults;
+  });
+
+// Values that escaped from a program, and texts that became more than texts.
+export const textFaults = (page) =>
+  page.evaluate(() => {
+    const faults = [];
+    const text = document.body.innerText;
+    for (const slip of ["undefined", "NaN", "[object Object]", "-nan", "null"]) {
+      const at = text.search(new RegExp(`(^|[\\s(=:])${slip.replace(/[[\]]/g, "\\$&")}($|[\\s,;.)])`));
+      if (at >= 0) faults.push(`'${slip}' in: ${text.slice(Math.max(0, at - 40), at + 40)}`);
+    }
+    if (window.stolen) faults.push("a text was run as a script");
+    if (document.querySelector("img, iframe, object, embed, link")) faults.push("a foreign element");
+    return faults;
+  });
