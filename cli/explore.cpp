@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/exploration_files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
@@ -71,14 +71,6 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   return options;
 }
 
-void write_files(const ExploreReport& report, const std::filesystem::path& directory) {
-  const std::string reason = partial_note(report);
-  const std::string note = reason.empty() ? "" : "partial: " + reason;
-  write_file(directory / "designs.csv", design_csv(report.top, note));
-  write_file(directory / "pareto.csv", design_csv(report.front, note));
-  write_file(directory / "summary.json", explore_summary_json(report));
-}
-
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
   return {file.model,          file.uncertainty,   options.grasps,       options.objectives,
@@ -99,7 +91,7 @@ std::optional<std::vector<RankDistribution>> draw(const ExploreResult& result,
   return rank_distributions(plain_designs(longer), options, {std::ref(progress), &stop});
 }
 
-int run(const ExploreFlags& flags) {
+int run(const ExploreFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
@@ -120,7 +112,7 @@ int run(const ExploreFlags& flags) {
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
-  write_files(report, flags.out);
+  write_exploration(report, command, catalogue, flags.out);
   if (!flags.format.is("json")) {
     std::cout << fmt::format("\nWritten: designs.csv, pareto.csv and summary.json in {}\n",
                              flags.out);
@@ -151,7 +143,7 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json"});
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 }  // namespace reeve::cli
