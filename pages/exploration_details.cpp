@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <utility>
 
+#include "numerics/parallel.hpp"
 #include "pages/compressed.hpp"
 #include "reports/schematic_svg.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 // More shares more lines; fewer is less to unpack for one design.
 constexpr std::size_t chunk_size = 16;
+constexpr std::size_t chunks_at_once = 32;
 
 class Lines {
  public:
@@ -92,21 +95,35 @@ Json chunk(const std::vector<std::string>& words, const SolveDesign& solve) {
           {"pack", compressed(pack.dump(-1, ' ', false, Json::error_handler_t::replace))}};
 }
 
+std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words) {
+  std::vector<std::vector<std::string>> chunks;
+  for (std::size_t at = 0; at < words.size(); at += chunk_size) {
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    chunks.emplace_back(
+        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, words.size() - at)));
+  }
+  return chunks;
+}
+
 }  // namespace
 
 DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
-                             std::size_t bytes) {
+                             std::size_t bytes, int threads) {
+  Workers workers(threads);
   DesignDetails details;
-  for (std::size_t at = 0; at < words.size(); at += chunk_size) {
-    const std::vector<std::string> some(
-        words.begin() + static_cast<std::ptrdiff_t>(at),
-        words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), at + chunk_size)));
-    Json next = chunk(some, solve);
-    const std::size_t more = next.dump().size() + 1;
-    if (details.bytes + more > bytes) break;
-    details.bytes += more;
-    details.designs += some.size();
-    details.chunks.push_back(std::move(next));
+  std::vector<std::vector<std::string>> pending = cut(words);
+  for (std::size_t at = 0; at < pending.size(); at += chunks_at_once) {
+    std::vector<Json> made(std::min(chunks_at_once, pending.size() - at));
+    workers.for_each_block(made.size(), 1, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) made[i] = chunk(pending[at + i], solve);
+    });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const std::size_t more = made[i].dump().size() + 1;
+      if (details.bytes + more > bytes) return details;
+      details.bytes += more;
+      details.designs += pending[at + i].size();
+      details.chunks.push_back(std::move(made[i]));
+    }
   }
   return details;
 }

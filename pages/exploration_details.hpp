@@ -15,7 +15,7 @@
 
 namespace reeve {
 
-// A design of this word, solved in each grasp of the exploration.
+// A design of this word, solved in each grasp of the exploration. Asked by many threads at once.
 using SolveDesign = std::function<ShowReport(const std::string& word)>;
 
 struct DesignDetails {
@@ -25,9 +25,9 @@ struct DesignDetails {
   std::size_t bytes = 0;
 };
 
-// In this order, until all are in or `bytes` would be exceeded.
+// In this order, until all are in or `bytes` would be exceeded; the same for any number of threads.
 DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
-                             std::size_t bytes);
+                             std::size_t bytes, int threads);
 
 // Title and grasp above it; no legend.
 std::string grasp_svg(const ShowReport& report, std::size_t grasp, const std::string& ids);

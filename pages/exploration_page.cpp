@@ -153,10 +153,26 @@ std::string title(const ExploreReport& report) {
 std::string held_text(const ExploreReport& report, std::size_t held) {
   const std::size_t listed = listed_designs(report).size();
   std::string text =
-      fmt::format("{} of {} evaluated designs are listed", listed, report.result.evaluated);
+      fmt::format("{} of {} ranked designs are listed", listed, ranked_designs(report));
   if (held < listed) text += fmt::format("; this page holds the first {}", held);
   return text + fmt::format(". {} of them {} on the front.", report.front.size(),
                             report.front.size() == 1 ? "is" : "are");
+}
+
+// Why a known routing is not in the list.
+std::string standing(const ReferenceStanding& reference) {
+  if (!reference.generated) return "these parts, or this shard, do not give it";
+  if (!reference.rejected_by.empty()) return "it fails " + reference.rejected_by;
+  return fmt::format("its rank is beyond the list, and {} designs dominate it",
+                     reference.dominated_by);
+}
+
+Json standings(const ExploreReport& report) {
+  Json json = Json::object();
+  for (const ReferenceStanding& reference : report.result.references) {
+    json[reference.design.word] = standing(reference);
+  }
+  return json;
 }
 
 Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
@@ -181,6 +197,7 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
            {"ranking", held.data["ranking"]},
            {"columns", held.packed},
            {"commands", commands(view)},
+           {"standings", standings(view.report)},
            {"chunks", details.chunks}}};
 }
 
@@ -208,15 +225,16 @@ PageFiles exploration_page(const ExplorationView& view) {
   body["pareto"] = figure_html(pareto);
   body["parallel"] = figure_html(parallel);
   body["command"] = view.command;
-  body["legend"] = "";
+  body["legend"] = schematic_html("schematic-legend", schematic_legend(640, "schematic-legend"));
   body["first_grasp"] = "held: " + to_text(report.options.grasps.front().grasp);
   body["schematics"] = Json::array();
   for (const FigureFile& file : figures) {
     body["schematics"].push_back(schematic_html(file.id, file.svg));
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
-  const DesignDetails details = design_details(in_order_of_details(report), view.solve,
-                                               without < page_bytes ? page_bytes - without : 0);
+  const DesignDetails details =
+      design_details(in_order_of_details(report), view.solve,
+                     without < page_bytes ? page_bytes - without : 0, report.options.threads);
   figures.push_back({pareto.id, pareto.svg});
   figures.push_back({parallel.id, parallel.svg});
   return {page_html(page(view, held, details, body)), std::move(figures)};

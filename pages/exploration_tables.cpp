@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "pages/exploration_designs.hpp"
@@ -16,13 +18,21 @@ constexpr std::size_t front_designs = 200;
 
 std::string text(double value) { return fmt::format("{:.4g}", value); }
 
+// Shares line up in their column.
+std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
+  const double v = value(design.ranked.design.values, row.objective);
+  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : text(v);
+}
+
 Json design_row(const ListedDesign& design) {
   Json row{{"rank", design.ranked.rank},
            {"front", design.ranked.front},
            {"name", design.name.empty() ? "–" : design.name},
            {"word", design.ranked.design.word},
            {"cells", Json::array()}};
-  for (const double value : design.ranked.design.values) row["cells"].push_back(text(value));
+  for (const ObjectiveRow& objective : objective_table()) {
+    row["cells"].push_back(cell(objective, design));
+  }
   if (design.distribution) {
     const RankDistribution& drawn = *design.distribution;
     row["cells"].push_back(fmt::format("{:.1f} %", 100 * drawn.first));
@@ -41,11 +51,8 @@ Json objective_json(const ObjectiveRow& row) {
 
 Json best_json(const SingleBest& best, const ListedDesign& first) {
   Json json = objective_json(best.objective);
-  const auto get = [&](const ListedDesign& design) {
-    return text(value(design.ranked.design.values, best.objective.objective));
-  };
-  json["value"] = get(best.design);
-  json["first"] = get(first);
+  json["value"] = cell(best.objective, best.design);
+  json["first"] = cell(best.objective, first);
   json["design"] = design_label(best.design);
   json["rank"] = best.design.ranked.rank;
   json["equal"] = best.equal == 0 ? "none" : fmt::format("{} more", best.equal);
@@ -66,12 +73,13 @@ Json static_tables(const ExploreReport& report) {
     json["bests"].push_back(best_json(best, listed.front()));
   }
   json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
+  json["has_bests"] = !json["bests"].empty();
   json["has_sample"] = false;
   json["table_caption"] = "Designs, best first. Values are over the grasps of this exploration.";
   json["bests_caption"] = fmt::format(
-      "Among the {} listed of {} evaluated designs; of those that are equally good, the one with "
+      "Among the {} listed of {} ranked designs; of those that are equally good, the one with "
       "the best rank.",
-      listed.size(), report.result.evaluated);
+      listed.size(), ranked_designs(report));
   return json;
 }
 

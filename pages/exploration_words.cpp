@@ -11,6 +11,8 @@
 namespace reeve {
 namespace {
 
+constexpr const char* not_actuated = "not actuated";
+
 std::string plural(std::uint64_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -28,6 +30,18 @@ std::string titles(const std::vector<Objective>& objectives) {
   std::vector<std::string> names;
   for (const Objective objective : objectives) names.push_back(objective_title(row(objective)));
   return enumeration(names);
+}
+
+std::string short_label(const ListedDesign& design) {
+  return design.name.empty() ? design.ranked.design.word : design.name;
+}
+
+// "T,B,P" for reading.
+std::string spaced(const std::string& list) {
+  if (list.empty()) return "none";
+  std::string text;
+  for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text;
 }
 
 double get(const ListedDesign& design, Objective objective) {
@@ -75,12 +89,12 @@ std::string why(const ExploreReport& report, const std::vector<ListedDesign>& li
   const std::uint64_t size = report.front.size() + report.result.front_equals_left_out;
   if (size == 1) {
     return fmt::format(
-        "It stands alone on the Pareto front: no other design that was evaluated is better in any "
+        "It stands alone on the Pareto front: no other ranked design is better in any "
         "of what the ranking counts: {}.",
         objectives);
   }
   return fmt::format(
-      "It is one of {} designs on the Pareto front, which none that was evaluated beats over {}. "
+      "It is one of {} designs on the Pareto front, which no other beats over {}. "
       "Among these the one with the greatest product of mean uniformity and mean efficiency comes "
       "first{}.",
       size, objectives, listed.size() > 1 ? tie_text(listed[0], listed[1]) : "");
@@ -102,28 +116,34 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
   return fmt::format("{}: {}, with {}.", text, enumeration(differences), parts_text(second));
 }
 
-// The known routing with the best rank, by its place in the report.
-std::optional<std::size_t> best_known(const ExploreReport& report) {
+// The known routing with the best rank behind `rank`, by its place in the report.
+std::optional<std::size_t> best_known(const ExploreReport& report, std::size_t rank) {
   std::optional<std::size_t> best;
   const std::vector<ReferenceStanding>& references = report.result.references;
   for (std::size_t i = 0; i < references.size(); ++i) {
-    if (references[i].rank == 0) continue;
+    if (references[i].rank <= rank) continue;
     if (!best || references[i].rank < references[*best].rank) best = i;
   }
   return best;
 }
 
 std::string known_text(const ExploreReport& report) {
-  if (report.result.references.empty()) return "";
-  const std::optional<std::size_t> best = best_known(report);
-  if (!best) return "None of the known routings is among the listed designs.";
-  const ReferenceStanding& known = report.result.references[*best];
-  const std::string name = report.reference_names[*best];
-  if (known.rank == 1) return fmt::format("It is the known routing {}.", name);
+  const std::vector<ReferenceStanding>& references = report.result.references;
+  if (references.empty()) return "";
+  const bool won = std::any_of(references.begin(), references.end(),
+                               [](const ReferenceStanding& known) { return known.rank == 1; });
+  const std::optional<std::size_t> best = best_known(report, won ? 1 : 0);
+  if (!best) {
+    return won ? "It is a known routing; no other of these is among the listed designs."
+               : "None of the known routings is among the listed designs.";
+  }
+  const ReferenceStanding& known = references[*best];
   return fmt::format(
-      "The best of the known routings, {}, has rank {}: {} dominate{} it, and it has {}.", name,
-      known.rank, plural(known.dominated_by, "design"), known.dominated_by == 1 ? "s" : "",
-      values_text({{known.design, 0, 0}, name, std::nullopt}, report.options.objectives));
+      "{}, {}, has rank {}: {} dominate{} it, and it has {}.",
+      won ? "It is a known routing; the next of these" : "The best of the known routings",
+      report.reference_names[*best], known.rank, plural(known.dominated_by, "design"),
+      known.dominated_by == 1 ? "s" : "",
+      values_text({{known.design, 0, 0}, "", std::nullopt}, report.options.objectives));
 }
 
 std::vector<std::string> won(const ExploreReport& report) {
@@ -131,11 +151,11 @@ std::vector<std::string> won(const ExploreReport& report) {
   if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
   std::vector<std::string> text{
       fmt::format("{} comes first of {}: {}, with {}.", design_label(listed[0]),
-                  plural(report.result.evaluated, "design"),
+                  plural(ranked_designs(report), "design"),
                   values_text(listed[0], report.options.objectives), parts_text(listed[0])),
       why(report, listed)};
-  if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
   text.push_back(known_text(report));
+  if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
   return text;
 }
 
@@ -158,11 +178,11 @@ std::vector<std::string> explored(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const GeneratorOptions& generator = options.generator;
   std::vector<std::string> text{fmt::format(
-      "{} of {} of {} were generated: fingertips with {}, joins {}, ends {}, {}; fingers {}.",
+      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}; {}; fingers {}.",
       report.result.generated, plural(report.result.total, "routing"),
-      plural(static_cast<std::uint64_t>(generator.fingers), "finger"), tips_text(generator.parts),
-      joins_text(generator.parts).empty() ? "none" : joins_text(generator.parts),
-      ends_text(generator.parts).empty() ? "none" : ends_text(generator.parts),
+      plural(static_cast<std::uint64_t>(generator.fingers), "finger"),
+      spaced(tips_text(generator.parts)), spaced(joins_text(generator.parts)),
+      spaced(ends_text(generator.parts)),
       generator.one_tendon ? "one tendon" : "any number of tendons",
       generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
   text.push_back(fmt::format(
@@ -179,14 +199,13 @@ std::vector<std::string> explored(const ExploreReport& report) {
 std::vector<std::string> rejected(const ExploreReport& report) {
   std::uint64_t sum = 0;
   for (const Rejection& rejection : report.result.rejected) sum += rejection.count;
-  std::vector<std::string> text{
-      fmt::format("{} of {} were rejected; {} were evaluated and ranked.", sum,
-                  plural(report.result.generated, "generated routing"), report.result.evaluated)};
+  std::vector<std::string> text{fmt::format("{} of {} were rejected; {} are left and ranked.", sum,
+                                            plural(report.result.generated, "generated routing"),
+                                            ranked_designs(report))};
   for (const Rejection& rejection : report.result.rejected) {
-    const bool slack = rejection.reason == "not actuated";
-    text.push_back(fmt::format(
-        "{}: {}.", rejection.count,
-        slack ? "not actuated, the motor pulls some tendon by nothing" : rejection.reason));
+    const bool slack = rejection.reason == not_actuated;
+    text.push_back(fmt::format("{}: {}{}.", rejection.count, rejection.reason,
+                               slack ? "; one of the tendons hangs on no motor" : " not met"));
   }
   return text;
 }
@@ -224,7 +243,7 @@ std::vector<std::string> changes(const ExploreReport& report) {
     if (&best.design == &listed[0]) {
       stays.push_back(title);
     } else {
-      changed.push_back(fmt::format("{} ({})", title, design_label(best.design)));
+      changed.push_back(fmt::format("{} ({})", title, short_label(best.design)));
     }
   }
   std::vector<std::string> text;
@@ -252,11 +271,11 @@ std::vector<std::string> caveats(const ExploreReport& report) {
                     shard.index, shard.count));
   }
   const std::size_t listed = listed_designs(report).size();
-  if (listed < report.result.evaluated) {
+  if (listed < ranked_designs(report)) {
     text.push_back(fmt::format(
-        "The list holds the first {} of {} evaluated designs. One that it leaves out may be better "
+        "The list holds the first {} of {} ranked designs. One that it leaves out may be better "
         "in an objective that the ranking does not use.",
-        listed, report.result.evaluated));
+        listed, ranked_designs(report)));
   }
   for (const std::string& note : notes(report)) text.push_back("Note: " + note + ".");
   return text;
@@ -267,6 +286,15 @@ void drop_empty(std::vector<std::string>& sentences) {
 }
 
 }  // namespace
+
+// Only what the motor pulls is evaluated; the constraints look at the values.
+std::uint64_t ranked_designs(const ExploreReport& report) {
+  std::uint64_t count = report.result.evaluated;
+  for (const Rejection& rejection : report.result.rejected) {
+    if (rejection.reason != not_actuated) count -= rejection.count;
+  }
+  return count;
+}
 
 ExplorationWords exploration_words(const ExploreReport& report) {
   ExplorationWords words{won(report), explored(report), rejected(report), changes(report),

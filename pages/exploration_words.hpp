@@ -1,12 +1,16 @@
 // What an exploration found, in plain words: only what its values support.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "reports/explore_report.hpp"
 
 namespace reeve {
+
+// How many were left to rank: evaluated, and no constraint rejected them.
+std::uint64_t ranked_designs(const ExploreReport& report);
 
 // Sentences.
 struct ExplorationWords {

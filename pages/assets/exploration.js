@@ -19,7 +19,7 @@
     mark(pareto, selected.map((row) => ({ x: values[x][row], y: values[y][row], letter: state.letter(row) })));
     const lines = explorationCharts.parallel({ data: state.data(), rows: state.rows() }).points;
     mark(parallel, selected.flatMap((row) =>
-      lines(row, {}).map((point, i) => ({ ...point, letter: i === 0 ? state.letter(row) : "" }))));
+      lines(row, {}).map((point, i) => ({ ...point, of: state.letter(row), letter: i === 0 ? state.letter(row) : "" }))));
   }
 
   function selectOnClick(view) {

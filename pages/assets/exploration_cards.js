@@ -80,11 +80,10 @@ const explorationCards = (() => {
 
   function valuesTable(row) {
     const designs = state.designs();
-    const { number } = explorationCharts;
     return table("Objectives",
       ["objective", "value", "unit", "better"],
       state.objectives.map(({ title, unit, better }, column) =>
-        [title, number(designs.values[column][row]), unit, better]));
+        [title, explorationCharts.cell({ unit }, designs.values[column][row]), unit, better]));
   }
 
   function standing(row) {
@@ -92,7 +91,7 @@ const explorationCards = (() => {
     if (rank[row] > 0) return `Rank ${rank[row]}, front ${front[row]}.`;
     return kind[row] === 3
       ? "One of the random sample of all evaluated designs; not among the listed."
-      : `Known routing, not among the listed designs${reeve.data.standings[state.designs().word[row]] ?? ""}.`;
+      : `Known routing, not among the listed designs: ${reeve.data.standings[state.designs().word[row]]}.`;
   }
 
   function drawsText(row) {
@@ -125,15 +124,17 @@ const explorationCards = (() => {
       element("p", { className: "standing", textContent: standing(row) }), ...drawsText(row));
     made.dataset.word = word;
     let tensions = null;
+    const parts = element("div", { className: "parts" });
     if (design) {
-      made.append(schematic(design, design.grasps[grasp].schematic, `schematic-${letter}`));
       tensions = tensionsFigure(design, word, letter, most, width);
-      made.append(tensions.figure, contactsTable(design));
+      parts.append(schematic(design, design.grasps[grasp].schematic, `schematic-${letter}`),
+        tensions.figure, contactsTable(design));
     } else {
-      made.append(element("p", { textContent:
+      parts.append(element("p", { textContent:
         "The page holds the values of this design only; the command draws it." }));
     }
-    made.append(valuesTable(row), ...commands(word));
+    parts.append(valuesTable(row));
+    made.append(parts, ...commands(word));
     return { made, tensions };
   }
 

@@ -11,10 +11,12 @@ const explorationCharts = (() => {
   const known = 2;
   const sample = 3;
   const layers = [3, 0, 1, 2]; // kinds, drawn one above the other
-  const letters = "ABCDEF";
+  const letters = "ABCD";
 
   const number = (value) =>
     Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
+  // Aligned in a column.
+  const cell = (objective, value) => (objective.unit === "1" ? value.toFixed(4) : number(value));
   const arrow = (objective) => (objective.better === "higher" ? "↑" : "↓");
   const axisTitle = (objective) =>
     `${objective.title}${objective.unit === "1" ? "" : `, ${objective.unit}`}` +
@@ -91,21 +93,28 @@ const explorationCharts = (() => {
           Math.abs(place(point.y, yRange) - place(group.y, yRange)) < 0.035,
       );
       const name = designs.name[point.row] || designs.word[point.row];
-      if (near) near.text += `, ${name}`;
-      else groups.push({ x: point.x, y: point.y, text: name, right: place(point.x, xRange) > 0.8 });
+      if (near) near.names.push(name);
+      else groups.push({ x: point.x, y: point.y, names: [name], right: place(point.x, xRange) > 0.8 });
     }
+    for (const group of groups) group.text = group.names.sort().join(", ");
     return groups;
   }
 
   const kindScale = (values) => ({ domain: kinds, ...(values && { range: values }) });
-  const byKind = {
-    color: { field: "kind", scale: kindScale(), legend: { title: null, orient: "top", columns: 4 } },
-    shape: { field: "kind", scale: kindScale(), legend: { title: null, orient: "top", columns: 4 } },
-    size: { field: "kind", scale: kindScale([30, 80, 110, 22]), legend: null },
-    opacity: { field: "kind", scale: kindScale([0.55, 1, 1, 0.35]), legend: null },
-  };
+  const legend = (present, more) => ({
+    title: null,
+    orient: "top",
+    columns: 4,
+    values: kinds.filter((kind) => present.has(kind)),
+    ...more,
+  });
+  // Neither is a reader's business: it only keeps the many from covering the few.
+  const plain = (field) => ({ field, type: "quantitative", scale: null });
+  const sizes = [30, 80, 110, 22];
+  const opacities = [0.55, 1, 1, 0.35];
 
   function paretoLayers(points, labels, line) {
+    const present = new Set(points.map(({ kind }) => kind));
     return [
       {
         data: { values: line },
@@ -115,7 +124,13 @@ const explorationCharts = (() => {
       {
         data: { values: points },
         mark: { type: "point", filled: true, cursor: "pointer" },
-        encoding: { ...byKind, tooltip: { field: "tip" } },
+        encoding: {
+          color: { field: "kind", scale: kindScale(), legend: legend(present) },
+          shape: { field: "kind", scale: kindScale(), legend: legend(present) },
+          size: plain("size"),
+          opacity: plain("opacity"),
+          tooltip: { field: "tip" },
+        },
       },
       {
         data: { values: labels },
@@ -152,6 +167,8 @@ const explorationCharts = (() => {
       x: columns[0][row],
       y: columns[1][row],
       kind: kinds[designs.kind[row]],
+      size: sizes[designs.kind[row]],
+      opacity: opacities[designs.kind[row]],
       tip: tip(data, row, count),
     }));
     const above = (point) => layers.indexOf(designs.kind[point.row]);
@@ -167,7 +184,7 @@ const explorationCharts = (() => {
       field: which === 0 ? "x" : "y",
       type: "quantitative",
       title: axisTitle(chosen[which]),
-      scale: { zero: false, padding: 16 },
+      scale: { zero: false, nice: false, padding: 16 },
     });
     return {
       drawn: points.length,
@@ -217,7 +234,12 @@ const explorationCharts = (() => {
       points,
       spec: parallelSpec(
         sorted.flatMap((row) =>
-          points(row, { kind: kinds[designs.kind[row]], tip: label(designs, row) }),
+          points(row, {
+            kind: kinds[designs.kind[row]],
+            width: [0.8, 2.2, 2, 0.7][designs.kind[row]],
+            opacity: [0.4, 1, 1, 0.35][designs.kind[row]],
+            tip: label(designs, row),
+          }),
         ),
         ends,
         objectives.map((_, column) => axis(column)),
@@ -226,11 +248,12 @@ const explorationCharts = (() => {
   }
 
   function parallelSpec(lines, ends, axes) {
-    const end = (field, at, dy) => ({
-      data: { values: ends },
+    const end = (field, height, dy) => ({
+      data: { values: ends.map((each) => ({ ...each, at: height })) },
       mark: { type: "text", dy, fontSize: 10.5 },
-      encoding: { text: { field }, y: { datum: at } },
+      encoding: { text: { field } },
     });
+    const key = legend(new Set(lines.map(({ kind }) => kind)), { offset: 24 });
     const at = { field: "at", type: "quantitative", axis: null, scale: { domain: [0, 1] } };
     return {
       width: "container",
@@ -252,21 +275,27 @@ const explorationCharts = (() => {
           mark: { type: "line", strokeJoin: "round", cursor: "pointer" },
           encoding: {
             detail: { field: "row" },
-            color: { field: "kind", scale: kindScale(), legend: { title: null, orient: "top", columns: 4, offset: 24 } },
-            strokeDash: { field: "kind", scale: kindScale([[1, 0], [1, 0], [6, 3], [2, 3]]), legend: null },
-            strokeWidth: { field: "kind", scale: kindScale([0.8, 2.2, 2, 0.7]), legend: null },
-            opacity: { field: "kind", scale: kindScale([0.4, 1, 1, 0.35]), legend: null },
+            color: { field: "kind", scale: kindScale(), legend: key },
+            strokeDash: { field: "kind", scale: kindScale([[1, 0], [1, 0], [6, 3], [2, 3]]), legend: key },
+            strokeWidth: plain("width"),
+            opacity: plain("opacity"),
             tooltip: { field: "tip" },
           },
         },
         {
           data: { name: "chosen", values: [] },
-          mark: { type: "line", strokeWidth: 3.5, strokeJoin: "round", style: "chosen" },
+          mark: {
+            type: "line",
+            strokeWidth: 3.5,
+            strokeJoin: "round",
+            style: "chosen",
+            strokeDash: { expr: "({A: [1, 0], B: [9, 4], C: [2, 3], D: [10, 3, 2, 3]})[datum.of]" },
+          },
           encoding: { detail: { field: "row" } },
         },
         {
           data: { name: "chosen" },
-          mark: { type: "text", fontWeight: "bold", fontSize: 14, align: "left", dx: 4, dy: -8 },
+          mark: { type: "text", fontWeight: "bold", fontSize: 14, align: "right", dx: -8 },
           encoding: { text: { field: "letter" } },
         },
         end("top", 1, -12),
@@ -281,7 +310,7 @@ const explorationCharts = (() => {
     facet: {
       field: "held",
       type: "nominal",
-      sort: null,
+      sort: [...new Set(values.map(({ held }) => held))],
       header: { title: null, labelLimit: 150 },
     },
     columns,
@@ -306,7 +335,7 @@ const explorationCharts = (() => {
   // ranks: [{design, low, median, high}]
   const ranks = ({ ranks: values }) => ({
     width: "container",
-    height: { step: 34 },
+    height: 34 * values.length,
     data: { values },
     encoding: {
       y: { field: "design", type: "nominal", sort: null, axis: { title: null, labelLimit: 190 } },
@@ -321,5 +350,5 @@ const explorationCharts = (() => {
     ],
   });
 
-  return { kinds, letters, number, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };
+  return { kinds, letters, number, cell, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };
 })();

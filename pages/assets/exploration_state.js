@@ -66,10 +66,10 @@ const explorationState = (() => {
     return true;
   }
 
-  // The first design and, beside it, the best of the known routings.
+  // The first design and, beside it, the best of the known routings or else the next.
   function firstSelection() {
     const known = designs.kind.findIndex((kind, row) => kind === 2 && row > 0);
-    return [0, known].filter((row) => row >= 0 && row < designs.word.length);
+    return [0, known > 0 ? known : 1].filter((row) => row < designs.word.length);
   }
 
   async function load() {

@@ -62,7 +62,9 @@ const explorationTable = (() => {
     const routing = element("th", { scope: "row", className: "left", textContent: designs.word[row] });
     line.append(selector(row), cell(rank), cell(designs.front[row] || "–"));
     line.append(cell(designs.name[row] || "–", "left"), routing);
-    designs.values.forEach((column) => line.append(cell(number(column[row]))));
+    state.objectives.forEach((objective, column) =>
+      line.append(cell(explorationCharts.cell(objective, designs.values[column][row]))),
+    );
     const drawn = designs.distribution;
     if (drawn.first) {
       const has = drawn.first[row] !== null && drawn.first[row] !== undefined;
