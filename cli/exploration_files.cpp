@@ -29,6 +29,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   const std::string note = reason.empty() ? "" : "partial: " + reason;
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
+  write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
   const PageFiles page = exploration_page(view(report, command, catalogue));
   write_figures(directory, page.figures);
   write_file(directory / "index.html", page.html);

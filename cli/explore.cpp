@@ -114,8 +114,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   std::cout << (flags.format.is("json") ? explore_summary_json(report) : explore_table(report));
   write_exploration(report, command, catalogue, flags.out);
   if (!flags.format.is("json")) {
-    std::cout << fmt::format("\nWritten: designs.csv, pareto.csv and summary.json in {}\n",
-                             flags.out);
+    std::cout << fmt::format(
+        "\nWritten: index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures in {}\n",
+        flags.out);
   }
   return partial_note(report).empty() ? done : interrupted;
 }
@@ -139,7 +140,10 @@ void add_explore(CLI::App& program, int& exit_code) {
                    "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  command->add_option("--out", flags->out, "Folder for designs.csv, pareto.csv and summary.json")
+  command
+      ->add_option(
+          "--out", flags->out,
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures")
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, {"table", "json"});

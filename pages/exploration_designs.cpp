@@ -12,9 +12,6 @@
 namespace reeve {
 namespace {
 
-// As the scripts count them.
-enum class Kind : std::uint8_t { listed, front, known, sample };
-
 // Six digits: more than any of it can be measured to, and half the bytes.
 Json rounded(double value) {
   const Json exact = number(value);
@@ -76,19 +73,24 @@ const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
 Json design_columns(const ExploreReport& report, std::size_t most) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   Columns columns(!listed.empty() && listed.front().distribution.has_value());
-  std::set<std::string> known = known_words(report);
+  const std::set<std::string> known = known_words(report);
+  std::set<std::string> held;
   for (std::size_t i = 0; i < std::min(most, listed.size()); ++i) {
     const RankedDesign& ranked = listed[i].ranked;
-    const bool is_known = known.erase(ranked.design.word) > 0;
+    const bool is_known = known.contains(ranked.design.word);
+    held.insert(ranked.design.word);
     columns.add(listed[i], is_known ? Kind::known : ranked.front == 1 ? Kind::front : Kind::listed);
   }
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
-    if (!known.contains(reference.design.word)) continue;
+    if (!held.insert(reference.design.word).second) continue;
     columns.add({{reference.design, reference.front, reference.rank},
                  report.reference_names[i],
                  std::nullopt},
                 Kind::known);
+  }
+  for (const Design& design : report.result.sample) {
+    if (!held.contains(design.word)) columns.add({{design, 0, 0}, "", std::nullopt}, Kind::sample);
   }
   return columns.take();
 }

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "reports/explore_report.hpp"
 #include "reports/json.hpp"
 
 namespace reeve {
+
+// What a design is here for, as the scripts count it.
+enum class Kind : std::uint8_t { listed, front, known, sample };
 
 // The longer of top and front: both are the beginning of one ranking.
 const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);

@@ -159,6 +159,13 @@ std::string held_text(const ExploreReport& report, std::size_t held) {
                             report.front.size() == 1 ? "is" : "are");
 }
 
+std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
+  if (others == 0) return "";
+  return fmt::format(
+      " What they stand out from is shown by {} more: the rest of {} drawn at random from all.",
+      others, report.result.sample.size());
+}
+
 // Why a known routing is not in the list.
 std::string standing(const ReferenceStanding& reference) {
   if (!reference.generated) return "these parts, or this shard, do not give it";
@@ -220,8 +227,11 @@ PageFiles exploration_page(const ExplorationView& view) {
   std::vector<FigureFile> figures = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));
+  const Json& kinds = held.data["designs"]["kind"];
+  const auto sampled = std::count(kinds.begin(), kinds.end(), Json(static_cast<int>(Kind::sample)));
+  body["has_sample"] = sampled > 0;
   body["title"] = title(report);
-  body["held_text"] = held_text(report, held.listed);
+  body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);
   body["pareto"] = figure_html(pareto);
   body["parallel"] = figure_html(parallel);
   body["command"] = view.command;

@@ -74,7 +74,6 @@ Json static_tables(const ExploreReport& report) {
   }
   json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
   json["has_bests"] = !json["bests"].empty();
-  json["has_sample"] = false;
   json["table_caption"] = "Designs, best first. Values are over the grasps of this exploration.";
   json["bests_caption"] = fmt::format(
       "Among the {} listed of {} ranked designs; of those that are equally good, the one with "

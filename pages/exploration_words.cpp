@@ -255,6 +255,12 @@ std::vector<std::string> changes(const ExploreReport& report) {
     text.push_back(fmt::format("{} stays first, or equal to the first, by {}.",
                                design_label(listed[0]), enumeration(stays)));
   }
+  if (listed.size() < ranked_designs(report)) {
+    text.push_back(fmt::format(
+        "The list holds the first {} of {} ranked designs. One that it leaves out may be better "
+        "in an objective that the ranking does not use.",
+        listed.size(), ranked_designs(report)));
+  }
   text.push_back(draws_text(report, listed));
   return text;
 }
@@ -269,13 +275,6 @@ std::vector<std::string> caveats(const ExploreReport& report) {
         fmt::format("This is part {} of {} of the whole: what is best here need not be "
                     "best of all.",
                     shard.index, shard.count));
-  }
-  const std::size_t listed = listed_designs(report).size();
-  if (listed < ranked_designs(report)) {
-    text.push_back(fmt::format(
-        "The list holds the first {} of {} ranked designs. One that it leaves out may be better "
-        "in an objective that the ranking does not use.",
-        listed, ranked_designs(report)));
   }
   for (const std::string& note : notes(report)) text.push_back("Note: " + note + ".");
   return text;

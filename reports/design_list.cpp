@@ -72,6 +72,19 @@ std::string design_table(const std::vector<ListedDesign>& designs) {
   return table.text();
 }
 
+std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
+  std::string csv = note.empty() ? "" : "# " + note + "\n";
+  csv += "routing";
+  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += '\n';
+  for (const Design& design : designs) {
+    csv += design.word;
+    for (const double v : design.values) csv += fmt::format(",{}", v);
+    csv += '\n';
+  }
+  return csv;
+}
+
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note) {
   const bool uncertain = with_distributions(designs);
   std::string csv = note.empty() ? "" : "# " + note + "\n";

@@ -30,6 +30,9 @@ std::string design_table(const std::vector<ListedDesign>& designs);
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");
 
+// Designs that have no rank.
+std::string sample_csv(const std::vector<Design>& designs, const std::string& note = "");
+
 Json to_json(const ListedDesign& design);
 Json to_json(const std::vector<ListedDesign>& designs);
 

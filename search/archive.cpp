@@ -10,6 +10,10 @@ namespace {
 // Thinning out costs more than filling, so it waits until a good part is new.
 constexpr std::size_t least_backlog = 4096;
 
+// Beyond that many rows, letting a design in costs less than proving that it cannot rank, provided
+// that thinning out is quick.
+constexpr Eigen::Index quick_proof = 8192;
+
 bool equal(const Goodness& a, const Goodness& b) { return (a == b).all(); }
 
 bool greater(const Goodness& a, const Goodness& b) {
@@ -24,8 +28,8 @@ Archive::Archive(std::vector<Objective> objectives, std::size_t keep)
 bool Archive::may_rank(const ObjectiveValues& values) const {
   const Goodness candidate = goodness(values, objectives_);
   if (corner_.size() > 0 && (candidate < corner_).all()) return false;
-  const auto enough = static_cast<Eigen::Index>(keep_);
-  return count_dominators(guards_, guards_.rows(), candidate, enough) < enough;
+  if (sweeps() && guards_.rows() > quick_proof) return true;
+  return !has_enough_dominators(guards_.rows(), candidate, 0);
 }
 
 void Archive::add(Design design) {
@@ -34,7 +38,24 @@ void Archive::add(Design design) {
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
 }
 
+// `beaten` are known to beat it besides.
+bool Archive::has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                                    Eigen::Index beaten) const {
+  const auto enough = static_cast<Eigen::Index>(keep_);
+  // Counting costs time for each row, and there are not even as many.
+  if (rows + beaten < enough) return false;
+  return count_dominators(guards_, rows, candidate, enough) + beaten >= enough;
+}
+
+SweepCounter Archive::counter() const {
+  std::vector<double> values;
+  if (!sweeps()) return SweepCounter({});
+  for (const Entry& entry : entries_) values.push_back(second_value(entry.goodness));
+  return SweepCounter(std::move(values));
+}
+
 void Archive::compact() {
+  SweepCounter better = counter();
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
     if (!equal(a.goodness, b.goodness)) return greater(a.goodness, b.goodness);
     return precedes_within_front(a.design, b.design);
@@ -52,7 +73,11 @@ void Archive::compact() {
       last->equals_left_out += entry.equals_left_out + 1;
       continue;
     }
-    if (count_dominators(guards_, kept, entry.goodness, enough) + equals >= enough) continue;
+    if (sweeps() ? better.not_less(second_value(entry.goodness)) >= enough
+                 : has_enough_dominators(kept, entry.goodness, equals)) {
+      continue;
+    }
+    if (sweeps()) better.add(second_value(entry.goodness));
     guards_.row(kept) = entry.goodness.transpose();
     Entry& slot = entries_[static_cast<std::size_t>(kept)];
     if (&slot != &entry) slot = std::move(entry);

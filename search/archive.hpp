@@ -13,6 +13,7 @@
 
 #include "search/pareto.hpp"
 #include "search/ranking.hpp"
+#include "search/sweep_counter.hpp"
 
 namespace reeve {
 
@@ -41,6 +42,10 @@ class Archive {
     std::uint64_t equals_left_out = 0;
   };
 
+  bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                             Eigen::Index beaten) const;
+  bool sweeps() const { return objectives_.size() <= 2; }
+  SweepCounter counter() const;
   void compact();
   void place_guards();
 

@@ -12,6 +12,7 @@
 #include "search/archive.hpp"
 #include "search/evaluation.hpp"
 #include "search/pareto.hpp"
+#include "search/sample.hpp"
 
 namespace reeve {
 namespace {
@@ -22,9 +23,11 @@ constexpr std::size_t grain = 64;
 // What became of one routing of a batch.
 struct Slot {
   Routing routing;
+  std::uint64_t place = 0;  // in the whole enumeration
   ObjectiveValues values{};
   std::size_t failed_constraint = 0;  // its number, from 1; 0: none
   bool may_rank = false;
+  bool sampled = false;
 };
 
 class Exploration {
@@ -35,6 +38,7 @@ class Exploration {
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         archive_(options.objectives, options.top),
+        sample_(options.sample),
         constraint_failures_(options.constraints.size(), 0),
         needs_release_(judges_return_friction(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
@@ -75,6 +79,7 @@ class Exploration {
     while (filled < batch_size && generated_ < total()) {
       Routing& routing = slots_[filled].routing;
       generator_.next(routing);
+      slots_[filled].place = range_.begin + generated_;
       ++generated_;
       if (is_actuated(routing)) {
         ++filled;
@@ -93,8 +98,10 @@ class Exploration {
                                    : evaluator.evaluate_pulling(slot.routing);
       slot.failed_constraint = first_failure(slot.values);
       slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
+      slot.sampled = slot.failed_constraint == 0 && sample_.would_enter(slot.place);
       // Return friction alone decides nothing here, so only what is kept needs it.
-      if (slot.may_rank && !needs_release_) slot.values = evaluator.evaluate(slot.routing);
+      if ((slot.may_rank || slot.sampled) && !needs_release_)
+        slot.values = evaluator.evaluate(slot.routing);
       compare_with_references(slot, block.worker);
     }
   }
@@ -133,6 +140,7 @@ class Exploration {
       const Slot& slot = slots_[i];
       if (slot.failed_constraint > 0) ++constraint_failures_[slot.failed_constraint - 1];
       if (slot.may_rank) archive_.add({to_word(slot.routing), slot.values});
+      if (slot.sampled) sample_.add(slot.place, {to_word(slot.routing), slot.values});
     }
   }
 
@@ -153,12 +161,22 @@ class Exploration {
       if (ranked.front == 1) result.front.push_back(ranked);
       if (ranked.rank <= options_.top) result.top.push_back(ranked);
     }
+    result.sample = sampled();
     place_references(content.ranked);
     result.references = references_;
     for (const DesignEvaluator& evaluator : evaluators_) {
       result.unconverged += evaluator.unconverged();
     }
     return result;
+  }
+
+  // Most of what was sampled on the way is not in the sample, so its return friction waits.
+  std::vector<Design> sampled() {
+    std::vector<Design> designs = sample_.designs();
+    for (Design& design : designs) {
+      design.values = evaluators_[0].evaluate(parse_routing(design.word));
+    }
+    return designs;
   }
 
   // Beyond the first `top` the archive has gaps, so only ranks up to there are ranks.
@@ -188,6 +206,7 @@ class Exploration {
   ShardRange range_;
   Workers workers_;
   Archive archive_;
+  Sample sample_;
   std::vector<std::uint64_t> constraint_failures_;
   bool needs_release_;
   std::vector<DesignEvaluator> evaluators_;

@@ -35,6 +35,7 @@ struct ExploreOptions {
   std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
   std::vector<Constraint> constraints;
   std::size_t top = 1000;           // at least 1
+  std::size_t sample = 2000;        // designs drawn at random, to show what the best stand out from
   int threads = 0;                  // 0: all
   std::vector<Routing> references;  // canonical routings whose place among the others is wanted
 };
@@ -73,6 +74,7 @@ struct ExploreResult {
   double seconds = 0;
   std::vector<RankedDesign> front;
   std::vector<RankedDesign> top;
+  std::vector<Design> sample;  // of all that no constraint rejects (sample.hpp)
   std::uint64_t front_equals_left_out = 0;
   std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;

@@ -45,6 +45,32 @@ std::vector<Eigen::Index> descending(const GoodnessMatrix& matrix) {
   return order;
 }
 
+// With at most two objectives a front is as good as the best second value that it has seen: rows
+// come with falling first values, so whatever has at least the second value, and is no equal,
+// dominates.
+std::vector<int> fronts_by_sweep(const GoodnessMatrix& matrix) {
+  const std::vector<Eigen::Index> order = descending(matrix);
+  std::vector<double>
+      best;  // of each front, negated: ascending, since front k dominates front k + 1
+  std::vector<int> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    int& front = result[static_cast<std::size_t>(order[i])];
+    if (i > 0 && (matrix.row(order[i]) == matrix.row(order[i - 1])).all()) {
+      front = result[static_cast<std::size_t>(order[i - 1])];
+      continue;
+    }
+    const double negated = -second_value(matrix.row(order[i]).transpose());
+    const auto place = std::upper_bound(best.begin(), best.end(), negated);
+    front = static_cast<int>(place - best.begin()) + 1;
+    if (place == best.end()) {
+      best.push_back(negated);
+    } else {
+      *place = negated;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Goodness goodness(const ObjectiveValues& values, const std::vector<Objective>& objectives) {
@@ -57,6 +83,8 @@ Goodness goodness(const ObjectiveValues& values, const std::vector<Objective>& o
   return result;
 }
 
+double second_value(const Goodness& goodness) { return goodness.size() == 2 ? goodness[1] : 0; }
+
 bool dominates(const Goodness& a, const Goodness& b) { return (a >= b).all() && (a > b).any(); }
 
 Eigen::Index count_dominators(const GoodnessMatrix& matrix, Eigen::Index rows,
@@ -67,6 +95,7 @@ Eigen::Index count_dominators(const GoodnessMatrix& matrix, Eigen::Index rows,
 }
 
 std::vector<int> fronts(const GoodnessMatrix& matrix) {
+  if (matrix.cols() <= 2) return fronts_by_sweep(matrix);
   const std::vector<Eigen::Index> order = descending(matrix);
   GoodnessMatrix sorted(matrix.rows(), matrix.cols());
   std::vector<int> sorted_front(order.size());

@@ -21,6 +21,9 @@ using GoodnessMatrix = Eigen::ArrayXXd;
 
 Goodness goodness(const ObjectiveValues& values, const std::vector<Objective>& objectives);
 
+// Of at most two objectives; 0 if there is one.
+double second_value(const Goodness& goodness);
+
 bool dominates(const Goodness& a, const Goodness& b);
 
 // How many of the first `rows` rows dominate `candidate`; stops counting at `enough`.

@@ -16,7 +16,14 @@
     const { values } = state.designs();
     const [x, y] = state.axes();
     const selected = state.selected();
-    mark(pareto, selected.map((row) => ({ x: values[x][row], y: values[y][row], letter: state.letter(row) })));
+    const spots = new Map();
+    for (const row of selected) {
+      const spot = { x: values[x][row], y: values[y][row], letter: "" };
+      const here = spots.get(`${spot.x} ${spot.y}`) ?? spot;
+      here.letter += (here.letter ? ", " : "") + state.letter(row);
+      spots.set(`${spot.x} ${spot.y}`, here);
+    }
+    mark(pareto, [...spots.values()]);
     const lines = explorationCharts.parallel({ data: state.data(), rows: state.rows() }).points;
     mark(parallel, selected.flatMap((row) =>
       lines(row, {}).map((point, i) => ({ ...point, of: state.letter(row), letter: i === 0 ? state.letter(row) : "" }))));
@@ -34,7 +41,8 @@
     const data = state.data();
     const rows = state.rows();
     const points = explorationCharts.pareto({ data, axes: state.axes(), rows });
-    const lines = explorationCharts.parallel({ data, rows });
+    const narrow = parallel.clientWidth < 700;
+    const lines = explorationCharts.parallel({ data, rows, narrow });
     document.getElementById("pareto-count").textContent =
       `${points.drawn} of ${points.of} designs drawn: of those that lie on one spot, the first.`;
     document.getElementById("parallel-count").textContent = `${lines.drawn} of ${lines.of} designs drawn.`;

@@ -117,12 +117,12 @@ const explorationCharts = (() => {
     const present = new Set(points.map(({ kind }) => kind));
     return [
       {
-        data: { values: line },
+        data: { name: "edge", values: line },
         mark: { type: "line", interpolate: "step-after", strokeDash: [5, 3], strokeWidth: 1.5 },
         encoding: { order: { field: "order", type: "quantitative" }, color: { value: { expr: "scale('color', 'on the front')" } } },
       },
       {
-        data: { values: points },
+        data: { name: "points", values: points },
         mark: { type: "point", filled: true, cursor: "pointer" },
         encoding: {
           color: { field: "kind", scale: kindScale(), legend: legend(present) },
@@ -133,7 +133,7 @@ const explorationCharts = (() => {
         },
       },
       {
-        data: { values: labels },
+        data: { name: "labels", values: labels },
         mark: {
           type: "text",
           align: { expr: "datum.right ? 'right' : 'left'" },
@@ -209,7 +209,8 @@ const explorationCharts = (() => {
   }
 
   // Up is better on every axis: where less is better, the axis is turned round.
-  function parallel({ data, rows, most }) {
+  // narrow: whether the figure is, so that the numbers at the axes must be turned.
+  function parallel({ data, rows, most, narrow }) {
     const { designs, objectives } = data;
     const all = rows ?? designs.word.map((_, row) => row);
     const { picked, of } = someOf(designs, all, most ?? 500);
@@ -243,17 +244,22 @@ const explorationCharts = (() => {
         ),
         ends,
         objectives.map((_, column) => axis(column)),
+        narrow,
       ),
     };
   }
 
-  function parallelSpec(lines, ends, axes) {
+  function parallelSpec(lines, ends, axes, narrow) {
+    const upright = { type: "text", fontSize: 10.5 };
+    const turned = { ...upright, angle: -90 };
     const end = (field, height, dy) => ({
-      data: { values: ends.map((each) => ({ ...each, at: height })) },
-      mark: { type: "text", dy, fontSize: 10.5 },
+      data: { name: field, values: ends.map((each) => ({ ...each, at: height })) },
+      mark: narrow
+        ? { ...turned, dx: -dy / 2, align: height === 1 ? "left" : "right" }
+        : { ...upright, dy },
       encoding: { text: { field } },
     });
-    const key = legend(new Set(lines.map(({ kind }) => kind)), { offset: 24 });
+    const key = legend(new Set(lines.map(({ kind }) => kind)), { offset: narrow ? 50 : 24, columns: narrow ? 2 : 4 });
     const at = { field: "at", type: "quantitative", axis: null, scale: { domain: [0, 1] } };
     return {
       width: "container",
@@ -265,13 +271,13 @@ const explorationCharts = (() => {
           type: "nominal",
           sort: null,
           scale: { type: "point", domain: axes, padding: 0.4 },
-          axis: { title: null, labelAngle: -40, grid: true, labelPadding: 20, labelLimit: 140 },
+          axis: { title: null, labelAngle: narrow ? -90 : -40, grid: true, labelPadding: narrow ? 48 : 20, labelLimit: 140 },
         },
         y: at,
       },
       layer: [
         {
-          data: { values: lines },
+          data: { name: "lines", values: lines },
           mark: { type: "line", strokeJoin: "round", cursor: "pointer" },
           encoding: {
             detail: { field: "row" },

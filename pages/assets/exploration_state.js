@@ -7,7 +7,7 @@ const explorationState = (() => {
   const { objectives, ranking } = reeve.data;
   const listeners = [];
   const rowOf = new Map(); // word -> row
-  const filter = { text: "", which: "listed", bounds: [] };
+  const filter = { text: "", which: "all", bounds: [] };
   let designs = null;
   let selected = []; // rows
   let axes = [0, 2];
@@ -66,10 +66,15 @@ const explorationState = (() => {
     return true;
   }
 
-  // The first design and, beside it, the best of the known routings or else the next.
+  // The first design and, beside it, the best of the known routings or else the next that
+  // differs in what the ranking counts.
   function firstSelection() {
     const known = designs.kind.findIndex((kind, row) => kind === 2 && row > 0);
-    return [0, known > 0 ? known : 1].filter((row) => row < designs.word.length);
+    const differs = (row) =>
+      ranking.some((column) => designs.values[column][row] !== designs.values[column][0]);
+    const next = designs.word.findIndex((_, row) => differs(row));
+    const second = known > 0 ? known : next;
+    return [0, second].filter((row) => row >= 0 && row < designs.word.length);
   }
 
   async function load() {

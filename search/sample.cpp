@@ -1,0 +1,42 @@
+#include "search/sample.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "numerics/random.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::uint64_t seed = 0;
+constexpr std::uint32_t stream = 0;
+
+double lot(std::uint64_t place) { return uniform(seed, stream, place); }
+
+}  // namespace
+
+bool Sample::would_enter(std::uint64_t place) const {
+  if (members_.size() < size_) return true;
+  return size_ > 0 && lot(place) < members_.front().lot;
+}
+
+void Sample::add(std::uint64_t place, Design design) {
+  if (!would_enter(place)) return;
+  if (members_.size() == size_) {
+    std::pop_heap(members_.begin(), members_.end());
+    members_.pop_back();
+  }
+  members_.push_back({lot(place), place, std::move(design)});
+  std::push_heap(members_.begin(), members_.end());
+}
+
+std::vector<Design> Sample::designs() const {
+  std::vector<Member> members = members_;
+  std::sort(members.begin(), members.end(),
+            [](const Member& a, const Member& b) { return a.place < b.place; });
+  std::vector<Design> designs;
+  for (Member& member : members) designs.push_back(std::move(member.design));
+  return designs;
+}
+
+}  // namespace reeve

@@ -1,0 +1,41 @@
+// A random sample out of a stream of any length: those few whose random numbers are the least.
+//
+// Each routing's number is a function of its place in the whole enumeration, so the sample is the
+// same for any number of threads, and those of all shards together hold the sample of the whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "search/ranking.hpp"
+
+namespace reeve {
+
+class Sample {
+ public:
+  explicit Sample(std::size_t size) : size_(size) {}
+
+  // Whether the routing at this place of the enumeration would enter now; may be asked from many
+  // threads.
+  bool would_enter(std::uint64_t place) const;
+
+  void add(std::uint64_t place, Design design);
+
+  // In the order of their places.
+  std::vector<Design> designs() const;
+
+ private:
+  struct Member {
+    double lot = 0;
+    std::uint64_t place = 0;
+    Design design;
+
+    bool operator<(const Member& other) const { return lot < other.lot; }
+  };
+
+  std::size_t size_;
+  std::vector<Member> members_;  // a heap: the greatest lot first
+};
+
+}  // namespace reeve

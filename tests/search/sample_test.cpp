@@ -1,0 +1,97 @@
+#include "search/sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "core/notation.hpp"
+#include "search/explore.hpp"
+
+namespace reeve {
+namespace {
+
+Design numbered(std::uint64_t place) { return {std::to_string(place), {}}; }
+
+Sample of(std::size_t size, std::uint64_t begin, std::uint64_t end) {
+  Sample sample(size);
+  for (std::uint64_t place = begin; place < end; ++place) sample.add(place, numbered(place));
+  return sample;
+}
+
+std::set<std::string> words(const std::vector<Design>& designs) {
+  std::set<std::string> words;
+  for (const Design& design : designs) words.insert(design.word);
+  return words;
+}
+
+TEST(Sample, HoldsAllOfAFewInOrder) {
+  const std::vector<Design> designs = of(10, 3, 8).designs();
+  ASSERT_EQ(designs.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(designs[i].word, std::to_string(i + 3));
+  EXPECT_TRUE(of(0, 0, 100).designs().empty());
+}
+
+// Each tenth of the places gives about a tenth of the sample: within five standard deviations.
+TEST(Sample, IsSpreadEvenly) {
+  std::map<std::uint64_t, int> tenths;
+  for (const Design& design : of(2000, 0, 100000).designs()) {
+    ++tenths[std::stoull(design.word) / 10000];
+  }
+  ASSERT_EQ(tenths.size(), 10U);
+  for (const auto& [tenth, count] : tenths) EXPECT_NEAR(count, 200, 67) << tenth;
+}
+
+TEST(Sample, OfThePartsHoldsThatOfTheWhole) {
+  std::set<std::string> parts = words(of(50, 0, 777).designs());
+  parts.merge(words(of(50, 777, 5000).designs()));
+  const std::set<std::string> whole = words(of(50, 0, 5000).designs());
+  EXPECT_EQ(whole.size(), 50U);
+  EXPECT_TRUE(std::includes(parts.begin(), parts.end(), whole.begin(), whole.end()));
+}
+
+ExploreOptions four_fingers() {
+  ExploreOptions options;
+  options.generator = {full_parts(), 4, FingerIdentity::identical, false};
+  options.grasps = single_grasps(4);
+  options.constraints = {parse_constraint("sheaths<=3")};
+  options.top = 5;
+  options.sample = 100;
+  options.threads = 1;
+  return options;
+}
+
+TEST(ExploreThreads, DoNotChangeTheSample) {
+  ExploreOptions options = four_fingers();
+  const std::vector<Design> one = explore(options).sample;
+  ASSERT_EQ(one.size(), 100U);
+  options.threads = 3;
+  const std::vector<Design> three = explore(options).sample;
+  ASSERT_EQ(three.size(), one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(three[i].word, one[i].word);
+    EXPECT_EQ(three[i].values, one[i].values);
+  }
+}
+
+// Return friction too, which is computed only for what is kept.
+TEST(Explore, SamplesWhatTheConstraintsAdmitWithAllValues) {
+  ExploreOptions options = four_fingers();
+  options.sample = 100000;
+  const ExploreResult result = explore(options);
+  EXPECT_EQ(result.sample.size(), result.evaluated - result.rejected.at(1).count);
+  ExploreOptions naive = options;
+  naive.objectives = {Objective::return_friction};
+  naive.top = 100000;
+  std::map<std::string, ObjectiveValues> expected;
+  for (const RankedDesign& ranked : explore(naive).top) {
+    expected[ranked.design.word] = ranked.design.values;
+  }
+  ASSERT_EQ(expected.size(), result.sample.size());
+  for (const Design& design : result.sample) EXPECT_EQ(design.values, expected.at(design.word));
+}
+
+}  // namespace
+}  // namespace reeve
