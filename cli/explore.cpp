@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/exploration_files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
@@ -72,15 +72,6 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   return options;
 }
 
-void write_files(const ExploreReport& report, const std::filesystem::path& directory) {
-  const std::string reason = partial_note(report);
-  const std::string note = reason.empty() ? "" : "partial: " + reason;
-  write_file(directory / "designs.csv", design_csv(report.top, note));
-  write_file(directory / "pareto.csv", design_csv(report.front, note));
-  write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
-  write_file(directory / "summary.json", explore_summary_json(report));
-}
-
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
   return {file.model,          file.uncertainty,   options.grasps,       options.objectives,
@@ -101,7 +92,7 @@ std::optional<std::vector<RankDistribution>> draw(const ExploreResult& result,
   return rank_distributions(plain_designs(longer), options, {std::ref(progress), &stop});
 }
 
-int run(const ExploreFlags& flags) {
+int run(const ExploreFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
@@ -123,9 +114,9 @@ int run(const ExploreFlags& flags) {
   report.draws_stopped = draws_stopped;
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
-  write_files(report, flags.out);
-  std::cout << announced("designs.csv, pareto.csv, sample.csv and summary.json", flags.out,
-                         flags.format);
+  write_exploration(report, command, catalogue, flags.out);
+  std::cout << announced("index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures",
+                         flags.out, flags.format);
   return partial_note(report).empty() ? done : interrupted;
 }
 
@@ -149,12 +140,13 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command
-      ->add_option("--out", flags->out,
-                   "Folder for designs.csv, pareto.csv, sample.csv and summary.json")
+      ->add_option(
+          "--out", flags->out,
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures")
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 }  // namespace reeve::cli

@@ -9,8 +9,8 @@
 #include <jsapi.h>
 #include <jsfriendapi.h>
 
+#include <set>
 #include <stdexcept>
-#include <string_view>
 
 #include "pages/asset_table.hpp"
 
@@ -71,6 +71,13 @@ class Interpreter {
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 
+  // Once; what it declares stays.
+  void load(std::string_view script) {
+    if (loaded_.contains(std::string(script))) return;
+    run(asset(script), std::string(script).c_str());
+    loaded_.emplace(script);
+  }
+
   // The value as text.
   std::string run(std::string_view code, const char* name) {
     const JSAutoRealm realm(context_, global_);
@@ -100,6 +107,7 @@ class Interpreter {
     return report.toStringResult().c_str();
   }
 
+  std::set<std::string> loaded_;
   JSContext* context_ = nullptr;
   JS::PersistentRootedObject global_;
 };
@@ -110,6 +118,11 @@ Interpreter& interpreter() {
   return interpreter;
 }
 
+// As a JSON text in a JSON string: no character of it can end the JavaScript string.
+std::string literal(const Json& json) {
+  return Json(json.dump(-1, ' ', true, Json::error_handler_t::replace)).dump();
+}
+
 }  // namespace
 
 std::string chart_svg(const Json& specification, const std::string& ids) {
@@ -117,12 +130,16 @@ std::string chart_svg(const Json& specification, const std::string& ids) {
   if (whole.value("width", Json()) == "container") whole["width"] = static_width;
   whole["config"] = Json::parse(asset("chart_theme.json"))["light"];
   whole["background"] = "white";
-  // As a JSON text in a JSON string: no character of it can end the JavaScript string.
-  const std::string text = Json(whole.dump(-1, ' ', true, Json::error_handler_t::replace)).dump();
-  interpreter().run("draw(" + text + ", " + Json(ids).dump() + ")", "specification");
+  interpreter().run("draw(" + literal(whole) + ", " + Json(ids).dump() + ")", "specification");
   const std::string error = interpreter().run("drawn.error", "result");
   if (!error.empty()) throw std::runtime_error("chart engine: " + error);
   return interpreter().run("drawn.svg", "result") + "\n";
+}
+
+Json script_value(std::string_view script, const std::string& function, const Json& argument) {
+  interpreter().load(script);
+  return Json::parse(interpreter().run(
+      "JSON.stringify(" + function + "(JSON.parse(" + literal(argument) + ")))", "script"));
 }
 
 }  // namespace reeve

@@ -1,5 +1,6 @@
 #include "pages/page.hpp"
 
+#include <sstream>
 #include <utility>
 
 #include "core/version.hpp"
@@ -33,6 +34,17 @@ std::string schematic_html(const std::string& id, const std::string& svg) {
   return render("schematic.mustache", {{"id", id}, {"svg", svg}});
 }
 
+namespace {
+
+Json scripts(const std::string& names) {
+  Json list = Json::array();
+  std::istringstream in(names);
+  for (std::string name; in >> name;) list.push_back(asset(name));
+  return list;
+}
+
+}  // namespace
+
 std::string page_html(const Page& page) {
   return render("page.mustache", {{"title", page.title},
                                   {"body", page.body},
@@ -43,7 +55,7 @@ std::string page_html(const Page& page) {
                                   {"vega", asset("vega.js")},
                                   {"vega_lite", asset("vega-lite.js")},
                                   {"common", asset("page.js")},
-                                  {"script", page.script.empty() ? "" : asset(page.script)},
+                                  {"scripts", scripts(page.script)},
                                   {"version", version_json()}});
 }
 

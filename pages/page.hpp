@@ -19,7 +19,8 @@ struct Figure {
   std::string title;
   std::string caption;
   std::string alt;  // what the picture shows, in words
-  Json spec;        // Vega-Lite, without config and background; its data inline
+  // Vega-Lite, without config and background; its data inline. null: the page's script draws it.
+  Json spec;
   std::string svg;  // the static picture
 };
 
@@ -35,7 +36,7 @@ std::string schematic_html(const std::string& id, const std::string& svg);
 struct Page {
   std::string title;
   std::string body;    // HTML
-  std::string script;  // name of an asset that the page runs after page.js; "" if none
+  std::string script;  // assets that the page runs after page.js, names separated by blanks
   Json data;           // what that script finds as reeve.data
 };
 

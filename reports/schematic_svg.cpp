@@ -66,6 +66,12 @@ std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
               draw(schematic));
 }
 
+std::string schematic_legend(double width, const std::string& ids) {
+  const Legend key = legend({measures::margin, 0, width - measures::margin, 0}, true);
+  return file({0, 0, width, key.bottom + measures::margin / 2}, "img", ids, "Symbols",
+              "What the symbols of the schematics mean.", draw(key));
+}
+
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,
                             const std::string& title, const std::string& ids) {
   double width = 0;

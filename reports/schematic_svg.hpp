@@ -34,6 +34,9 @@ Schematic schematic(const Network& network, const std::string& title, const Gras
 // A whole file. Identifiers in it begin with `ids`, so that a page can hold several.
 std::string schematic_svg(const Schematic& schematic, const std::string& ids = "schematic");
 
+// The symbols' meanings alone, for drawings without a legend.
+std::string schematic_legend(double width, const std::string& ids = "legend");
+
 // Several side by side, `columns` in a row, over one legend.
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,
                             const std::string& title, const std::string& ids = "sheet");

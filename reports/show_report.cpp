@@ -110,16 +110,11 @@ Table contact_table(const ShowReport& report) {
   for (const ShownGrasp& shown : report.grasps) {
     table.columns.push_back(text_column("held " + to_text(shown.grasp)));
   }
-  const Network& network = report.network;
-  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
-    std::vector<std::string> cells{
-        name(network.segments[ends.left]) + "-" + name(network.segments[ends.right]),
-        name(network.contacts[contact].kind)};
-    for (const ShownGrasp& shown : report.grasps) {
-      cells.push_back(sliding(network, ends, shown.state.slip[contact]));
-    }
+  for (const ShownContact& contact : shown_contacts(report)) {
+    std::vector<std::string> cells{contact.between, contact.kind};
+    cells.insert(cells.end(), contact.slides.begin(), contact.slides.end());
     table.add(cells);
-  });
+  }
   return table;
 }
 
@@ -134,6 +129,21 @@ Table objective_list(const ObjectiveValues& values) {
 }
 
 }  // namespace
+
+std::vector<ShownContact> shown_contacts(const ShowReport& report) {
+  const Network& network = report.network;
+  std::vector<ShownContact> contacts;
+  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
+    contacts.push_back(
+        {name(network.segments[ends.left]) + "-" + name(network.segments[ends.right]),
+         name(network.contacts[contact].kind),
+         {}});
+    for (const ShownGrasp& shown : report.grasps) {
+      contacts.back().slides.push_back(sliding(network, ends, shown.state.slip[contact]));
+    }
+  });
+  return contacts;
+}
 
 Sheet show_sheet(const ShowReport& report) {
   std::vector<SheetLine> lines{{heading(report)}};

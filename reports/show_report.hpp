@@ -32,6 +32,14 @@ struct ShowReport {
   ObjectiveValues values{};  // over these grasps
 };
 
+// A contact, "T1-a", and in each grasp whether the tendon slides there: "T1->a", "a->T1" or "no".
+struct ShownContact {
+  std::string between;
+  std::string kind;
+  std::vector<std::string> slides;
+};
+std::vector<ShownContact> shown_contacts(const ShowReport& report);
+
 Sheet show_sheet(const ShowReport& report);
 std::string show_json(const ShowReport& report);
 // The routing's schematic: in one grasp, or without any its parts alone.

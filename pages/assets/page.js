@@ -84,9 +84,15 @@ const reeve = (() => {
   const schematicSvg = (figure) =>
     new XMLSerializer().serializeToString(figure.querySelector("svg"));
 
-  // Of a schematic that was put into the page later, too.
+  // Of a figure that was put into the page later, too: a schematic, or a chart that was drawn.
   function savable(figure, name = figure.id) {
-    addSaving(figure, name, () => schematicSvg(figure));
+    addSaving(figure, name, () => (charts.has(figure) ? chartSvg(figure) : schematicSvg(figure)));
+  }
+
+  // Before the figure is taken out of the page.
+  function forget(figure) {
+    charts.get(figure)?.view.finalize();
+    charts.delete(figure);
   }
 
   const key = (cell) => {
@@ -124,7 +130,9 @@ const reeve = (() => {
 
   const ready = Promise.all(
     [...document.querySelectorAll("figure.chart")].map(async (figure) => {
-      await draw(figure, JSON.parse(figure.querySelector("script.spec").textContent));
+      const spec = JSON.parse(figure.querySelector("script.spec").textContent);
+      if (spec === null) return; // the page's own script draws it
+      await draw(figure, spec);
       addSaving(figure, figure.id, () => chartSvg(figure));
     }),
   );
@@ -140,6 +148,7 @@ const reeve = (() => {
     draw,
     view: (figure) => charts.get(figure)?.view,
     savable,
+    forget,
     sortable,
   };
 })();

@@ -14,15 +14,17 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-TEST(ExploreFiles, AreThreeAndNothingElse) {
+TEST(ExploreFiles, AreTheseAndNothingElse) {
   const Explored explored({"--fingers", "2"});
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_EQ(explored.files(),
-            (Arguments{"designs.csv", "pareto.csv", "sample.csv", "summary.json"}));
-  EXPECT_NE(explored.result.out.find(
-                "Written: designs.csv, pareto.csv, sample.csv and summary.json in out\n"),
-            std::string::npos);
+  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "pareto.csv",
+                                         "sample.csv", "summary.json"}));
+  EXPECT_NE(
+      explored.result.out.find(
+          "Written: index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures "
+          "in out\n"),
+      std::string::npos);
 }
 
 TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {

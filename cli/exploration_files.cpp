@@ -1,0 +1,39 @@
+#include "cli/exploration_files.hpp"
+
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "cli/shown_routing.hpp"
+#include "core/notation.hpp"
+#include "pages/exploration_page.hpp"
+#include "reports/files.hpp"
+
+namespace reeve::cli {
+namespace {
+
+ExplorationView view(const ExploreReport& report, const CLI::App& command,
+                     const Catalogue& catalogue) {
+  const ExploreOptions& options = report.options;
+  return {report, command_line(command, {"--threads", "--format"}),
+          given_options(command, {"--hardware", "--model"}), [&](const std::string& word) {
+            return shown_routing(parse_routing(word), options.model, options.grasps,
+                                 Direction::pull, catalogue);
+          }};
+}
+
+}  // namespace
+
+void write_exploration(const ExploreReport& report, const CLI::App& command,
+                       const Catalogue& catalogue, const std::filesystem::path& directory) {
+  const std::string reason = partial_note(report);
+  const std::string note = reason.empty() ? "" : "partial: " + reason;
+  write_file(directory / "designs.csv", design_csv(report.top, note));
+  write_file(directory / "pareto.csv", design_csv(report.front, note));
+  write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
+  const PageFiles page = exploration_page(view(report, command, catalogue));
+  write_figures(directory, page.figures);
+  write_file(directory / "index.html", page.html);
+  write_file(directory / "summary.json", explore_summary_json(report));
+}
+
+}  // namespace reeve::cli

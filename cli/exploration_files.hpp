@@ -1,0 +1,17 @@
+// What an exploration leaves in its folder: tables, values, the page and its figures.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+#include "catalog/catalogue.hpp"
+#include "reports/explore_report.hpp"
+
+namespace reeve::cli {
+
+// `command` is the subcommand as it was given.
+void write_exploration(const ExploreReport& report, const CLI::App& command,
+                       const Catalogue& catalogue, const std::filesystem::path& directory);
+
+}  // namespace reeve::cli

@@ -1,0 +1,172 @@
+"use strict";
+
+// The table of an exploration's designs, of which the page holds one screen at a time, and its
+// filter.
+const explorationTable = (() => {
+  const perPage = 50;
+  const state = explorationState;
+  const table = document.getElementById("designs");
+  const order = { column: "rank", down: false };
+  let page = 0;
+  let sorted = [];
+
+  const element = (tag, properties = {}, ...children) => {
+    const made = Object.assign(document.createElement(tag), properties);
+    made.append(...children);
+    return made;
+  };
+
+  // What to sort by: a name of designs' columns, or the number of an objective.
+  function key(column) {
+    const designs = state.designs();
+    if (typeof column === "number") return (row) => designs.values[column][row];
+    if (column in designs.distribution) return (row) => designs.distribution[column][row];
+    return (row) => designs[column][row];
+  }
+
+  // What has no value comes last, whichever way.
+  function compare(a, b, down) {
+    const missing = (value) => value === null || value === "" || value === undefined;
+    if (missing(a) !== missing(b)) return missing(a) ? 1 : -1;
+    const difference = typeof a === "string" ? (a < b ? -1 : a > b ? 1 : 0) : a - b;
+    return down ? -difference : difference;
+  }
+
+  function sort() {
+    const value = key(order.column);
+    const rank = state.designs().rank;
+    const last = (row) => (order.column === "rank" && rank[row] === 0 ? null : value(row));
+    sorted = [...state.rows()].sort((a, b) => compare(last(a), last(b), order.down) || a - b);
+  }
+
+  function cell(text, className = "") {
+    return element("td", { textContent: text, className });
+  }
+
+  function selector(row) {
+    const box = element("input", { type: "checkbox", className: "select-design" });
+    box.checked = state.selected().includes(row);
+    box.dataset.word = state.designs().word[row];
+    box.setAttribute("aria-label", `Select ${state.label(row)}`);
+    box.addEventListener("change", () => state.toggle(row));
+    return element("td", { className: "left" }, box, ` ${state.letter(row)}`);
+  }
+
+  function rowElement(row) {
+    const designs = state.designs();
+    const { number, kinds } = explorationCharts;
+    const line = element("tr");
+    line.dataset.word = designs.word[row];
+    if (state.selected().includes(row)) line.setAttribute("aria-selected", "true");
+    const rank = designs.rank[row] || (designs.kind[row] === 3 ? "sample" : "–");
+    const routing = element("th", { scope: "row", className: "left", textContent: designs.word[row] });
+    line.append(selector(row), cell(rank), cell(designs.front[row] || "–"));
+    line.append(cell(designs.name[row] || "–", "left"), routing);
+    state.objectives.forEach((objective, column) =>
+      line.append(cell(explorationCharts.cell(objective, designs.values[column][row]))),
+    );
+    const drawn = designs.distribution;
+    if (drawn.first) {
+      const has = drawn.first[row] !== null && drawn.first[row] !== undefined;
+      line.append(cell(has ? `${(100 * drawn.first[row]).toFixed(1)} %` : "–"));
+      line.append(cell(has ? number(drawn.median[row]) : "–"));
+      line.append(cell(has ? `${number(drawn.low[row])}–${number(drawn.high[row])}` : "–"));
+    }
+    line.title = kinds[designs.kind[row]];
+    return line;
+  }
+
+  function show() {
+    const pages = Math.max(1, Math.ceil(sorted.length / perPage));
+    page = Math.min(Math.max(page, 0), pages - 1);
+    const rows = sorted.slice(page * perPage, (page + 1) * perPage);
+    const focused = document.activeElement?.dataset?.word;
+    table.tBodies[0].replaceChildren(...rows.map(rowElement));
+    if (focused) table.querySelector(`input[data-word="${CSS.escape(focused)}"]`)?.focus();
+    document.getElementById("page-number").textContent = `page ${page + 1} of ${pages}`;
+    document.getElementById("previous-page").disabled = page === 0;
+    document.getElementById("next-page").disabled = page + 1 === pages;
+    document.getElementById("filter-count").textContent =
+      `${sorted.length} of ${state.designs().word.length} designs`;
+  }
+
+  function update() {
+    sort();
+    page = 0;
+    show();
+  }
+
+  function sortBy(heading, column) {
+    order.down = order.column === column && !order.down;
+    order.column = column;
+    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+    heading.setAttribute("aria-sort", order.down ? "descending" : "ascending");
+    update();
+  }
+
+  function addHeadings() {
+    for (const heading of [...table.tHead.rows[0].cells]) {
+      const named = heading.dataset.column;
+      const column = /^\d+$/.test(named) ? Number(named) : named;
+      const button = element("button", { type: "button" }, ...heading.childNodes);
+      button.addEventListener("click", () => sortBy(heading, column));
+      heading.append(button);
+      if (named === "rank") heading.setAttribute("aria-sort", "ascending");
+    }
+    table.tHead.rows[0].prepend(
+      element("th", { scope: "col", className: "left", textContent: "Select" }),
+    );
+  }
+
+  function readBounds() {
+    const bounds = [];
+    for (const line of document.querySelectorAll("#bounds .bound")) {
+      const [column, side, value] = line.querySelectorAll("select, input");
+      if (value.value === "" || Number.isNaN(Number(value.value))) continue;
+      bounds.push({ column: Number(column.value), least: side.value === "least", value: Number(value.value) });
+    }
+    state.setFilter({ bounds });
+  }
+
+  function option(value, text) {
+    return element("option", { value, textContent: text });
+  }
+
+  function addBound() {
+    const column = element("select", {}, ...state.objectives.map((o, i) => option(i, o.title)));
+    column.setAttribute("aria-label", "Objective of the bound");
+    const side = element("select", {}, option("least", "at least"), option("most", "at most"));
+    side.setAttribute("aria-label", "Side of the bound");
+    const value = element("input", { type: "number", step: "any" });
+    value.setAttribute("aria-label", "Value of the bound");
+    const remove = element("button", { type: "button", textContent: "Remove" });
+    remove.setAttribute("aria-label", "Remove this bound");
+    const line = element("div", { className: "bound" }, column, side, value, remove);
+    line.addEventListener("input", readBounds);
+    remove.addEventListener("click", () => {
+      line.remove();
+      readBounds();
+      document.getElementById("add-bound").focus();
+    });
+    document.getElementById("bounds").append(line);
+    return column;
+  }
+
+  function start() {
+    addHeadings();
+    document.getElementById("filter-text").addEventListener("input", (event) =>
+      state.setFilter({ text: event.target.value }),
+    );
+    document.getElementById("filter-which").addEventListener("change", (event) =>
+      state.setFilter({ which: event.target.value }),
+    );
+    document.getElementById("add-bound").addEventListener("click", () => addBound().focus());
+    document.getElementById("previous-page").addEventListener("click", () => ((page -= 1), show()));
+    document.getElementById("next-page").addEventListener("click", () => ((page += 1), show()));
+    addBound();
+    update();
+    state.onChange((what) => (what === "rows" ? update() : show()));
+  }
+
+  return { start, element };
+})();

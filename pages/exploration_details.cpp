@@ -1,0 +1,139 @@
+#include "pages/exploration_details.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "numerics/parallel.hpp"
+#include "pages/compressed.hpp"
+#include "reports/schematic_svg.hpp"
+
+namespace reeve {
+namespace {
+
+// More shares more lines; fewer is less to unpack for one design.
+constexpr std::size_t chunk_size = 16;
+constexpr std::size_t chunks_at_once = 32;
+
+class Lines {
+ public:
+  // The numbers of its lines, neighbours as ranges: "0-7 12 8-9".
+  std::string add(const std::string& text) {
+    std::istringstream in(text);
+    std::string runs;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    bool open = false;
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t number = numbers_.try_emplace(line, numbers_.size()).first->second;
+      if (number == lines_.size()) lines_.push_back(line);
+      if (open && number == last + 1) {
+        last = number;
+        continue;
+      }
+      if (open) runs += run(first, last) + " ";
+      first = last = number;
+      open = true;
+    }
+    return runs + run(first, last);
+  }
+
+  const Json& json() const { return lines_; }
+
+ private:
+  static std::string run(std::size_t first, std::size_t last) {
+    return first == last ? std::to_string(first) : fmt::format("{}-{}", first, last);
+  }
+
+  std::map<std::string, std::size_t> numbers_;
+  Json lines_ = Json::array();
+};
+
+double three_decimals(double value) { return std::stod(fmt::format("{:.3f}", value)); }
+
+Json grasp_json(const ShowReport& report, std::size_t grasp, Lines& lines) {
+  const ShownGrasp& shown = report.grasps[grasp];
+  Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
+  json["tensions"] = Json::array();
+  for (const double tension : shown.state.tension) {
+    json["tensions"].push_back(three_decimals(tension));
+  }
+  json["uniformity"] = three_decimals(shown.performance.uniformity);
+  json["efficiency"] = three_decimals(shown.performance.efficiency);
+  json["force_transmission"] = three_decimals(shown.performance.force_transmission);
+  json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
+  return json;
+}
+
+Json design_json(const ShowReport& report, Lines& lines) {
+  Json json{{"segments", Json::array()}, {"strands", Json::array()}};
+  for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
+    json["segments"].push_back(name(report.network.segments[i]));
+    if (report.network.segments[i].kind == SegmentKind::strand) json["strands"].push_back(i);
+  }
+  json["grasps"] = Json::array();
+  for (std::size_t i = 0; i < report.grasps.size(); ++i) {
+    json["grasps"].push_back(grasp_json(report, i, lines));
+  }
+  json["contacts"] = Json::array();
+  for (const ShownContact& contact : shown_contacts(report)) {
+    json["contacts"].push_back(
+        {{"between", contact.between}, {"kind", contact.kind}, {"slides", contact.slides}});
+  }
+  return json;
+}
+
+Json chunk(const std::vector<std::string>& words, const SolveDesign& solve) {
+  Lines lines;
+  Json designs = Json::array();
+  for (const std::string& word : words) designs.push_back(design_json(solve(word), lines));
+  const Json pack{{"lines", lines.json()}, {"designs", designs}};
+  return {{"words", words},
+          {"pack", compressed(pack.dump(-1, ' ', false, Json::error_handler_t::replace))}};
+}
+
+std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words) {
+  std::vector<std::vector<std::string>> chunks;
+  for (std::size_t at = 0; at < words.size(); at += chunk_size) {
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    chunks.emplace_back(
+        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, words.size() - at)));
+  }
+  return chunks;
+}
+
+}  // namespace
+
+DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
+                             std::size_t bytes, int threads) {
+  Workers workers(threads);
+  DesignDetails details;
+  std::vector<std::vector<std::string>> pending = cut(words);
+  for (std::size_t at = 0; at < pending.size(); at += chunks_at_once) {
+    std::vector<Json> made(std::min(chunks_at_once, pending.size() - at));
+    workers.for_each_block(made.size(), 1, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) made[i] = chunk(pending[at + i], solve);
+    });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const std::size_t more = made[i].dump().size() + 1;
+      if (details.bytes + more > bytes) return details;
+      details.bytes += more;
+      details.designs += pending[at + i].size();
+      details.chunks.push_back(std::move(made[i]));
+    }
+  }
+  return details;
+}
+
+std::string grasp_svg(const ShowReport& report, std::size_t grasp, const std::string& ids) {
+  const ShownGrasp& shown = report.grasps[grasp];
+  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
+  return schematic_svg(schematic(report.network, title,
+                                 GraspView{shown.grasp, report.direction, shown.state}, false),
+                       ids);
+}
+
+}  // namespace reeve

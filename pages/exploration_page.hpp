@@ -1,0 +1,34 @@
+// The page of an exploration: plots, table, and the selected designs side by side.
+//
+// Everything that it shows is in the report; what a selected design looks like is solved on demand.
+// It stays below `page_bytes` whatever was explored: designs that the list holds beyond that, and
+// the details of those that do not fit, are left out, and the page says so.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pages/exploration_details.hpp"
+#include "pages/page.hpp"
+#include "reports/explore_report.hpp"
+
+namespace reeve {
+
+inline constexpr std::size_t page_bytes = 4'900'000;
+
+struct ExplorationView {
+  const ExploreReport& report;
+  std::string command;       // gives this exploration again
+  std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
+  SolveDesign solve;
+};
+
+struct PageFiles {
+  std::string html;
+  std::vector<FigureFile> figures;
+};
+
+PageFiles exploration_page(const ExplorationView& view);
+
+}  // namespace reeve

@@ -1,0 +1,85 @@
+#include "pages/exploration_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pages/exploration_designs.hpp"
+#include "pages/exploration_words.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t first_designs = 50;
+constexpr std::size_t front_designs = 200;
+
+std::string text(double value) { return fmt::format("{:.4g}", value); }
+
+// Shares line up in their column.
+std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
+  const double v = value(design.ranked.design.values, row.objective);
+  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : text(v);
+}
+
+Json design_row(const ListedDesign& design) {
+  Json row{{"rank", design.ranked.rank},
+           {"front", design.ranked.front},
+           {"name", design.name.empty() ? "–" : design.name},
+           {"word", design.ranked.design.word},
+           {"cells", Json::array()}};
+  for (const ObjectiveRow& objective : objective_table()) {
+    row["cells"].push_back(cell(objective, design));
+  }
+  if (design.distribution) {
+    const RankDistribution& drawn = *design.distribution;
+    row["cells"].push_back(fmt::format("{:.1f} %", 100 * drawn.first));
+    row["cells"].push_back(text(drawn.median));
+    row["cells"].push_back(text(drawn.low) + "–" + text(drawn.high));
+  }
+  return row;
+}
+
+Json objective_json(const ObjectiveRow& row) {
+  return {{"title", objective_title(row)},
+          {"meaning", row.meaning},
+          {"better", row.better == Better::higher ? "higher" : "lower"},
+          {"column", static_cast<int>(row.objective)}};
+}
+
+Json best_json(const SingleBest& best, const ListedDesign& first) {
+  Json json = objective_json(best.objective);
+  json["value"] = cell(best.objective, best.design);
+  json["first"] = cell(best.objective, first);
+  json["design"] = design_label(best.design);
+  json["rank"] = best.design.ranked.rank;
+  json["equal"] = best.equal == 0 ? "none" : fmt::format("{} more", best.equal);
+  return json;
+}
+
+}  // namespace
+
+Json static_tables(const ExploreReport& report) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  const std::size_t shown = std::min(
+      listed.size(), std::max(first_designs, std::min(front_designs, report.front.size())));
+  Json json{{"objectives", Json::array()}, {"rows", Json::array()}, {"bests", Json::array()}};
+  for (const ObjectiveRow& row : objective_table())
+    json["objectives"].push_back(objective_json(row));
+  for (std::size_t i = 0; i < shown; ++i) json["rows"].push_back(design_row(listed[i]));
+  for (const SingleBest& best : single_bests(report)) {
+    json["bests"].push_back(best_json(best, listed.front()));
+  }
+  json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
+  json["has_bests"] = !json["bests"].empty();
+  json["table_caption"] = "Designs, best first. Values are over the grasps of this exploration.";
+  json["bests_caption"] = fmt::format(
+      "Among the {} listed of {} ranked designs; of those that are equally good, the one with "
+      "the best rank.",
+      listed.size(), ranked_designs(report));
+  return json;
+}
+
+}  // namespace reeve
