@@ -12,6 +12,8 @@ namespace {
 
 // In units of the noise: scales are linear up to here, and 95 % of noise lies within.
 constexpr double linear_to = 2;
+// Of the palette, readable on white and on black.
+constexpr const char* mean_colour = "#d55e00";
 
 Json axis(const char* field, const char* title, double greatest) {
   return {{"field", field},
@@ -41,7 +43,9 @@ Json tooltip() {
     const std::string field = name;
     list.push_back({{"field", field},
                     {"type", "nominal"},
-                    {"title", field == "held_out" ? "used for" : field}});
+                    {"title", field == "held_out" ? "run is"
+                              : field == "grasp"  ? "held fingers"
+                                                  : field}});
   }
   const std::pair<const char*, const char*> numbers[] = {{"load", "motor tension, N"},
                                                          {"measured", "measured, N"},
@@ -67,7 +71,7 @@ double greatest_tension(const Json& marks) {
 
 Json diagonal(double greatest) {
   Json ends = Json::array();
-  for (const double t : {0.0, greatest}) ends.push_back({{"x", t}, {"y", t}});
+  for (const double t : {0.0, 2 * greatest}) ends.push_back({{"x", t}, {"y", t}});
   return {{"data", {{"values", ends}}},
           {"mark",
            {{"type", "line"},
@@ -84,7 +88,7 @@ Json compared_panel(const Json& marks, const char* field, const char* title) {
   const double greatest = greatest_tension(marks);
   const Json colour = by_routing(marks, false);
   const Json filled{{"field", "held_out"},
-                    {"type", "nominal"},
+                    {"type", "ordinal"},
                     {"title", "runs"},
                     {"scale", {{"domain", {"training", "held out"}}, {"range", {0, 0.9}}}},
                     {"legend",
@@ -110,7 +114,7 @@ Json compared_panel(const Json& marks, const char* field, const char* title) {
 Json residual_axis() {
   return {{"field", "residual"},
           {"type", "quantitative"},
-          {"title", "residual, in sd of the noise"},
+          {"title", "residual, sd of noise"},
           {"scale", {{"type", "symlog"}, {"constant", linear_to}}},
           {"axis",
            {{"values", {-1000, -100, -30, -10, -3, 0, 3, 10, 30, 100, 1000}}, {"format", "+d"}}}};
@@ -125,41 +129,52 @@ Json noise_band() {
            {{"y", {{"field", "low"}, {"type", "quantitative"}}}, {"y2", {{"field", "high"}}}}}};
 }
 
-Json along(const MarkColumn& column, bool binned) {
+Json along(const MarkColumn& column) {
   Json encoding{{"field", column.field},
                 {"type", column.categories ? "nominal" : "quantitative"},
-                {"title", column.title}};
+                {"title", nullptr}};
   if (column.categories) {
-    encoding["axis"] = {{"labelAngle", -40}, {"labelLimit", 80}, {"labelOverlap", true}};
+    encoding["axis"] = {{"labelAngle", -90}, {"labelLimit", 90}, {"labelFontSize", 10}};
   } else {
     encoding["scale"] = {{"zero", false}};
     encoding["axis"] = {{"tickCount", 3}};
   }
-  if (binned && !column.categories) encoding["bin"] = {{"maxbins", 8}};
   return encoding;
 }
 
 // Mean, and as far as a standard deviation to both sides, of each category or bin.
-std::vector<Json> means(const MarkColumn& column) {
-  const Json x = along(column, true);
-  Json y = residual_axis();
-  const Json spread{{"mark",
-                     {{"type", "errorbar"},
-                      {"extent", "stdev"},
-                      {"color", "#d55e00"},
-                      {"thickness", 2},
-                      {"ticks", false}}},
-                    {"encoding", {{"x", x}, {"y", y}}}};
-  y["aggregate"] = "mean";
-  const Json mean{{"mark",
-                   {{"type", "point"},
-                    {"shape", "diamond"},
-                    {"filled", true},
-                    {"size", 60},
-                    {"color", "#d55e00"},
-                    {"opacity", 1}}},
-                  {"encoding", {{"x", x}, {"y", y}}}};
-  return {spread, mean};
+Json means(const MarkColumn& column) {
+  Json transform = Json::array();
+  std::string field = column.field;
+  if (!column.categories) {
+    field = "bin";
+    transform.push_back(
+        {{"bin", {{"maxbins", 8}}}, {"field", column.field}, {"as", {"bin_low", "bin_high"}}});
+    transform.push_back({{"calculate", "(datum.bin_low + datum.bin_high) / 2"}, {"as", field}});
+  }
+  transform.push_back(
+      {{"aggregate", Json::array({{{"op", "mean"}, {"field", "residual"}, {"as", "mean"}},
+                                  {{"op", "stdev"}, {"field", "residual"}, {"as", "spread"}}})},
+       {"groupby", {"model", field}}});
+  transform.push_back({{"calculate", "datum.mean - (datum.spread || 0)"}, {"as", "low"}});
+  transform.push_back({{"calculate", "datum.mean + (datum.spread || 0)"}, {"as", "high"}});
+  Json x = along(column);
+  x["field"] = field;
+  Json mean = residual_axis();
+  mean["field"] = "mean";
+  Json low = mean;
+  low["field"] = "low";
+  const Json spread{{"mark", {{"type", "rule"}, {"strokeWidth", 2}, {"color", mean_colour}}},
+                    {"encoding", {{"x", x}, {"y", low}, {"y2", {{"field", "high"}}}}}};
+  const Json point{{"mark",
+                    {{"type", "point"},
+                     {"shape", "diamond"},
+                     {"filled", true},
+                     {"size", 60},
+                     {"color", mean_colour},
+                     {"opacity", 1}}},
+                   {"encoding", {{"x", x}, {"y", mean}}}};
+  return {{"transform", transform}, {"layer", Json::array({spread, point})}};
 }
 
 }  // namespace
@@ -195,7 +210,7 @@ Figure residual_figure(const DiagnosisReport& report, const Json& marks, const M
   const Json points{
       {"mark", {{"type", "point"}, {"filled", true}, {"size", 12}, {"opacity", 0.45}}},
       {"encoding",
-       {{"x", along(column, false)},
+       {{"x", along(column)},
         {"y", residual_axis()},
         {"tooltip",
          Json::array({{{"field", "line"}},
@@ -203,8 +218,7 @@ Figure residual_figure(const DiagnosisReport& report, const Json& marks, const M
                       {{"field", "routing"}},
                       {{"field", "strand"}},
                       {{"field", "residual"}, {"type", "quantitative"}, {"format", ".3~g"}}})}}}};
-  Json layers = Json::array({noise_band(), points});
-  for (const Json& layer : means(column)) layers.push_back(layer);
+  const Json layers = Json::array({noise_band(), points, means(column)});
   Figure figure;
   figure.id = column.id;
   figure.title = fmt::format("By {}.", column.title);
@@ -216,6 +230,7 @@ Figure residual_figure(const DiagnosisReport& report, const Json& marks, const M
   Json before_after = Json::array({"before"});
   if (extended) before_after.push_back("after");
   figure.spec = {
+      {"title", {{"text", fmt::format("by {}", column.title)}, {"limit", 330}}},
       {"data", {{"values", fields_of(marks, fields)}}},
       {"transform", Json::array({{{"fold", before_after}, {"as", {"model", "predicted"}}},
                                  {{"calculate", "(datum.measured - datum.predicted) / datum.sd"},

@@ -77,7 +77,7 @@ std::vector<std::size_t> chosen(std::size_t count, std::size_t most) {
 
 std::string grasp_text(Grasp grasp) {
   const std::vector<int> held = held_fingers(grasp);
-  return held.empty() ? "none held" : fmt::format("held {}", fmt::join(held, ", "));
+  return held.empty() ? "none" : fmt::format("{}", fmt::join(held, ", "));
 }
 
 Json mark(const DiagnosisReport& report, const ComparedCell& compared) {
@@ -101,7 +101,7 @@ Json mark(const DiagnosisReport& report, const ComparedCell& compared) {
 MarkColumns mark_columns(const DiagnosisReport& report) {
   MarkColumns columns{{{"routing", "residuals-routing", "routing", true},
                        {"strand", "residuals-strand", "strand", true},
-                       {"grasp", "residuals-grasp", "grasp", true}},
+                       {"grasp", "residuals-grasp", "grasp: held fingers", true}},
                       {},
                       {},
                       0};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "diagnosis/rivals.hpp"
@@ -21,9 +22,13 @@ Json sentences(const std::string& text) {
   return list;
 }
 
-std::string interval(double low, double high, const std::string& format) {
-  return fmt::format("{} to {}", fmt::format(fmt::runtime(format), low),
-                     fmt::format(fmt::runtime(format), high));
+// A log-likelihood: below a hundred to a tenth, which is where it decides anything.
+std::string gain_number(double gain) {
+  return fmt::format("{:.{}f}", gain, std::abs(gain) < 99.95 ? 1 : 0);
+}
+
+std::string gain_interval(double low, double high) {
+  return gain_number(low) + " to " + gain_number(high);
 }
 
 Json parameter_values(const NamedCause& cause, const EstimatedParameter& parameter) {
@@ -34,9 +39,10 @@ Json parameter_values(const NamedCause& cause, const EstimatedParameter& paramet
           {"interval", written(parameter.low) + " to " + written(parameter.high)},
           {"unit", parameter.unit},
           {"nominal", parameter.nominal ? written(*parameter.nominal) : "–"},
-          {"literature", parameter.literature ? interval(parameter.literature->low,
-                                                         parameter.literature->high, "{:.4g}")
-                                              : "–"}};
+          {"literature", parameter.literature
+                             ? fmt::format("{:.4g} to {:.4g}", parameter.literature->low,
+                                           parameter.literature->high)
+                             : "–"}};
 }
 
 Json named_values(const DiagnosisReport& report) {
@@ -71,9 +77,9 @@ Json gain_values(const std::string& name, const HeldOut& held_out) {
           {"after", newton(held_out.rms_after_N)},
           {"reduction", percent_text(held_out.reduction)},
           {"reduction_interval", percent_text(held_out.low) + " to " + percent_text(held_out.high)},
-          {"gain", fmt::format("{:.4g}", held_out.log_likelihood_gain)},
-          {"gain_interval", interval(held_out.gain_low, held_out.gain_high, "{:.4g}")},
-          {"expected", fmt::format("{:.4g}", held_out.expected_gain)}};
+          {"gain", gain_number(held_out.log_likelihood_gain)},
+          {"gain_interval", gain_interval(held_out.gain_low, held_out.gain_high)},
+          {"expected", gain_number(held_out.expected_gain)}};
 }
 
 Json gains(const DiagnosisResult& result) {
@@ -94,13 +100,13 @@ Json weighed(const DiagnosisResult& result) {
     Json item{{"name", cause.name},
               {"standing", place},
               {"is_named", place == "named"},
-              {"training", fmt::format("{:.1f}", cause.gain)},
+              {"training", gain_number(cause.gain)},
               {"held_out", "–"},
               {"interval", "–"},
               {"rms", "–"}};
     if (cause.held_out) {
-      item["held_out"] = fmt::format("{:.1f}", cause.held_out->log_likelihood_gain);
-      item["interval"] = interval(cause.held_out->gain_low, cause.held_out->gain_high, "{:.1f}");
+      item["held_out"] = gain_number(cause.held_out->log_likelihood_gain);
+      item["interval"] = gain_interval(cause.held_out->gain_low, cause.held_out->gain_high);
       item["rms"] = newton(cause.held_out->rms_after_N);
     }
     list.push_back(std::move(item));
@@ -110,8 +116,8 @@ Json weighed(const DiagnosisResult& result) {
 
 Json limit_values(const std::optional<NoiseLimit>& limit) {
   if (!limit) return nullptr;
-  return {{"gain", fmt::format("{:.1f}", limit->log_likelihood_gain)},
-          {"interval", interval(limit->low, limit->high, "{:.1f}")},
+  return {{"gain", gain_number(limit->log_likelihood_gain)},
+          {"interval", gain_interval(limit->low, limit->high)},
           {"rms", newton(limit->rms_N)}};
 }
 

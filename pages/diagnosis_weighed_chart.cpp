@@ -10,8 +10,7 @@ namespace reeve {
 namespace {
 
 constexpr std::size_t most_models = 15;
-constexpr std::size_t most_runs = 40;
-constexpr int row_px = 26;
+constexpr std::size_t row_px = 26;
 
 Json quantitative(const char* field, const std::string& title = "") {
   Json encoding{{"field", field}, {"type", "quantitative"}};
@@ -32,8 +31,9 @@ Json weighed_values(const DiagnosisResult& result) {
   Json values = Json::array();
   for (std::size_t i = 0; i < result.weighed.size() && i < most_models; ++i) {
     const WeighedCause& weighed = result.weighed[i];
-    Json datum{{"name", weighed.name},
-               {"standing", standing(result, weighed.name)},
+    const std::string place = standing(result, weighed.name);
+    Json datum{{"name", (place == "named" ? "◆ " : "") + weighed.name},
+               {"standing", place},
                {"training", number(weighed.gain)}};
     if (weighed.held_out) {
       datum["gain"] = number(weighed.held_out->log_likelihood_gain);
@@ -45,14 +45,22 @@ Json weighed_values(const DiagnosisResult& result) {
   return values;
 }
 
-Json standing_scale(const Json& values) {
-  Json domain = Json::array();
-  for (const char* known : {"named", "cannot be told from it", "not confirmed", "weighed"}) {
-    const bool present = std::any_of(values.begin(), values.end(),
-                                     [&](const Json& datum) { return datum["standing"] == known; });
-    if (present) domain.push_back(known);
+// Shapes and colours keep their meaning, whichever of them a diagnosis has.
+Json standing_encoding(const Json& values, bool shapes) {
+  const Json known{"weighed", "named", "cannot be told from it", "not confirmed"};
+  Json present = Json::array();
+  for (const Json& one : known) {
+    const bool met = std::any_of(values.begin(), values.end(),
+                                 [&](const Json& datum) { return datum["standing"] == one; });
+    if (met) present.push_back(one);
   }
-  return {{"domain", domain}};
+  Json encoding{{"field", "standing"},
+                {"type", "nominal"},
+                {"title", nullptr},
+                {"scale", {{"domain", known}}},
+                {"legend", {{"orient", "bottom"}, {"columns", 2}, {"values", present}}}};
+  if (shapes) encoding["scale"]["range"] = {"circle", "diamond", "square", "cross"};
+  return encoding;
 }
 
 Json upright(const Json& values, const char* dash_of, const std::string& text) {
@@ -119,13 +127,6 @@ Figure weighed_figure(const DiagnosisReport& report) {
          {"encoding",
           {{"y", rows_axis()}, {"x", quantitative("low", title)}, {"x2", {{"field", "high"}}}}}});
   }
-  const Json state{{"field", "standing"},
-                   {"type", "nominal"},
-                   {"title", nullptr},
-                   {"scale", standing_scale(values)},
-                   {"legend", {{"orient", "bottom"}}}};
-  Json shape = state;
-  shape["scale"]["range"] = {"diamond", "square", "triangle-down", "circle"};
   Json tooltips =
       Json::array({{{"field", "name"}, {"title", "model"}},
                    {{"field", "training"}, {"type", "quantitative"}, {"format", ".4~g"}}});
@@ -134,12 +135,12 @@ Figure weighed_figure(const DiagnosisReport& report) {
       tooltips.push_back({{"field", name}, {"type", "quantitative"}, {"format", ".4~g"}});
     }
   }
-  layers.push_back({{"mark", {{"type", "point"}, {"filled", true}, {"size", 90}, {"opacity", 1}}},
+  layers.push_back({{"mark", {{"type", "point"}, {"filled", true}, {"size", 130}, {"opacity", 1}}},
                     {"encoding",
                      {{"y", rows_axis()},
                       {"x", quantitative(field, title)},
-                      {"color", state},
-                      {"shape", shape},
+                      {"color", standing_encoding(values, false)},
+                      {"shape", standing_encoding(values, true)},
                       {"tooltip", tooltips}}}});
   Figure figure;
   figure.id = "weighed";
@@ -151,74 +152,8 @@ Figure weighed_figure(const DiagnosisReport& report) {
       values.size(), values.empty() ? Json("none") : values[0]["name"]);
   figure.spec = {{"data", {{"values", values}}},
                  {"width", "container"},
-                 {"height", {{"step", row_px}}},
+                 {"height", row_px * values.size()},
                  {"layer", layers}};
-  return reeve::figure(std::move(figure));
-}
-
-Figure runs_figure(const DiagnosisReport& report) {
-  const DiagnosisResult& result = report.result;
-  Json values = Json::array();
-  Json spans = Json::array();
-  for (std::size_t i = 0; i < result.run_gains.size() && i < most_runs; ++i) {
-    const RunGain& gain = result.run_gains[i];
-    const std::string name = report.data.runs[gain.run];
-    spans.push_back(
-        {{"name", name}, {"from", number(gain.rms_before_N)}, {"to", number(gain.rms_after_N)}});
-    const std::pair<const char*, double> figures[] = {{"before", gain.rms_before_N},
-                                                      {"after", gain.rms_after_N},
-                                                      {"noise alone", gain.rms_noise_N}};
-    for (const auto& [what, rms] : figures) {
-      if (what == std::string("after") && result.causes.empty()) continue;
-      values.push_back(
-          {{"name", name}, {"what", what}, {"rms", number(rms)}, {"values", gain.cells}});
-    }
-  }
-  const Json what{{"field", "what"},
-                  {"type", "nominal"},
-                  {"title", nullptr},
-                  {"scale", {{"domain", {"before", "after", "noise alone"}}}},
-                  {"legend", {{"orient", "bottom"}}}};
-  Json shape = what;
-  shape["scale"]["range"] = {"circle", "diamond", "stroke"};
-  const Json x = quantitative("rms", "root mean square residual, N");
-  Json scaled = x;
-  scaled["scale"] = {{"zero", true}};
-  Figure figure;
-  figure.id = "held-out-runs";
-  figure.title = "Each held-out run by itself.";
-  figure.caption = simulated_label(report) +
-                   "From the model as it stands to the extended one; what noise alone would leave "
-                   "is the best that any model can do.";
-  if (result.run_gains.size() > most_runs) {
-    figure.caption += fmt::format(" Drawn are the first {} of {} runs; diagnosis.json has all.",
-                                  most_runs, result.run_gains.size());
-  }
-  figure.alt = fmt::format("Root mean square residual of {} held-out runs, before and after.",
-                           result.run_gains.size());
-  figure.spec = {
-      {"data", {{"values", values}}},
-      {"width", "container"},
-      {"height", {{"step", row_px}}},
-      {"layer",
-       Json::array(
-           {{{"data", {{"values", spans}}},
-             {"mark", {{"type", "rule"}, {"strokeWidth", 1.5}}},
-             {"encoding",
-              {{"y", rows_axis()}, {"x", quantitative("from")}, {"x2", {{"field", "to"}}}}}},
-            {{"mark", {{"type", "point"}, {"size", 110}, {"strokeWidth", 2.5}}},
-             {"encoding",
-              {{"y", rows_axis()},
-               {"x", scaled},
-               {"color", what},
-               {"shape", shape},
-               {"tooltip", Json::array({{{"field", "name"}, {"title", "run"}},
-                                        {{"field", "what"}},
-                                        {{"field", "rms"},
-                                         {"title", "rms, N"},
-                                         {"type", "quantitative"},
-                                         {"format", ".3~g"}},
-                                        {{"field", "values"}}})}}}}})}};
   return reeve::figure(std::move(figure));
 }
 
