@@ -28,7 +28,10 @@ Json by_routing(const Json& marks, bool shapes) {
   for (const Json& mark : marks) routings.insert(mark["routing"]);
   Json encoding{{"field", "routing"},
                 {"type", "nominal"},
-                {"legend", {{"orient", "bottom"}, {"columns", 4}, {"symbolOpacity", 1}}},
+                {"legend",
+                 {{"orient", "bottom"},
+                  {"columns", {{"expr", "containerSize()[0] < 600 ? 2 : 4"}}},
+                  {"symbolOpacity", 1}}},
                 {"title", "routing"}};
   if (shapes && routings.size() > 7) {
     encoding["scale"] = {
@@ -117,7 +120,10 @@ Json residual_axis() {
           {"title", "residual, sd of noise"},
           {"scale", {{"type", "symlog"}, {"constant", linear_to}}},
           {"axis",
-           {{"values", {-1000, -100, -30, -10, -3, 0, 3, 10, 30, 100, 1000}}, {"format", "+d"}}}};
+           {{"values", {-1000, -100, -30, -10, -3, 0, 3, 10, 30, 100, 1000}},
+            {"format", "d"},
+            {"labelOverlap", "greedy"},
+            {"labelExpr", "(datum.value > 0 ? '+' : '') + datum.label"}}}};
 }
 
 Json noise_band() {

@@ -71,4 +71,10 @@ std::string standing(const DiagnosisResult& result, const std::string& model) {
   return contains(result.not_confirmed, model) ? "not confirmed" : "weighed";
 }
 
+std::vector<WeighedCause> by_training_gain(std::vector<WeighedCause> weighed) {
+  std::stable_sort(weighed.begin(), weighed.end(),
+                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  return weighed;
+}
+
 }  // namespace reeve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/diagnosis_report.hpp"
 #include "reports/json.hpp"
@@ -23,5 +24,8 @@ std::string compared_alt(const DiagnosisReport& report);
 // How a weighed model stands to the answer: "named", "cannot be told from it", "not confirmed" or
 // "weighed".
 std::string standing(const DiagnosisResult& result, const std::string& model);
+
+// The best first.
+std::vector<WeighedCause> by_training_gain(std::vector<WeighedCause> weighed);
 
 }  // namespace reeve

@@ -95,7 +95,7 @@ Json gains(const DiagnosisResult& result) {
 
 Json weighed(const DiagnosisResult& result) {
   Json list = Json::array();
-  for (const WeighedCause& cause : result.weighed) {
+  for (const WeighedCause& cause : by_training_gain(result.weighed)) {
     const std::string place = standing(result, cause.name);
     Json item{{"name", cause.name},
               {"standing", place},

@@ -24,13 +24,15 @@ Json rows_axis() {
           {"type", "nominal"},
           {"sort", nullptr},
           {"title", nullptr},
-          {"axis", {{"labelLimit", 190}, {"grid", true}}}};
+          {"axis",
+           {{"labelLimit", {{"expr", "containerSize()[0] < 600 ? 130 : 320"}}}, {"grid", true}}}};
 }
 
 Json weighed_values(const DiagnosisResult& result) {
   Json values = Json::array();
-  for (std::size_t i = 0; i < result.weighed.size() && i < most_models; ++i) {
-    const WeighedCause& weighed = result.weighed[i];
+  const std::vector<WeighedCause> models = by_training_gain(result.weighed);
+  for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
+    const WeighedCause& weighed = models[i];
     const std::string place = standing(result, weighed.name);
     Json datum{{"name", (place == "named" ? "◆ " : "") + weighed.name},
                {"standing", place},
@@ -104,8 +106,8 @@ std::string weighed_caption(const DiagnosisReport& report) {
   text += result.held_out_runs < 5 ? "readings." : "runs.";
   text += " The dashed line is what a model gains that leaves nothing but noise.";
   if (result.weighed.size() > most_models) {
-    text += fmt::format(" Drawn are the first {} of {}; the table has all.", most_models,
-                        result.weighed.size());
+    text += fmt::format(" Drawn are the best {} of {} on the training runs; the table has all.",
+                        most_models, result.weighed.size());
   }
   return text;
 }
