@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnosis_company.hpp"
 #include "cli/inputs.hpp"
@@ -18,6 +19,7 @@
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
+#include "pages/diagnosis_page.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/files.hpp"
 
@@ -34,9 +36,11 @@ struct DiagnoseFlags {
   CLI::Option* save_model_given = nullptr;
   HardwareOption hardware;
   FormatOption format;
+  std::string command;  // as it was given
 
   std::filesystem::path json_file() const { return std::filesystem::path(out) / "diagnosis.json"; }
   std::filesystem::path csv_file() const { return std::filesystem::path(out) / "residuals.csv"; }
+  std::filesystem::path page_file() const { return std::filesystem::path(out) / "index.html"; }
 };
 
 // Before the long work.
@@ -46,6 +50,7 @@ void require_places(const DiagnoseFlags& flags) {
     require_folder_can_be_written(flags.out, "--out");
     require_not_the_data(flags.json_file(), flags.data, option);
     require_not_the_data(flags.csv_file(), flags.data, option);
+    require_not_the_data(flags.page_file(), flags.data, option);
   }
   if (flags.save_model_given->count() > 0) {
     require_file_can_be_written(flags.save_model, "--save-model");
@@ -95,13 +100,19 @@ DiagnosisReport report(const DiagnoseFlags& flags) {
   return report;
 }
 
+void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags) {
+  const auto next = next_routing(report, shipped_catalogue());
+  const DiagnosisPage page = diagnosis_page({report, flags.command, next});
+  prepare_directory(flags.out, "--out");
+  write_file(flags.csv_file(), diagnosis_residuals_csv(report));
+  write_file(flags.json_file(), diagnosis_json(report));
+  write_figures(flags.out, page.figures);
+  write_file(flags.page_file(), page.html);
+}
+
 void run(const DiagnoseFlags& flags) {
   const DiagnosisReport result = report(flags);
-  if (flags.out_given->count() > 0) {
-    prepare_directory(flags.out, "--out");
-    write_file(flags.csv_file(), diagnosis_residuals_csv(result));
-    write_file(flags.json_file(), diagnosis_json(result));
-  }
+  if (flags.out_given->count() > 0) write_folder(result, flags);
   if (flags.save_model_given->count() > 0) {
     write_file(flags.save_model, extended_model_toml(result, flags.hardware.read().uncertainty));
   }
@@ -164,13 +175,17 @@ void add_diagnose(CLI::App& program, int&) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   flags->out_given = command->add_option(
-      "--out", flags->out, "Folder for diagnosis.json and residuals.csv (default: none written)");
+      "--out", flags->out,
+      "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
   flags->save_model_given = command->add_option(
       "--save-model", flags->save_model,
       "TOML file for the extended model, which rank, explore and show take as --model");
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags] { run(*flags); });
+  command->callback([flags, command] {
+    flags->command = command_line(*command, {"--threads"});
+    run(*flags);
+  });
 }
 
 }  // namespace reeve::cli

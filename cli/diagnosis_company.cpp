@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catalog/model_file.hpp"
+#include "cli/shown_routing.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -85,6 +86,19 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
     return CatalogueRanking{order(before, catalogue), order(extended, catalogue)};
   } catch (const InputError&) {
     return std::nullopt;  // fitted to extreme readings, the model has no tensions in some routing
+  }
+}
+
+std::optional<ShowReport> next_routing(const DiagnosisReport& report, const Catalogue& catalogue) {
+  if (!report.result.next_measurement) return std::nullopt;
+  const Measurement& at = report.result.next_measurement->measurement;
+  Model model = report.result.model;
+  model.conditions = at.conditions;
+  try {
+    return shown_routing(parse_routing(at.routing), model, {{at.grasp, 1}}, at.direction,
+                         catalogue);
+  } catch (const InputError&) {
+    return std::nullopt;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "diagnosis/measured_data.hpp"
 #include "diagnosis/next_measurement.hpp"
 #include "reports/diagnosis_report.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve::cli {
 
@@ -22,6 +23,10 @@ std::vector<MeasurableRouting> measurable_routings(const MeasuredData& data,
 // The catalogue's routings of two fingers; nothing if the model has no effect.
 std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const Model& extended,
                                                   const Catalogue& catalogue);
+
+// The routing of the next measurement, by the extended model in the measurement's grasp and
+// conditions; nothing if there is no such measurement, or the model has no tensions in it.
+std::optional<ShowReport> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
 
 // A model file that says where it is from.
 std::string extended_model_toml(const DiagnosisReport& report,

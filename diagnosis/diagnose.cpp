@@ -161,7 +161,9 @@ class Diagnosis {
         // In some held-out row this model has no tensions: nothing to weigh it by.
       }
     }
+    result_.noise_limit = noise_limit(unseen, nominal_);
     drop_refuted();
+    result_.run_gains = run_gains(unseen, nominal_, result_.model);
     if (!result_.causes.empty()) {
       result_.held_out = held_out_gain(unseen, nominal_, result_.model, options_.seed);
     }

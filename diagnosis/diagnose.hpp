@@ -21,6 +21,8 @@
 #include "diagnosis/measured_data.hpp"
 #include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
+#include "diagnosis/noise_limit.hpp"
+#include "diagnosis/run_gain.hpp"
 #include "diagnosis/sample.hpp"
 #include "diagnosis/structure.hpp"
 
@@ -101,6 +103,8 @@ struct DiagnosisResult {
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
+  std::optional<NoiseLimit> noise_limit;    // over the model as it was; nothing if nothing held out
+  std::vector<RunGain> run_gains;           // all causes over none, each held-out run
   std::vector<WeighedCause> weighed;
   double p_value = 1;             // that chance alone gives what the best cause gains
   double structure_p_value = 1;   // that it gives the strongest of `structure`, family-wise

@@ -119,6 +119,10 @@ class Reader {
     }
   }
 
+  std::string segment(Index i) const {
+    return name(network_.segments[segments_[static_cast<std::size_t>(i)]]);
+  }
+
  private:
   std::string word_;
   const Network& network_;
@@ -127,6 +131,15 @@ class Reader {
 
 VectorXd deviation(const MeasurementPlan& plan, const VectorXd& reading) {
   return reading.unaryExpr([&](double level) { return plan.noise.deviation(level); });
+}
+
+std::vector<ExpectedReading> expected_readings(const Reader& reader, const VectorXd& first,
+                                               const VectorXd& second, const VectorXd& sd) {
+  std::vector<ExpectedReading> result;
+  for (Index i = 0; i < first.size(); ++i) {
+    result.push_back({reader.segment(i), first[i], second[i], sd[i]});
+  }
+  return result;
 }
 
 using Visit = std::function<void(const Reader&, const Measurement&)>;
@@ -218,6 +231,7 @@ std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& 
     best = PlannedMeasurement{};
     best->measurement = at;
     best->expected_log_likelihood = brought;
+    best->expected = expected_readings(reader, first, second, sd);
     mark_conditions(reader, {&a, &b}, best->measurement);
   });
   if (best) {
@@ -251,6 +265,8 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
     best->measurement = at;
     best->width_now = now;
     best->width_expected = then;
+    const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
+    best->expected = expected_readings(reader, here, here, deviation(plan, here));
     mark_conditions(reader, {&model}, best->measurement);
   });
   if (!best) return best;

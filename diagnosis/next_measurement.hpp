@@ -35,9 +35,18 @@ struct Measurement {
   bool uses_temperature = false;
 };
 
+// What one sensor should read there.
+struct ExpectedReading {
+  std::string segment;     // T1, a, h1
+  double expected_N = 0;   // of the extended model; separating: if the first explanation is right
+  double other_N = 0;      // separating: if the second is; otherwise the same
+  double deviation_N = 0;  // standard deviation of the noise
+};
+
 struct PlannedMeasurement {
   Measurement measurement;
   std::string why;  // one sentence
+  std::vector<ExpectedReading> expected;
   // Of `planned_readings` of it. Separating: log-likelihood in favour of what is right.
   double expected_log_likelihood = 0;
   // Shrinking: width of the interval, now and expected.

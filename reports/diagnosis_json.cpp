@@ -74,6 +74,13 @@ Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& 
           {"temperature_C", if_used(at.uses_temperature, at.conditions.temperature_C)},
           {"readings", planned_readings},
           {"why", planned.why},
+          {"expected", list(planned.expected,
+                            [&](const ExpectedReading& reading) {
+                              return Json{{"channel", reading.segment},
+                                          {"expected_N", number(reading.expected_N)},
+                                          {"other_N", if_used(!shrinks, reading.other_N)},
+                                          {"deviation_N", number(reading.deviation_N)}};
+                            })},
           {"expected_log_likelihood", if_used(!shrinks, planned.expected_log_likelihood)},
           {"parameter", text_or_null(planned.parameter)},
           {"width_now", if_used(shrinks, planned.width_now)},
@@ -110,8 +117,23 @@ void add_findings(Json& json, const DiagnosisReport& report) {
   json["held_out"] = value_or_null(result.held_out, held_out_json);
 }
 
+Json noise_limit_json(const NoiseLimit& limit) {
+  return {{"log_likelihood_gain", number(limit.log_likelihood_gain)},
+          {"low", number(limit.low)},
+          {"high", number(limit.high)},
+          {"rms", number(limit.rms_N)}};
+}
+
 void add_evidence(Json& json, const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
+  json["held_out_by_run"] = list(result.run_gains, [&](const RunGain& gain) {
+    return Json{{"run", report.data.runs[gain.run]},
+                {"values", gain.cells},
+                {"rms_before", number(gain.rms_before_N)},
+                {"rms_after", number(gain.rms_after_N)},
+                {"rms_noise", number(gain.rms_noise_N)}};
+  });
+  json["noise_limit"] = value_or_null(result.noise_limit, noise_limit_json);
   json["not_confirmed"] = result.not_confirmed;
   json["weighed"] = list(result.weighed, [](const WeighedCause& cause) {
     return Json{{"name", cause.name},

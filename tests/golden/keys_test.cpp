@@ -210,22 +210,25 @@ const std::string diagnosed = std::string(REEVE_SOURCE_DIR) + "/tests/golden/dia
 const std::string held_out_keys =
     "rms_before rms_after reduction low high log_likelihood_gain gain_low gain_high expected_gain";
 const std::string measurement_keys =
-    "routing name held direction motor_tension_N speed_mm_s cycle temperature_C readings why "
+    "routing name held direction motor_tension_N speed_mm_s cycle temperature_C readings why expected "
     "expected_log_likelihood parameter width_now width_expected";
 
 TEST(KeysOfDiagnose, AreThePromisedOnes) {
   const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
-  EXPECT_EQ(keys(json),
-            "verdict causes indistinguishable separating_measurement unexplained next_measurement "
-            "held_out not_confirmed weighed structure noise ranking simulated too_few rows runs "
-            "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
-            "version");
+  EXPECT_EQ(
+      keys(json),
+      "verdict causes indistinguishable separating_measurement unexplained next_measurement "
+      "held_out held_out_by_run noise_limit not_confirmed weighed structure noise ranking simulated too_few rows runs "
+      "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
+      "version");
   const Json& cause = json["causes"][0];
   EXPECT_EQ(keys(cause), "name meaning detail parameters held_out p_value runner_up");
   EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit literature");
   EXPECT_EQ(keys(cause["held_out"]), held_out_keys);
   EXPECT_EQ(keys(cause["runner_up"]), "name delta_log_likelihood");
   EXPECT_EQ(keys(json["held_out"]), held_out_keys);
+  EXPECT_EQ(keys(json["held_out_by_run"][0]), "run values rms_before rms_after rms_noise");
+  EXPECT_EQ(keys(json["noise_limit"]), "log_likelihood_gain low high rms");
   EXPECT_EQ(keys(json["next_measurement"]), measurement_keys);
   EXPECT_EQ(keys(json["weighed"][0]), "name log_likelihood_gain held_out");
   EXPECT_EQ(keys(json["structure"][0]), "about statistic p_value");

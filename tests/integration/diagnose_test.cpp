@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -88,6 +89,49 @@ TEST(Diagnose, WritesWhatItPrintsAndOneLineForEachValue) {
   const std::string csv = read_text(out + "/residuals.csv");
   EXPECT_TRUE(csv.starts_with("# simulated: "));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2 + 60 * 4);
+}
+
+TEST(Diagnose, WritesAPageWithItsFiguresForEachVerdict) {
+  for (const char* verdict : {"cause", "none", "indistinguishable"}) {
+    const TemporaryFolder folder;
+    const std::string out = (folder.path() / "out").string();
+    const std::string data = golden + "diagnose_" + verdict + ".csv";
+    ASSERT_EQ(reeve({"diagnose", data, "--out", out}).exit_code, 0);
+    const std::string page = read_text(out + "/index.html");
+    EXPECT_NE(page.find(std::string("data-verdict=\"") + verdict + '"'), std::string::npos);
+    EXPECT_NE(page.find("<strong>Simulated data.</strong>"), std::string::npos);
+    EXPECT_NE(page.find("href=\"diagnosis.json\""), std::string::npos);
+    for (const char* figure : {"compared", "residuals-strand", "residuals-load", "held-out-runs"}) {
+      const std::string svg = read_text(out + "/figures/" + figure + ".svg");
+      EXPECT_TRUE(svg.starts_with("<svg ")) << verdict << ' ' << figure;
+      EXPECT_NE(page.find(std::string("id=\"") + figure + '"'), std::string::npos) << figure;
+    }
+    const bool asks = page.find("id=\"rows-to-record\"") != std::string::npos;
+    EXPECT_EQ(asks, std::string(verdict) != "none");
+    EXPECT_EQ(asks, std::filesystem::exists(out + "/figures/next-measurement.svg"));
+  }
+}
+
+TEST(Diagnose, WritesTheSamePageForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  ProcessOptions process;
+  process.directory = folder.path();
+  std::vector<std::string> pages;
+  for (const char* threads : {"1", "2"}) {
+    ASSERT_EQ(
+        reeve({"diagnose", with_cause, "--out", "out", "--threads", threads}, process).exit_code,
+        0);
+    pages.push_back(read_text(folder.path() / "out" / "index.html"));
+  }
+  EXPECT_TRUE(pages[0] == pages[1]);
+}
+
+TEST(Diagnose, DoesNotWriteThePageOverTheData) {
+  const TemporaryFolder folder;
+  folder.write("index.html", read_text(with_cause));
+  const std::string data = (folder.path() / "index.html").string();
+  EXPECT_EQ(reeve({"diagnose", data, "--out", folder.path().string()}).exit_code, 2);
+  EXPECT_EQ(read_text(data), read_text(with_cause));
 }
 
 TEST(Diagnose, SavesAModelThatRankTakes) {

@@ -1,0 +1,109 @@
+#include "pages/diagnosis_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pages/diagnosis_charts.hpp"
+#include "pages/diagnosis_labels.hpp"
+#include "pages/diagnosis_values.hpp"
+#include "pages/template.hpp"
+#include "reports/schematic_svg.hpp"
+
+namespace reeve {
+namespace {
+
+// A page of some megabytes opens anywhere: so many marks in the main chart, and in each small one.
+constexpr std::size_t most_compared = 1500;
+constexpr std::size_t most_residuals = 500;
+
+// Keeps what is drawn, for the files beside the page.
+class Figures {
+ public:
+  std::string add(const Figure& figure) {
+    files_.push_back({figure.id, figure.svg});
+    return figure_html(figure);
+  }
+  std::string add_schematic(const std::string& id, const std::string& svg) {
+    files_.push_back({id, svg});
+    return schematic_html(id, svg);
+  }
+  std::vector<FigureFile> files() && { return std::move(files_); }
+
+ private:
+  std::vector<FigureFile> files_;
+};
+
+Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns, const Json& drawn,
+                      Figures& figures) {
+  Json list = Json::array();
+  for (const MarkColumn& column : columns.shown) {
+    list.push_back({{"html", figures.add(residual_figure(report, drawn, column))}});
+  }
+  return list;
+}
+
+// The tensions are for one newton at the motor, as everywhere in schematics.
+std::string schematic_of(const ShowReport& next, const DiagnosisReport& report, Figures& figures) {
+  const ShownGrasp& shown = next.grasps.front();
+  const std::string title = next.name.empty() ? next.word : next.name + ": " + next.word;
+  const GraspView view{shown.grasp, next.direction, shown.state};
+  const std::string svg = schematic_svg(schematic(next.network, title, view), "next");
+  return figures.add_schematic("next-measurement", svg) +
+         render("diagnosis_schematic.mustache", {{"simulated", report.data.simulated}});
+}
+
+Json ranking_values(const std::optional<CatalogueRanking>& ranking) {
+  if (!ranking) return nullptr;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < ranking->after.size(); ++i) {
+    const auto was = std::find(ranking->before.begin(), ranking->before.end(), ranking->after[i]);
+    rows.push_back({{"rank", i + 1},
+                    {"before", i < ranking->before.size() ? ranking->before[i] : ""},
+                    {"after", ranking->after[i]},
+                    {"was", was - ranking->before.begin() + 1},
+                    {"moved", was - ranking->before.begin() != static_cast<std::ptrdiff_t>(i)}});
+  }
+  return {{"changes", ranking->changes()}, {"rows", rows}};
+}
+
+void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& figures) {
+  const DiagnosisResult& result = report.result;
+  const bool sizes = std::any_of(result.causes.begin(), result.causes.end(),
+                                 [](const NamedCause& cause) { return !cause.parameters.empty(); });
+  values["parameters_figure"] = sizes ? figures.add(parameters_figure(report)) : "";
+  values["weighed_figure"] = result.weighed.empty() ? "" : figures.add(weighed_figure(report));
+  values["runs_figure"] = result.run_gains.empty() ? "" : figures.add(runs_figure(report));
+}
+
+}  // namespace
+
+DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
+  const DiagnosisReport& report = input.report;
+  const MarkColumns columns = mark_columns(report);
+  const Json few = marks(report, columns.shown, most_residuals);
+  Figures figures;
+  Json values;
+  values["answer"] = answer_values(report);
+  values["data"] = data_values(input);
+  values["compared"] = figures.add(compared_figure(report, marks(report, {}, most_compared)));
+  values["residuals"] = residual_figures(report, columns, few, figures);
+  values["structure"] = structure_values(report, columns);
+  values["structure"]["thinned"] = thinned_text(report, few);
+  values["causes"] = cause_values(report);
+  add_evidence_figures(report, values, figures);
+  values["separation"] = report.result.separating_measurement.has_value();
+  values["next"] = next_values(report);
+  values["schematic"] =
+      input.next && !input.next->grasps.empty() ? schematic_of(*input.next, report, figures) : "";
+  values["ranking"] = ranking_values(report.ranking);
+  Page page;
+  page.title = fmt::format("Diagnosis of {}{}", report.data.file,
+                           report.data.simulated ? " (simulated)" : "");
+  page.body = render("diagnosis.mustache", values);
+  page.script = "diagnosis.js";
+  page.data = Json::object();
+  return {page_html(page), std::move(figures).files()};
+}
+
+}  // namespace reeve

@@ -1,0 +1,30 @@
+// The page of a diagnosis: the answer, what it rests on, and what to do next, for whoever built the
+// rig. docs/diagnosis.md explains it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pages/page.hpp"
+#include "reports/diagnosis_report.hpp"
+#include "reports/show_report.hpp"
+
+namespace reeve {
+
+struct DiagnosisPage {
+  std::string html;
+  std::vector<FigureFile> figures;
+};
+
+struct DiagnosisPageInput {
+  const DiagnosisReport& report;
+  std::string command;  // which makes the page again
+  // The routing of the next measurement in its grasp, by the extended model; without it the
+  // measurement has no schematic.
+  std::optional<ShowReport> next;
+};
+
+DiagnosisPage diagnosis_page(const DiagnosisPageInput& input);
+
+}  // namespace reeve

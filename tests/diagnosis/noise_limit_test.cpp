@@ -1,0 +1,96 @@
+#include "diagnosis/noise_limit.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "causes/library.hpp"
+#include "diagnosis/run_gain.hpp"
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+constexpr double sd_N = 0.05;
+constexpr int rows = 30;
+
+double truth(double mu, double load, bool beyond_the_tip) {
+  return load * std::exp(-0.36 * std::numbers::pi - (beyond_the_tip ? mu * std::numbers::pi : 0));
+}
+
+// One finger on one tendon, whose capstan law is written out: the tube has 0.09 instead of 0.18.
+MeasuredData readings(std::mt19937& random) {
+  std::normal_distribution<double> noise(0, sd_N);
+  std::string text = "run,routing,motor_tension_N,T1_N,T2_N\n";
+  for (int i = 0; i < rows; ++i) {
+    const double load = 10 + i;
+    text += fmt::format("{},M-1-F,{},{},{}\n", i < 10 ? "first" : "second", load,
+                        truth(0.09, load, false) + noise(random),
+                        truth(0.09, load, true) + noise(random));
+  }
+  return read_data(text);
+}
+
+Dataset all_of(const MeasuredData& data) {
+  std::vector<std::size_t> chosen(data.readings.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i;
+  return dataset(data, chosen);
+}
+
+Model true_model() {
+  Model model;
+  add_effect(model, {find_cause("tube_friction"), {}, {0.09}});
+  return model;
+}
+
+TEST(NoiseLimit, IsWhatTheTrueModelGains) {
+  std::mt19937 random(7);
+  constexpr int experiments = 300;
+  double gains = 0, limits = 0;
+  int within = 0;
+  for (int n = 0; n < experiments; ++n) {
+    const MeasuredData data = readings(random);
+    const Dataset part = all_of(data);
+    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
+    const NoiseLimit limit = noise_limit(held_out, Model{});
+    const double gain = (misfit(held_out, Model{}) - misfit(held_out, true_model())) / 2;
+    gains += gain;
+    limits += limit.log_likelihood_gain;
+    within += gain >= limit.low && gain <= limit.high ? 1 : 0;
+    EXPECT_NEAR(limit.rms_N, sd_N, 1e-12);
+  }
+  // The difference is (ν − χ²_ν) / 2, with ν = 60: standard deviation 5.5 for one experiment.
+  EXPECT_NEAR(gains / experiments, limits / experiments, 3 * 5.5 / std::sqrt(experiments));
+  EXPECT_NEAR(within, 0.95 * experiments, 3 * std::sqrt(0.95 * 0.05 * experiments));
+}
+
+TEST(RunGains, AreTheResidualsOfEachRun) {
+  std::mt19937 random(7);
+  const MeasuredData data = readings(random);
+  const Dataset part = all_of(data);
+  const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
+  const auto gains = run_gains(held_out, Model{}, true_model());
+  ASSERT_EQ(gains.size(), 2U);
+  for (const RunGain& gain : gains) {
+    double before = 0, after = 0, values = 0;
+    for (const Reading& reading : data.readings) {
+      if (reading.run != gain.run) continue;
+      for (const bool beyond : {false, true}) {
+        const double measured = *reading.tension_N[beyond ? 1 : 0];
+        before += std::pow(measured - truth(0.18, *reading.motor_tension_N, beyond), 2);
+        after += std::pow(measured - truth(0.09, *reading.motor_tension_N, beyond), 2);
+        values += 1;
+      }
+    }
+    EXPECT_EQ(gain.cells, static_cast<std::size_t>(values));
+    EXPECT_NEAR(gain.rms_before_N, std::sqrt(before / values), 1e-6);
+    EXPECT_NEAR(gain.rms_after_N, std::sqrt(after / values), 1e-6);
+    EXPECT_NEAR(gain.rms_noise_N, sd_N, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
