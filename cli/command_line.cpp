@@ -1,0 +1,58 @@
+#include "cli/command_line.hpp"
+
+#include <algorithm>
+
+#include "reports/shell_word.hpp"
+
+namespace reeve::cli {
+namespace {
+
+bool names(const std::vector<std::string>& list, const CLI::Option& option) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const std::string& name) { return option.check_name(name); });
+}
+
+// A value that begins with '-' would pass for an option.
+std::string option_text(const CLI::Option& option) {
+  const std::string name = option.get_name();
+  if (option.get_expected_max() == 0) return " " + name;
+  std::string text;
+  for (const std::string& value : option.results()) {
+    text += " " + name + (value.starts_with('-') ? "=" : " ") + shell_word(value);
+  }
+  return text;
+}
+
+template <typename Wanted>
+std::string options_text(const CLI::App& command, Wanted wanted) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 0 && option->nonpositional() && wanted(*option)) {
+      text += option_text(*option);
+    }
+  }
+  return text;
+}
+
+// Behind an option that takes any number of values they would be among these.
+std::string positionals_text(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->nonpositional()) continue;
+    for (const std::string& value : option->results()) text += " " + shell_word(value);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string command_line(const CLI::App& command, const std::vector<std::string>& left_out) {
+  return "reeve " + command.get_name() + positionals_text(command) +
+         options_text(command, [&](const CLI::Option& option) { return !names(left_out, option); });
+}
+
+std::string given_options(const CLI::App& command, const std::vector<std::string>& wanted) {
+  return options_text(command, [&](const CLI::Option& option) { return names(wanted, option); });
+}
+
+}  // namespace reeve::cli
