@@ -88,6 +88,16 @@ void SvgOption::write(const std::string& content) const {
   for_option("--svg: ", [&] { write_file(file, content); });
 }
 
+void OutOption::add_to(CLI::App& command, const std::string& files) {
+  option_ =
+      command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
+}
+
+std::filesystem::path OutOption::prepare() const {
+  prepare_directory(folder_, "--out");
+  return folder_;
+}
+
 void ModelOption::add_to(CLI::App& command) {
   CLI::Option* hardware = hardware_.add_to(command);
   option_ = command

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/json.hpp"
 #include "reports/model_text.hpp"
 #include "reports/schematic_svg.hpp"
 #include "reports/text_table.hpp"
@@ -139,7 +138,7 @@ std::string show_table(const ShowReport& report) {
       share_table(report), contact_table(report), objective_lines(report.values));
 }
 
-std::string show_json(const ShowReport& report) {
+Json to_json(const ShowReport& report) {
   Json json{{"routing", report.word},
             {"name", report.name.empty() ? Json(nullptr) : Json(report.name)},
             {"canonical", report.canonical},
@@ -150,8 +149,10 @@ std::string show_json(const ShowReport& report) {
   }
   add_objectives(json, report.values);
   json["model"] = model_json(report.model, report.unconverged);
-  return print(json);
+  return json;
 }
+
+std::string show_json(const ShowReport& report) { return print(to_json(report)); }
 
 std::string show_svg(const ShowReport& report, const ShownGrasp* shown) {
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
