@@ -88,9 +88,10 @@ void SvgOption::write(const std::string& content) const {
   for_option("--svg: ", [&] { write_file(file, content); });
 }
 
-void OutOption::add_to(CLI::App& command, const std::string& files) {
+CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
   option_ =
       command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
+  return option_;
 }
 
 std::filesystem::path OutOption::prepare() const {

@@ -58,7 +58,7 @@ struct SvgOption {
 
 // A folder for a page and what lies beside it.
 struct OutOption {
-  void add_to(CLI::App& command, const std::string& files);
+  CLI::Option* add_to(CLI::App& command, const std::string& files);
   bool is_given() const { return option_->count() > 0; }
   // Made if it is not there. Throws InputError.
   std::filesystem::path prepare() const;

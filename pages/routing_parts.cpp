@@ -39,15 +39,15 @@ std::string grasp_id(Grasp grasp) {
   return held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
 }
 
-std::vector<std::string> labels(const std::vector<const ShowReport*>& reports) {
+std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
   std::map<std::string, int> uses;
-  for (const ShowReport* report : reports) ++uses[report->name];
+  for (const NamedRouting& routing : routings) ++uses[routing.name];
   std::vector<std::string> result;
-  for (const ShowReport* report : reports) {
-    if (report->name.empty()) {
-      result.push_back(report->word);
+  for (const auto& [name, word] : routings) {
+    if (name.empty()) {
+      result.push_back(word);
     } else {
-      result.push_back(uses[report->name] > 1 ? title(*report) : report->name);
+      result.push_back(uses[name] > 1 ? name + ": " + word : name);
     }
   }
   return result;
