@@ -88,6 +88,17 @@ void SvgOption::write(const std::string& content) const {
   for_option("--svg: ", [&] { write_file(file, content); });
 }
 
+CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
+  option_ =
+      command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
+  return option_;
+}
+
+std::filesystem::path OutOption::prepare() const {
+  prepare_directory(folder_, "--out");
+  return folder_;
+}
+
 void ModelOption::add_to(CLI::App& command) {
   CLI::Option* hardware = hardware_.add_to(command);
   option_ = command

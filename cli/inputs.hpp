@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,18 @@ struct SvgOption {
 
  private:
   std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
+// A folder for a page and what lies beside it.
+struct OutOption {
+  CLI::Option* add_to(CLI::App& command, const std::string& files);
+  bool is_given() const { return option_->count() > 0; }
+  // Made if it is not there. Throws InputError.
+  std::filesystem::path prepare() const;
+
+ private:
+  std::string folder_;
   CLI::Option* option_ = nullptr;
 };
 

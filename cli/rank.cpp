@@ -1,19 +1,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "cli/shown_routing.hpp"
 #include "cli/supervision.hpp"
+#include "cli/tension_distributions.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "diagnosis/measured_data.hpp"
+#include "pages/page.hpp"
+#include "pages/ranking_page.hpp"
+#include "reports/files.hpp"
 #include "reports/rank_report.hpp"
 #include "search/evaluation.hpp"
 #include "search/margin.hpp"
@@ -27,6 +38,10 @@ struct RankFlags {
   bool catalog = false;
   int fingers = 2;
   bool margin = false;
+  OutOption out;
+  std::string data;
+  CLI::Option* data_given = nullptr;
+  std::string mu = "0.18,0.09";
   RankingFlags ranking;
   ModelOption model;
   FormatOption format;
@@ -76,52 +91,117 @@ void require_the_two_means(std::vector<Objective> objectives) {
       "uniformity,efficiency with it");
 }
 
-int run(const RankFlags& flags) {
-  const Catalogue catalogue = shipped_catalogue();
-  const std::vector<Routing> given = routings(flags, catalogue);
-  const auto [model, uncertainty] = flags.model.read();
-  require_contacts_to_match(model.hardware, given);
-  RankReport report;
-  report.objectives = parse_objectives(flags.ranking.objectives);
-  if (flags.margin) require_the_two_means(report.objectives);
-  report.grasps = flags.ranking.read_grasps(finger_count(given.front()));
-  report.model = model;
-  DesignEvaluator evaluator(model, report.grasps);
+// Everything that is given, before anything is written or takes long.
+struct RankInputs {
+  Catalogue catalogue;
+  std::vector<Routing> routings;
+  ModelFile file;
+  std::vector<double> mu;
+  std::optional<MeasuredData> data;
+};
+
+RankInputs read(const RankFlags& flags) {
+  RankInputs inputs;
+  inputs.catalogue = shipped_catalogue();
+  inputs.routings = routings(flags, inputs.catalogue);
+  inputs.file = flags.model.read();
+  require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
+  inputs.mu = parse_coefficients(flags.mu);
+  if (flags.data_given->count() > 0) {
+    inputs.data = read_measured_data(
+        flags.data, [&](const std::string& text) { return read_routing(text, inputs.catalogue); });
+  }
+  return inputs;
+}
+
+std::vector<RankedDesign> evaluate(const RankInputs& inputs, RankReport& report) {
+  DesignEvaluator evaluator(inputs.file.model, report.grasps);
   std::vector<Design> designs;
-  for (const Routing& routing : given) {
+  for (const Routing& routing : inputs.routings) {
     designs.push_back({to_word(routing), evaluator.evaluate(routing)});
   }
   report.unconverged = evaluator.unconverged();
-  const std::vector<RankedDesign> ranked = rank(designs, report.objectives);
-  std::vector<RankDistribution> distributions;
-  if (flags.ranking.uncertainty) {
-    report.uncertainty = UncertaintyOptions{model,
-                                            uncertainty,
-                                            report.grasps,
-                                            report.objectives,
-                                            flags.ranking.draws,
-                                            flags.ranking.seed,
-                                            flags.ranking.threads};
-    ProgressLine progress("drawing");
-    const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
-                                          {std::ref(progress), &stop_on_interrupt()});
-    if (!drawn) throw Interrupted();
-    distributions = *drawn;
+  return rank(designs, report.objectives);
+}
+
+std::vector<RankDistribution> draw(const RankFlags& flags, const RankInputs& inputs,
+                                   const std::vector<RankedDesign>& ranked, RankReport& report) {
+  report.uncertainty = UncertaintyOptions{
+      inputs.file.model,   inputs.file.uncertainty, report.grasps,        report.objectives,
+      flags.ranking.draws, flags.ranking.seed,      flags.ranking.threads};
+  ProgressLine progress("drawing");
+  const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
+                                        {std::ref(progress), &stop_on_interrupt()});
+  if (!drawn) throw Interrupted();
+  return *drawn;
+}
+
+std::vector<Margin> least_leads(const RankFlags& flags, const RankInputs& inputs,
+                                const std::vector<RankedDesign>& ranked, const RankReport& report) {
+  MarginOptions options{inputs.file.model, inputs.file.uncertainty, report.grasps};
+  options.threads = flags.ranking.threads;
+  const auto result = margins(ranked, options, {{}, &stop_on_interrupt()});
+  if (!result) throw Interrupted();
+  return *result;
+}
+
+RankDetails details(const RankInputs& inputs, const std::vector<RankedDesign>& ranked,
+                    RankReport& report, TensionDistributions distributions) {
+  RankDetails details{best_by_objective(ranked), {}, std::move(distributions)};
+  for (const RankedDesign& entry : ranked) {
+    details.routings.push_back(shown_routing(parse_routing(entry.design.word), inputs.file.model,
+                                             report.grasps, Direction::pull, inputs.catalogue));
   }
-  if (flags.margin) {
-    MarginOptions options{model, uncertainty, report.grasps};
-    options.threads = flags.ranking.threads;
-    report.margins = margins(ranked, options, {{}, &stop_on_interrupt()});
-    if (!report.margins) throw Interrupted();
-  }
-  report.designs = list_designs(ranked, distributions, catalogue);
-  if (flags.format.is("json")) {
+  report.unconverged += details.distributions.unconverged;
+  return details;
+}
+
+void print(const RankReport& report, const FormatOption& format) {
+  if (format.is("json")) {
     std::cout << rank_json(report);
-  } else if (flags.format.is("csv")) {
+  } else if (format.is("csv")) {
     std::cout << design_csv(report.designs);
   } else {
-    std::cout << printed(rank_sheet(report), flags.format);
+    std::cout << printed(rank_sheet(report), format);
   }
+}
+
+void write_page(const RankReport& report, const std::filesystem::path& folder,
+                const std::string& command) {
+  const RankingPage page = ranking_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "ranking.json", rank_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+int run(const RankFlags& flags, const CLI::App& command) {
+  const RankInputs inputs = read(flags);
+  RankReport report;
+  report.objectives = parse_objectives(flags.ranking.objectives);
+  if (flags.margin) require_the_two_means(report.objectives);
+  report.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
+  report.model = inputs.file.model;
+  // First what may still refuse its input: then the folder, then what takes long.
+  TensionDistributions distributions;
+  std::filesystem::path folder;
+  if (flags.out.is_given()) {
+    distributions = tension_distributions(
+        {inputs.routings, inputs.file.model, inputs.mu, inputs.data}, inputs.catalogue);
+    folder = flags.out.prepare();
+    for (const char* file : {"index.html", "ranking.json"}) {
+      if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
+    }
+  }
+  const std::vector<RankedDesign> ranked = evaluate(inputs, report);
+  std::vector<RankDistribution> drawn;
+  if (flags.ranking.uncertainty) drawn = draw(flags, inputs, ranked, report);
+  if (flags.margin) report.margins = least_leads(flags, inputs, ranked, report);
+  report.designs = list_designs(ranked, drawn, inputs.catalogue);
+  if (flags.out.is_given()) {
+    report.details = details(inputs, ranked, report, std::move(distributions));
+    write_page(report, folder, command_line(command, {"--format", "--threads"}));
+  }
+  print(report, flags.format);
   return done;
 }
 
@@ -141,10 +221,25 @@ void add_rank(CLI::App& program, int& exit_code) {
   command->add_flag("--margin", flags->margin,
                     "Search the ranges of the coefficients for where the first design's lead over "
                     "each other one is least");
+  CLI::Option* out =
+      flags->out.add_to(*command, "a page, index.html, with ranking.json and figures/");
+  flags->data_given =
+      command
+          ->add_option("--data", flags->data,
+                       "For the page: CSV file of readings, drawn beside the model's tensions; "
+                       "docs/data.md describes its columns")
+          ->needs(out);
+  command
+      ->add_option(
+          "--mu", flags->mu,
+          "For the page: friction coefficients of tubes and sheaths, for each of which the "
+          "tension distributions are drawn")
+      ->needs(out)
+      ->capture_default_str();
   flags->ranking.add_to(*command);
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json", "csv"}));
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 }  // namespace reeve::cli

@@ -2,12 +2,16 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/shown_routing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "pages/page.hpp"
+#include "pages/routing_page.hpp"
+#include "reports/files.hpp"
 #include "reports/show_report.hpp"
 
 namespace reeve::cli {
@@ -18,6 +22,7 @@ struct ShowFlags {
   std::vector<std::string> held;
   std::string direction = "pull";
   SvgOption svg;
+  OutOption out;
   ModelOption model;
   FormatOption format;
 };
@@ -59,9 +64,20 @@ void write_drawing(const ShowFlags& flags, const ShowReport& report) {
   flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
 }
 
-void run(const ShowFlags& flags) {
+void write_page(const ShowFlags& flags, const ShowReport& report, const std::string& command) {
+  const std::filesystem::path folder = flags.out.prepare();
+  const RoutingPage page = routing_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "routing.json", show_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+void run(const ShowFlags& flags, const CLI::App& command) {
   const ShowReport shown = report(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
+  if (flags.out.is_given()) {
+    write_page(flags, shown, command_line(command, {"--format", "--svg"}));
+  }
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
   } else if (flags.format.is("dot")) {
@@ -89,9 +105,10 @@ void add_show(CLI::App& program, int&) {
   flags->svg.add_to(*command,
                     "Also draw the routing into this file, in the grasp of --held (without --held: "
                     "the parts alone, no tensions)");
+  flags->out.add_to(*command, "a page, index.html, with routing.json and figures/");
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json", "dot"}));
-  command->callback([flags] { run(*flags); });
+  command->callback([flags, command] { run(*flags, *command); });
 }
 
 }  // namespace reeve::cli

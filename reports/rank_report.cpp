@@ -46,6 +46,28 @@ Json margins_json(const std::vector<Margin>& margins) {
   return json;
 }
 
+Json best_json(const std::vector<BestDesigns>& best) {
+  Json json = Json::array();
+  for (const BestDesigns& one : best) {
+    json.push_back({{"objective", row(one.objective).name},
+                    {"value", number(one.value)},
+                    {"routings", one.words}});
+  }
+  return json;
+}
+
+void add_details(Json& json, const RankDetails& details) {
+  json["best"] = best_json(details.best);
+  json["routings"] = Json::array();
+  for (const ShowReport& routing : details.routings) json["routings"].push_back(to_json(routing));
+  json["tension_distributions"] = Json::array();
+  for (const TensionDistribution& distribution : details.distributions.list) {
+    json["tension_distributions"].push_back(to_json(distribution));
+  }
+  json["measured_data"] =
+      details.distributions.data ? to_json(*details.distributions.data) : Json(nullptr);
+}
+
 }  // namespace
 
 Sheet rank_sheet(const RankReport& report) {
@@ -65,6 +87,7 @@ std::string rank_json(const RankReport& report) {
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   if (report.margins) json["margins"] = margins_json(*report.margins);
+  if (report.details) add_details(json, *report.details);
   json["version"] = version_json();
   return print(json);
 }

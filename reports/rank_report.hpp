@@ -8,11 +8,21 @@
 #include "core/grasp.hpp"
 #include "reports/design_list.hpp"
 #include "reports/sheet.hpp"
+#include "reports/show_report.hpp"
+#include "reports/tension_distribution.hpp"
 #include "search/margin.hpp"
 #include "search/objectives.hpp"
+#include "search/ranking.hpp"
 #include "search/uncertainty.hpp"
 
 namespace reeve {
+
+// What the page shows besides the ranking.
+struct RankDetails {
+  std::vector<BestDesigns> best;
+  std::vector<ShowReport> routings;  // in the order of the designs, in the grasps of the ranking
+  TensionDistributions distributions;
+};
 
 struct RankReport {
   std::vector<ListedDesign> designs;
@@ -23,6 +33,7 @@ struct RankReport {
   // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;
+  std::optional<RankDetails> details;
 };
 
 Sheet rank_sheet(const RankReport& report);

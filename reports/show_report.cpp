@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/json.hpp"
 #include "reports/model_text.hpp"
 #include "reports/schematic_svg.hpp"
 
@@ -160,7 +159,7 @@ Sheet show_sheet(const ShowReport& report) {
            {"Over these grasps, pulling", objective_list(report.values), {}}}};
 }
 
-std::string show_json(const ShowReport& report) {
+Json to_json(const ShowReport& report) {
   Json json{{"routing", report.word},
             {"name", report.name.empty() ? Json(nullptr) : Json(report.name)},
             {"canonical", report.canonical},
@@ -171,8 +170,10 @@ std::string show_json(const ShowReport& report) {
   }
   add_objectives(json, report.values);
   json["model"] = model_json(report.model, report.unconverged);
-  return print(json);
+  return json;
 }
+
+std::string show_json(const ShowReport& report) { return print(to_json(report)); }
 
 std::string show_svg(const ShowReport& report, const ShownGrasp* shown) {
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;

@@ -9,6 +9,7 @@
 #include "core/network.hpp"
 #include "core/performance.hpp"
 #include "core/tension.hpp"
+#include "reports/json.hpp"
 #include "reports/sheet.hpp"
 #include "search/objectives.hpp"
 
@@ -41,6 +42,7 @@ struct ShownContact {
 std::vector<ShownContact> shown_contacts(const ShowReport& report);
 
 Sheet show_sheet(const ShowReport& report);
+Json to_json(const ShowReport& report);
 std::string show_json(const ShowReport& report);
 // The routing's schematic: in one grasp, or without any its parts alone.
 std::string show_svg(const ShowReport& report, const ShownGrasp* shown);

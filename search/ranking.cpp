@@ -54,4 +54,20 @@ std::vector<RankedDesign> rank(std::vector<Design> designs,
   return ranked;
 }
 
+std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked) {
+  std::vector<BestDesigns> result;
+  for (const ObjectiveRow& row : objective_table()) {
+    BestDesigns best{row.objective, 0, {}};
+    for (const RankedDesign& entry : ranked) {
+      const double candidate = value(entry.design.values, row.objective);
+      const bool better =
+          row.better == Better::higher ? candidate > best.value : candidate < best.value;
+      if (best.words.empty() || better) best = {row.objective, candidate, {}};
+      if (candidate == best.value) best.words.push_back(entry.design.word);
+    }
+    result.push_back(std::move(best));
+  }
+  return result;
+}
+
 }  // namespace reeve

@@ -37,4 +37,14 @@ std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked);
 std::vector<RankedDesign> rank(std::vector<Design> designs,
                                const std::vector<Objective>& objectives);
 
+// Which designs an objective alone would put first.
+struct BestDesigns {
+  Objective objective{};
+  double value = 0;
+  std::vector<std::string> words;  // in the order of the rank
+};
+
+// For each objective, in the order of their table.
+std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked);
+
 }  // namespace reeve

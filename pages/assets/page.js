@@ -9,18 +9,35 @@ const reeve = (() => {
   const parsed = (spec, theme) =>
     vega.parse(vegaLite.compile({ ...spec, config: theme, background: "transparent" }).spec);
 
+  const axisWidth = 70;
+  function room() {
+    const main = document.getElementById("main");
+    const style = getComputedStyle(main);
+    return main.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+  }
+
+  // Panels of a facet go into as many columns as the window has room for.
+  function fitted(spec) {
+    if (spec.vconcat) return { ...spec, vconcat: spec.vconcat.map(fitted) };
+    const panel = spec.usermeta?.panel_px;
+    if (!spec.columns || !panel) return spec;
+    const columns = Math.max(1, Math.floor((room() - axisWidth) / panel));
+    return { ...spec, columns: Math.min(spec.columns, columns) };
+  }
+
   // Draws, or draws anew with another specification; the figure keeps its static picture for print.
   // `onView` is called for each new view, so that it can listen to it.
   async function draw(figure, spec, onView = charts.get(figure)?.onView) {
     charts.get(figure)?.view.finalize();
     const container = figure.querySelector(".live");
     figure.classList.add("is-live"); // first: a hidden container has no width
-    const view = new vega.View(parsed(spec, dark.matches ? themes.dark : themes.light), {
+    const shown = fitted(spec);
+    const view = new vega.View(parsed(shown, dark.matches ? themes.dark : themes.light), {
       renderer: "svg",
       container,
       hover: true,
     });
-    charts.set(figure, { spec, view, onView });
+    charts.set(figure, { spec, shown, view, onView });
     await view.runAsync();
     onView?.(view);
     return view;
@@ -140,6 +157,12 @@ const reeve = (() => {
   for (const table of document.querySelectorAll("table.sortable")) sortable(table);
   dark.addEventListener("change", () => {
     for (const [figure, chart] of charts) draw(figure, chart.spec);
+  });
+
+  addEventListener("resize", () => {
+    for (const [figure, { spec, shown }] of charts) {
+      if (JSON.stringify(fitted(spec)) !== JSON.stringify(shown)) draw(figure, spec);
+    }
   });
 
   return {

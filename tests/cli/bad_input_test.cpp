@@ -191,6 +191,34 @@ TEST(BadOutFolder, IsNamedBeforeAnythingIsComputed) {
       {into("/proc/x"), "--out '/proc/x" + expected, {}},
       {into(""), "--out '" + expected, {}},
   });
+  for (const Arguments& command : {Arguments{"show", "TR1"}, Arguments{"rank", "TR1", "TR7"}}) {
+    for (const char* folder : {"empty.toml", "empty.toml/below", "/proc/x", ""}) {
+      Arguments arguments = command;
+      arguments.insert(arguments.end(), {"--out", folder});
+      expect_bad({arguments, std::string("--out '") + folder + expected, {}});
+    }
+  }
+}
+
+TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
+  const auto rank = [](Arguments options) {
+    options.insert(options.begin(), {"rank", "TR1", "TR7", "--out", "out"});
+    return options;
+  };
+  const std::string mu = "expected friction coefficients from 0 to 1, such as 0.18,0.09";
+  expect_all_bad({
+      {rank({"--data", "missing.csv"}), "missing.csv: cannot be read", {}},
+      {rank({"--data", ""}), "cannot be read", {}},
+      {rank({"--data", "cell.csv"}), "cell.csv:2", {}},
+      {rank({"--data", "name.csv"}), "TR9", {}},
+      {rank({"--data", "ok.csv"}), "ok.csv: there is nothing to draw: expected readings", {}},
+      {rank({"--mu", "0.18,smooth"}), "--mu '0.18,smooth': 'smooth': " + mu, {}},
+      {rank({"--mu", ""}), "--mu '': '': " + mu, {}},
+      {rank({"--mu", "-0.1"}), "--mu '-0.1': '-0.1': " + mu, {}},
+      {rank({"--mu", "0.1,0.1"}), "--mu '0.1,0.1': 0.1 is given twice", {}},
+      {{"rank", "TR1", "TR7", "--data", "ok.csv"}, "--data requires --out", {}},
+      {{"rank", "TR1", "TR7", "--mu", "0.1"}, "--mu requires --out", {}},
+  });
 }
 
 TEST(BadRank, IsNamedWithTheRoutings) {

@@ -178,6 +178,18 @@ TEST(GoldenTables, OfOneRoutingAndOfTheCheck) {
   expect_text(output_of({"check"}), file_of("check.txt"));
 }
 
+TEST(GoldenRank, WithWhatThePageShows) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = REEVE_SOURCE_DIR;  // the file's name is printed as it was given
+  const ProcessResult result = reeve({"rank", "TR4", "TR5", "--grasps", "paper", "--data",
+                                      "tests/golden/readings.csv", "--out", folder.path().string()},
+                                     options);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  expect_json(read_text(folder.path() / "ranking.json"), "rank_page.json");
+}
+
 TEST(GoldenExplore, OfTwoFingers) {
   const TemporaryFolder folder;
   output_of({"explore", "--fingers", "2", "--out", folder.path().string()});

@@ -256,8 +256,9 @@ TEST(Help, MentionsEveryOption) {
   const Arguments ranking{"--grasps",  "--objectives", "--uncertainty", "--draws", "--seed",
                           "--threads", "--hardware",   "--model",       "--format"};
   std::vector<std::pair<std::string, Arguments>> commands{
-      {"show", {"routing", "--held", "--direction", "--svg", "--hardware", "--model", "--format"}},
-      {"rank", {"routing", "--catalog", "--margin", "--fingers"}},
+      {"show",
+       {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--format"}},
+      {"rank", {"routing", "--catalog", "--margin", "--fingers", "--out", "--data", "--mu"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
       {"count", {"--format"}},
       {"check", {"--svg", "--format"}},

@@ -1,0 +1,20 @@
+// The page of one routing: what `reeve show ROUTING --out DIR` writes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/page.hpp"
+#include "reports/show_report.hpp"
+
+namespace reeve {
+
+struct RoutingPage {
+  std::string html;
+  std::vector<FigureFile> figures;
+};
+
+// `command`: that which writes the page.
+RoutingPage routing_page(const ShowReport& report, const std::string& command);
+
+}  // namespace reeve

@@ -1,0 +1,143 @@
+#include "pages/routing_parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reports/json.hpp"
+#include "reports/schematic_svg.hpp"
+#include "reports/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+std::string title(const ShowReport& report) {
+  return report.name.empty() ? report.word : report.name + ": " + report.word;
+}
+
+std::string drawing(const std::string& ids, const ShowReport& report, const ShownGrasp& shown) {
+  const GraspView view{shown.grasp, report.direction, shown.state};
+  return schematic_svg(schematic(report.network, title(report), view), ids);
+}
+
+std::string heading(const ShownGrasp& shown) {
+  return grasp_words(shown.grasp) + (shown.state.jams ? " (jams)" : "");
+}
+
+}  // namespace
+
+std::string grasp_words(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  if (held.empty()) return "no finger held";
+  return fmt::format("finger{} {} held", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
+}
+
+std::string grasp_id(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  return held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
+}
+
+std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
+  std::map<std::string, int> uses;
+  for (const NamedRouting& routing : routings) ++uses[routing.name];
+  std::vector<std::string> result;
+  for (const auto& [name, word] : routings) {
+    if (name.empty()) {
+      result.push_back(word);
+    } else {
+      result.push_back(uses[name] > 1 ? name + ": " + word : name);
+    }
+  }
+  return result;
+}
+
+std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& values) {
+  const std::string_view unit = row.unit;
+  const bool counted = unit == "parts" || unit == "grasps";
+  return fixed(value(values, row.objective), counted ? 0 : 3);
+}
+
+std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state) {
+  std::vector<std::pair<Segment, double>> result;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    if (network.segments[i].kind == SegmentKind::strand) {
+      result.emplace_back(network.segments[i], state.tension[i]);
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const auto& a, const auto& b) { return a.first.number < b.first.number; });
+  return result;
+}
+
+std::string schematic_html(const std::string& id, const ShowReport& report,
+                           const ShownGrasp& shown) {
+  return schematic_html(id, drawing(id, report, shown));
+}
+
+FigureFile schematic_file(const std::string& id, const ShowReport& report,
+                          const ShownGrasp& shown) {
+  return {id, drawing("schematic", report, shown)};
+}
+
+HtmlTable tension_table(const ShowReport& report) {
+  HtmlTable table{"tensions-table", "Tensions over the motor tension", {"<grasp"}, {}};
+  for (const Segment& segment : report.network.segments) table.headings.push_back(name(segment));
+  for (const char* figure : {"uniformity", "efficiency", "force transmission"}) {
+    table.headings.emplace_back(figure);
+  }
+  for (const ShownGrasp& shown : report.grasps) {
+    table.rows.push_back({heading(shown)});
+    for (const double tension : shown.state.tension) table.rows.back().push_back(fixed(tension));
+    for (const double figure : {shown.performance.uniformity, shown.performance.efficiency,
+                                shown.performance.force_transmission}) {
+      table.rows.back().push_back(fixed(figure));
+    }
+  }
+  return table;
+}
+
+HtmlTable share_table(const ShowReport& report) {
+  HtmlTable table{"shares-table", "Shares of the strands in their sum, %", {"<grasp"}, {}};
+  for (const auto& [segment, tension] : strands(report.network, report.grasps.front().state)) {
+    table.headings.push_back(name(segment));
+  }
+  for (const ShownGrasp& shown : report.grasps) {
+    table.rows.push_back({heading(shown)});
+    for (const auto& [segment, tension] : strands(report.network, shown.state)) {
+      table.rows.back().push_back(fixed(100 * tension / shown.performance.force_transmission, 1));
+    }
+  }
+  return table;
+}
+
+HtmlTable contact_table(const ShowReport& report) {
+  HtmlTable table{"contacts-table", "Which way the tendon slides", {"<contact", "<kind"}, {}};
+  for (const ShownGrasp& shown : report.grasps) table.headings.push_back("<" + heading(shown));
+  const Json json = to_json(report);
+  const Json& grasps = json["grasps"];
+  for (std::size_t k = 0; k < grasps[0]["contacts"].size(); ++k) {
+    const Json& contact = grasps[0]["contacts"][k];
+    const Json& between = contact["between"];
+    table.rows.push_back({between[0].get<std::string>() + "-" + between[1].get<std::string>(),
+                          contact["kind"].get<std::string>()});
+    for (const Json& grasp : grasps) {
+      table.rows.back().push_back(grasp["contacts"][k]["slides"].get<std::string>());
+    }
+  }
+  return table;
+}
+
+HtmlTable objective_table(const ShowReport& report) {
+  HtmlTable table{"objectives-table",
+                  "Objectives over these grasps, pulling",
+                  {"<objective", "value", "<unit", "<meaning"},
+                  {}};
+  for (const ObjectiveRow& row : objective_table()) {
+    table.rows.push_back({row.name, objective_text(row, report.values), row.unit, row.meaning});
+  }
+  return table;
+}
+
+}  // namespace reeve

@@ -1,0 +1,79 @@
+#include "pages/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+#include "pages/routing_parts.hpp"
+#include "pages/template.hpp"
+#include "reports/model_text.hpp"
+
+namespace reeve {
+namespace {
+
+std::string text(double value) { return fmt::format("{:.6g}", value); }
+
+class HardwareRows {
+ public:
+  void add(const std::string& part, const char* quantity, double value, const char* unit) {
+    rows_.push_back({part, quantity, text(value), unit});
+  }
+  void add(const std::string& part, const char* quantity, const std::optional<double>& value,
+           const char* unit) {
+    if (value) add(part, quantity, *value, unit);
+  }
+  void add(const std::string& part, const ContactLaw& law) {
+    add(part, "friction coefficient", law.mu, "1");
+    add(part, "wrap angle", law.angle_rad, "rad");
+  }
+
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace
+
+HtmlTable hardware_table(const Hardware& hardware) {
+  HardwareRows table;
+  table.add("tube", hardware.tube);
+  table.add("bearing", hardware.bearing);
+  table.add("sheath", hardware.sheath);
+  for (const FingerHardware& finger : hardware.fingers) {
+    const std::string part = fmt::format("finger {}", finger.finger);
+    table.add(part, "friction coefficient at the tip", finger.tip_mu, "1");
+    table.add(part, "wrap angle at the tip", finger.tip_angle_rad, "rad");
+    table.add(part, "friction coefficient of its sheaths", finger.sheath_mu, "1");
+    table.add(part, "wrap angle of its sheaths", finger.sheath_angle_rad, "rad");
+    table.add(part, "length of a strand", finger.strand_mm, "mm");
+    table.add(part, "closing, relative to the others", finger.closing, "1");
+  }
+  for (const ContactHardware& contact : hardware.contacts) {
+    const std::string part = contact.segment + "-" + contact.other_segment;
+    table.add(part, "friction coefficient", contact.mu, "1");
+    table.add(part, "wrap angle", contact.angle_rad, "rad");
+  }
+  table.add("strand", "length", hardware.strand_mm, "mm");
+  table.add("motor-side segment", "length", hardware.motor_side_mm, "mm");
+  table.add("other segment at the hand", "length", hardware.hand_mm, "mm");
+  return {"hardware-table", "Hardware", {"<part", "<quantity", "value", "<unit"}, table.rows_};
+}
+
+HtmlTable grasp_table(const GraspSet& grasps) {
+  HtmlTable table{
+      "grasps-table", "Grasps, and their weights in the means", {"<grasp", "weight"}, {}};
+  for (const WeightedGrasp& grasp : grasps) {
+    table.rows.push_back({grasp_words(grasp.grasp), text(grasp.weight)});
+  }
+  return table;
+}
+
+std::string settings_html(const Model& model, std::uint64_t unconverged, const GraspSet& grasps,
+                          const std::string& command, const std::string& more) {
+  return render("settings.mustache", {{"model", model_text(model, unconverged)},
+                                      {"grasps", html(grasp_table(grasps))},
+                                      {"hardware", html(hardware_table(model.hardware))},
+                                      {"more", more},
+                                      {"command", command}});
+}
+
+}  // namespace reeve

@@ -1,0 +1,54 @@
+#include "reports/tension_distribution.hpp"
+
+#include "reports/data_text.hpp"
+
+namespace reeve {
+namespace {
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json to_json(const StrandShare& strand) {
+  Json json{{"strand", strand.strand}, {"model", number(strand.model)},
+            {"published", nullptr},    {"published_fault", nullptr},
+            {"measured", nullptr},     {"measured_deviation", nullptr}};
+  if (strand.published) {
+    json["published"] = strand.published->share;
+    json["published_fault"] = text_or_null(strand.published->fault);
+  }
+  if (strand.measured) {
+    json["measured"] = strand.measured->mean;
+    if (strand.measured->deviation) json["measured_deviation"] = *strand.measured->deviation;
+  }
+  return json;
+}
+
+Json to_json(const RoutingShares& routing) {
+  Json json{{"routing", routing.word},
+            {"name", text_or_null(routing.name)},
+            {"published_source", text_or_null(routing.published_source)},
+            {"readings", routing.readings}};
+  json["strands"] = Json::array();
+  for (const StrandShare& strand : routing.strands) json["strands"].push_back(to_json(strand));
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const TensionDistribution& distribution) {
+  Json json{{"mu", distribution.mu}, {"held", held_fingers(distribution.grasp)}};
+  json["rms_measured"] =
+      distribution.rms_measured ? Json(*distribution.rms_measured) : Json(nullptr);
+  json["routings"] = Json::array();
+  for (const RoutingShares& routing : distribution.routings) {
+    json["routings"].push_back(to_json(routing));
+  }
+  return json;
+}
+
+Json to_json(const SharedData& data) {
+  Json json{{"file", data.file}, {"simulated", data.simulated}, {"notes", Json::array()}};
+  add_notes(json["notes"], data.notes);
+  return json;
+}
+
+}  // namespace reeve

@@ -1,0 +1,93 @@
+// The page of `show --out`.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "reports/json.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve::testing {
+namespace {
+
+struct Shown {
+  explicit Shown(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "show");
+    plain = reeve(arguments);
+    arguments.insert(arguments.end(), {"--out", folder.path().string()});
+    result = reeve(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    html = read_text(folder.path() / "index.html");
+  }
+
+  bool has(const std::string& part) const { return html.find(part) != std::string::npos; }
+
+  TemporaryFolder folder;
+  ProcessResult plain;
+  ProcessResult result;
+  std::string html;
+};
+
+TEST(RoutingPage, LiesBesideTheUsualResult) {
+  const Shown shown({"TR5", "--format", "json"});
+  EXPECT_EQ(shown.result.out, shown.plain.out);
+  EXPECT_EQ(read_text(shown.folder.path() / "routing.json"), shown.plain.out);
+}
+
+TEST(RoutingPage, HasTheTensionsOfEachGrasp) {
+  const Shown shown({"TR5"});
+  const std::string opening = R"(<script type="application/json" class="spec">)";
+  const std::size_t begin = shown.html.find(opening) + opening.size();
+  const Json spec =
+      Json::parse(shown.html.substr(begin, shown.html.find("</script>", begin) - begin));
+  const Json json = Json::parse(read_text(shown.folder.path() / "routing.json"));
+  const std::vector<std::string> panels{"no finger held", "finger 1 held", "finger 2 held"};
+  const Json& values = spec["data"]["values"];
+  ASSERT_EQ(values.size(), 12U);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(values[i]["panel"], panels[i / 4]);
+    EXPECT_EQ(values[i]["strand"], "T" + std::to_string(i % 4 + 1));
+    const std::string strand = values[i]["strand"];
+    EXPECT_EQ(values[i]["tension"], json["grasps"][i / 4]["tensions"][strand]);
+  }
+}
+
+TEST(RoutingPage, DrawsTheSchematicOfEachGraspHereAndAsAFile) {
+  const Shown shown({"TR5"});
+  for (const char* id : {"schematic-held-none", "schematic-held-1", "schematic-held-2"}) {
+    EXPECT_TRUE(shown.has(std::string("<figure class=\"schematic\" id=\"") + id + "\">")) << id;
+    const std::string file = std::string(id) + ".svg";
+    EXPECT_TRUE(read_text(shown.folder.path() / "figures" / file).starts_with("<svg "));
+  }
+  EXPECT_TRUE(read_text(shown.folder.path() / "figures" / "tensions.svg").starts_with("<svg "));
+}
+
+TEST(RoutingPage, SaysHowItIsWrittenAndMade) {
+  const Shown shown({"F-2-T-1-M"});
+  EXPECT_TRUE(shown.has("<h1>TR1: <code>F-2-T-1-M</code></h1>"));
+  EXPECT_TRUE(shown.has("<code id=\"canonical\">M-1-T-2-F</code>"));
+  EXPECT_TRUE(shown.has("<pre id=\"command\">reeve show F-2-T-1-M --out "));
+}
+
+TEST(RoutingPage, SaysWhereItJams) {
+  EXPECT_TRUE(Shown({"M-1-F+M-2-F", "--held", "1"}).has("With finger 1 held the routing jams"));
+}
+
+// No strands: nothing to draw bars of.
+TEST(RoutingPage, TakesATestBench) {
+  const Shown bench({"M-F"});
+  EXPECT_FALSE(bench.has("<figure class=\"chart\""));
+  EXPECT_FALSE(bench.has("nan"));
+  EXPECT_TRUE(bench.has("id=\"contacts-table\""));
+}
+
+TEST(RoutingPage, SaysWhichModelAndDirection) {
+  const Shown shown({"TR5", "--direction", "release", "--model",
+                     std::string(REEVE_CATALOG_DIR) + "/model/example.toml"});
+  EXPECT_TRUE(shown.has("lets the fingers draw them out"));
+  EXPECT_TRUE(shown.has("<pre id=\"model\">Model with tube_friction (mu 0.09)"));
+}
+
+}  // namespace
+}  // namespace reeve::testing
