@@ -115,8 +115,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   write_exploration(report, command, catalogue, flags.out);
-  std::cout << announced("index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures",
-                         flags.out, flags.format);
+  std::cout << announced(
+      "index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures", flags.out,
+      flags.format);
   return partial_note(report).empty() ? done : interrupted;
 }
 
