@@ -194,8 +194,11 @@ Figure compared_figure(const DiagnosisReport& report, const Json& marks) {
   figure.id = "compared";
   figure.title = "Measured against predicted tension.";
   figure.caption = simulated_label(report) +
-                   "Each point is one sensor in one reading; on the dashed line both agree. Hollow "
-                   "points were fitted to, filled ones are of runs that no fit has seen." +
+                   "Each point is one sensor in one reading; on the dashed line both agree." +
+                   (report.result.held_out_runs == 0
+                        ? ""
+                        : " Hollow points were fitted to, filled ones are of runs that no fit has "
+                          "seen.") +
                    thinned_text(report, marks);
   figure.alt = compared_alt(report);
   figure.spec = {{"data", {{"values", marks}}},

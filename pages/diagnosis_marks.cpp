@@ -132,12 +132,12 @@ Json marks(const DiagnosisReport& report, const std::vector<MarkColumn>& columns
   for (const std::size_t i : chosen(cells.size(), most)) {
     Json datum = mark(report, cells[i]);
     const Reading& reading = report.data.readings[cells[i].cell.reading];
-    for (const auto& [column, value] : number_columns(report)) {
+    for (const NumberColumn& known : number_columns(report)) {
       const bool shown = std::any_of(columns.begin(), columns.end(), [&](const MarkColumn& other) {
-        return other.field == column.field;
+        return other.field == known.column.field;
       });
-      const std::optional<double> given = value(reading);
-      if (shown) datum[column.field] = given ? number(*given) : Json();
+      const std::optional<double> given = known.value(reading);
+      if (shown) datum[known.column.field] = given ? number(*given) : Json();
     }
     list.push_back(std::move(datum));
   }

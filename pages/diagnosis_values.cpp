@@ -137,7 +137,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 Json answer_values(const DiagnosisReport& report) {
   const VerdictLabel label = verdict_label(report.result);
-  return {{"verdict", name(report.result.verdict)},
+  return {{"verdict", report.result.too_few_readings ? "too_few" : name(report.result.verdict)},
           {"words", label.words},
           {"shape_" + label.shape, true},
           {"sentences", sentences(diagnosis_answer(report))}};
