@@ -149,7 +149,14 @@ const explorationCharts = (() => {
       },
       {
         data: { name: "chosen" },
-        mark: { type: "text", align: "right", dx: -12, dy: 8, fontSize: 15, fontWeight: "bold" },
+        mark: {
+          type: "text",
+          align: "right",
+          dx: -12,
+          dy: { expr: `9 + 16 * indexof('${letters}', slice(datum.letter, 0, 1))` },
+          fontSize: 15,
+          fontWeight: "bold",
+        },
         encoding: { text: { field: "letter" } },
       },
     ];
@@ -301,7 +308,13 @@ const explorationCharts = (() => {
         },
         {
           data: { name: "chosen" },
-          mark: { type: "text", fontWeight: "bold", fontSize: 14, align: "right", dx: -8 },
+          mark: {
+            type: "text",
+            fontWeight: "bold",
+            fontSize: 14,
+            align: "right",
+            dx: { expr: `-8 - 12 * indexof('${letters}', datum.letter)` },
+          },
           encoding: { text: { field: "letter" } },
         },
         end("top", 1, -12),

@@ -1,0 +1,111 @@
+#include "pages/exploration_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/pages/explored.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::explored;
+using testing::small_options;
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + " ";
+  return text;
+}
+
+void expect_says(const std::vector<std::string>& sentences, const std::string& what) {
+  EXPECT_NE(joined(sentences).find(what), std::string::npos)
+      << "'" << what << "' is not in: " << joined(sentences);
+}
+
+TEST(ExplorationWords, NameTheFirstAndWhy) {
+  const ExplorationWords words = exploration_words(explored(small_options()));
+  expect_says(words.won,
+              "1-P-2-P-1 comes first of 54 designs: uniformity mean 0.9979 and "
+              "efficiency mean 0.3224, with 4 sheaths, 2 pulleys and 1 knot.");
+  expect_says(words.won, "one of 3 designs on the Pareto front");
+  expect_says(words.won, "of those with the same product it needs fewest parts");
+  expect_says(words.won, "the next of these, K2, has rank 16: 13 designs dominate it");
+  expect_says(words.won, "Next comes 1-P-2b-P-1, which equals it in these");
+}
+
+TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {
+  const ExplorationWords words = exploration_words(explored(small_options(3)));
+  expect_says(words.won, "It stands alone on the Pareto front");
+}
+
+TEST(ExplorationWords, CountWhatWasExploredAndRejected) {
+  ExploreOptions options = small_options();
+  options.constraints.push_back(parse_constraint("sheaths<=2"));
+  const ExploreReport report = explored(options);
+  const ExplorationWords words = exploration_words(report);
+  expect_says(words.explored, "126 of 126 routings of 2 fingers were generated");
+  expect_says(words.rejected, "72: not actuated; one of the tendons hangs on no motor.");
+  const std::uint64_t failed = report.result.rejected.at(1).count;
+  ASSERT_GT(failed, 0U);
+  expect_says(words.rejected, std::to_string(failed) + ": constraint sheaths<=2 not met.");
+  EXPECT_EQ(ranked_designs(report), 54 - failed);
+  EXPECT_EQ(report.top.size(), 54 - failed);
+  expect_says(words.won, "comes first of " + std::to_string(54 - failed) + " designs");
+}
+
+TEST(ExplorationWords, SayWhoComesFirstByOneObjectiveAlone) {
+  const ExploreReport report = explored(small_options());
+  expect_says(exploration_words(report).changes, "force transmission (M-1b-B-2b-F)");
+  for (const SingleBest& best : single_bests(report)) {
+    const auto get = [&](const ListedDesign& design) {
+      const double v = value(design.ranked.design.values, best.objective.objective);
+      return best.objective.better == Better::higher ? v : -v;
+    };
+    std::size_t equal = 0;
+    for (const ListedDesign& design : report.top) {
+      EXPECT_LE(get(design), get(best.design));
+      if (get(design) != get(best.design)) continue;
+      EXPECT_GE(design.ranked.rank, best.design.ranked.rank) << best.objective.name;
+      ++equal;
+    }
+    EXPECT_EQ(equal, best.equal + 1) << best.objective.name;
+  }
+}
+
+TEST(ExplorationWords, SayWhatTheListLeavesOut) {
+  ExploreOptions options = small_options();
+  options.top = 7;
+  expect_says(exploration_words(explored(options)).changes,
+              "The list holds the first 7 of 54 ranked designs.");
+  options.shard = {2, 3};
+  expect_says(exploration_words(explored(options)).caveats, "This is part 2 of 3 of the whole");
+}
+
+TEST(ExplorationWords, SayHowSureTheOrderIs) {
+  ExploreReport report = explored(small_options());
+  expect_says(exploration_words(report).changes, "was not computed; --uncertainty");
+  report.uncertainty = UncertaintyOptions{};
+  report.uncertainty->draws = 200;
+  for (ListedDesign& design : report.top) design.distribution = RankDistribution{};
+  report.top[0].distribution->first = 0.25;
+  report.top[3].distribution->first = 0.75;
+  const ExplorationWords words = exploration_words(report);
+  expect_says(words.changes, "drawn 200 times from their ranges, 1-P-2-P-1 stays first in 25.0 %");
+  expect_says(words.changes, report.top[3].ranked.design.word + " is first most often: in 75.0 %.");
+}
+
+TEST(ExplorationWords, HaveNothingToSayOfAnEmptyList) {
+  ExploreOptions options = small_options();
+  options.constraints.push_back(parse_constraint("sheaths<=0"));
+  const ExploreReport report = explored(options);
+  const ExplorationWords words = exploration_words(report);
+  expect_says(words.won, "No design is left to rank: every routing was rejected.");
+  EXPECT_TRUE(words.changes.empty());
+  EXPECT_TRUE(single_bests(report).empty());
+}
+
+}  // namespace
+}  // namespace reeve
