@@ -169,8 +169,7 @@ class Layers {
 };
 
 std::string row_title(std::size_t row, double mu) {
-  return fmt::format("({}) friction coefficient of tubes and sheaths {:g}",
-                     static_cast<char>('a' + row), mu);
+  return fmt::format("({}) μ of tubes and sheaths {:g}", static_cast<char>('a' + row), mu);
 }
 
 Json row_spec(const TensionDistribution& row, const std::string& title, const Layers& layers,
