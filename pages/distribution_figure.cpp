@@ -14,9 +14,6 @@
 namespace reeve {
 namespace {
 
-// Vega leaves room above the panels' headings that nothing needs.
-constexpr int title_offset = -20;
-
 constexpr const char* model = "model";
 constexpr const char* published = "published";
 
@@ -105,7 +102,7 @@ class Layers {
   Json y(const char* field) const {
     return {{"field", field},
             {"type", "quantitative"},
-            {"title", "share of the strands' sum"},
+            {"title", "share of the sum"},
             {"axis", {{"format", "%"}, {"tickCount", 5}}}};
   }
 
@@ -180,8 +177,7 @@ Json row_spec(const TensionDistribution& row, const std::string& title, const La
     add_values(values, panels[i], row.routings[i], measured);
   }
   const double width = panel_width(row.routings.front().strands.size());
-  Json spec{{"title", {{"text", title}, {"anchor", "start"}, {"offset", title_offset}}},
-            {"data", {{"values", values}}}};
+  Json spec{{"title", {{"text", title}, {"anchor", "start"}}}, {"data", {{"values", values}}}};
   spec["facet"] = {{"field", "panel"},
                    {"type", "nominal"},
                    {"sort", panels},
