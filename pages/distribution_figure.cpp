@@ -226,7 +226,7 @@ std::string caption(const Rows& rows, const TensionDistributions& all) {
     text += ", mean of the readings ± their standard deviation.";
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (!rows[i]->rms_measured) continue;
-      text += fmt::format(" ({}) differs from the model by {} points of share (rms).",
+      text += fmt::format(" In ({}) model and data differ by {} points of share (rms).",
                           static_cast<char>('a' + i), fixed(100 * *rows[i]->rms_measured, 1));
     }
   }
@@ -275,6 +275,7 @@ std::string distribution_notes(const TensionDistributions& distributions) {
     }
   }
   Json values{{"sources", sources}, {"faults", faults}, {"notes", ""}, {"file", ""}};
+  values["has_sources"] = !sources.empty();
   values["simulated"] = false;
   if (distributions.data) {
     values["file"] = distributions.data->file;

@@ -74,8 +74,8 @@ const reeve = (() => {
     const width = view.width();
     const sized = spec.width === "container" ? { ...spec, width } : spec;
     const copy = new vega.View(parsed(sized, themes.light), { renderer: "none" });
-    copy.background("white");
     copy.setState(view.getState());
+    copy.background("white"); // after the state, which has the page's
     const svg = await copy.toSVG();
     copy.finalize();
     return svg;
