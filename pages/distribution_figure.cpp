@@ -14,9 +14,6 @@
 namespace reeve {
 namespace {
 
-// Vega leaves room above the panels' headings that nothing needs.
-constexpr int title_offset = -20;
-
 constexpr const char* model = "model";
 constexpr const char* published = "published";
 
@@ -105,7 +102,7 @@ class Layers {
   Json y(const char* field) const {
     return {{"field", field},
             {"type", "quantitative"},
-            {"title", "share of the strands' sum"},
+            {"title", "share of the sum"},
             {"axis", {{"format", "%"}, {"tickCount", 5}}}};
   }
 
@@ -169,8 +166,7 @@ class Layers {
 };
 
 std::string row_title(std::size_t row, double mu) {
-  return fmt::format("({}) friction coefficient of tubes and sheaths {:g}",
-                     static_cast<char>('a' + row), mu);
+  return fmt::format("({}) μ of tubes and sheaths {:g}", static_cast<char>('a' + row), mu);
 }
 
 Json row_spec(const TensionDistribution& row, const std::string& title, const Layers& layers,
@@ -181,8 +177,7 @@ Json row_spec(const TensionDistribution& row, const std::string& title, const La
     add_values(values, panels[i], row.routings[i], measured);
   }
   const double width = panel_width(row.routings.front().strands.size());
-  Json spec{{"title", {{"text", title}, {"anchor", "start"}, {"offset", title_offset}}},
-            {"data", {{"values", values}}}};
+  Json spec{{"title", {{"text", title}, {"anchor", "start"}}}, {"data", {{"values", values}}}};
   spec["facet"] = {{"field", "panel"},
                    {"type", "nominal"},
                    {"sort", panels},
@@ -231,7 +226,7 @@ std::string caption(const Rows& rows, const TensionDistributions& all) {
     text += ", mean of the readings ± their standard deviation.";
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (!rows[i]->rms_measured) continue;
-      text += fmt::format(" ({}) differs from the model by {} points of share (rms).",
+      text += fmt::format(" In ({}) model and data differ by {} points of share (rms).",
                           static_cast<char>('a' + i), fixed(100 * *rows[i]->rms_measured, 1));
     }
   }
@@ -279,12 +274,16 @@ std::string distribution_notes(const TensionDistributions& distributions) {
       }
     }
   }
-  Json values{{"sources", sources}, {"faults", faults}, {"notes", ""}, {"file", ""}};
+  Json values{{"sources", sources}, {"faults", faults}, {"file", ""}, {"notes", Json::array()}};
+  values["has_sources"] = !sources.empty();
+  values["has_sources"] = !sources.empty();
   values["simulated"] = false;
   if (distributions.data) {
     values["file"] = distributions.data->file;
     values["simulated"] = distributions.data->simulated;
-    values["notes"] = notes_text(distributions.data->notes);
+    for (const SheetLine& line : notes_section(distributions.data->notes).lines) {
+      values["notes"].push_back({{"text", line.text}});
+    }
   }
   return render("distribution_notes.mustache", values);
 }

@@ -190,8 +190,8 @@ std::vector<std::string> explored(const ExploreReport& report) {
       "front.",
       to_text(options.grasps), titles(options.objectives)));
   text.push_back(friction_text(effective_hardware(options.model)));
-  if (!options.model.effects.empty()) {
-    text.push_back(model_text(options.model, report.result.unconverged));
+  for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
+    text.push_back(line.text);
   }
   return text;
 }

@@ -44,7 +44,7 @@ Json tension_spec(const std::vector<TensionPanel>& panels) {
   Json x{{"field", "strand"}, {"type", "nominal"}, {"sort", nullptr}, {"title", nullptr}};
   x["axis"] = {{"labelAngle", 0}, {"labelOverlap", true}};
   const Json y{
-      {"field", "tension"}, {"type", "quantitative"}, {"title", "tension over motor tension"}};
+      {"field", "tension"}, {"type", "quantitative"}, {"title", {"tension over", "motor tension"}}};
   const Json color{{"field", "finger"}, {"type", "nominal"}, {"sort", nullptr}};
   Json spec{{"data", {{"values", values}}}};
   spec["facet"] = {{"field", "panel"}, {"type", "nominal"}, {"sort", titles}, {"title", nullptr}};

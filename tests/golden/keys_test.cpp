@@ -124,10 +124,10 @@ Json with_page(std::vector<std::string> arguments) {
   return json_of(arguments);
 }
 
-const std::string readings_of_tr5 = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
+const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 TEST(KeysOfRank, AddWhatThePageShows) {
-  const Json json = with_page({"rank", "TR5", "TR7", "--data", readings_of_tr5});
+  const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
   EXPECT_EQ(keys(json),
             "designs settings best routings tension_distributions measured_data version");
   EXPECT_EQ(keys(json["best"][0]), "objective value routings");
@@ -159,58 +159,10 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   expect_settings(json["settings"]);
 }
 
-Json with_page(std::vector<std::string> arguments) {
-  const TemporaryFolder folder;
-  arguments.insert(arguments.end(), {"--out", folder.path().string()});
-  return json_of(arguments);
-}
-
-const std::string readings_of_tr5 = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
-
-TEST(KeysOfRank, AddWhatThePageShows) {
-  const Json json = with_page({"rank", "TR5", "TR7", "--data", readings_of_tr5});
-  EXPECT_EQ(keys(json),
-            "designs settings best routings tension_distributions measured_data version");
-  EXPECT_EQ(keys(json["best"][0]), "objective value routings");
-  EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
-  ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
-  EXPECT_EQ(keys(json["tension_distributions"][0]), "mu held rms_measured routings");
-  const Json& routing = json["tension_distributions"][0]["routings"][0];
-  EXPECT_EQ(keys(routing), "routing name published_source readings strands");
-  EXPECT_EQ(keys(routing["strands"][0]),
-            "strand model published published_fault measured measured_deviation");
-  EXPECT_EQ(keys(json["measured_data"]), "file simulated notes");
-  EXPECT_TRUE(with_page({"rank", "TR5"})["measured_data"].is_null());
-}
-
 TEST(KeysOfTheExploreSummary, NameEveryConstraintThatRejects) {
   const Json json = summary({"--constraint", "sheaths<=2", "--constraint", "jams == 0"});
   EXPECT_EQ(keys(json["rejected"]), "not actuated constraint sheaths<=2 constraint jams==0");
   EXPECT_EQ(json["settings"]["constraints"].dump(), R"(["sheaths<=2","jams==0"])");
-}
-
-Json with_page(std::vector<std::string> arguments) {
-  const TemporaryFolder folder;
-  arguments.insert(arguments.end(), {"--out", folder.path().string()});
-  return json_of(arguments);
-}
-
-const std::string readings_of_tr5 = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
-
-TEST(KeysOfRank, AddWhatThePageShows) {
-  const Json json = with_page({"rank", "TR5", "TR7", "--data", readings_of_tr5});
-  EXPECT_EQ(keys(json),
-            "designs settings best routings tension_distributions measured_data version");
-  EXPECT_EQ(keys(json["best"][0]), "objective value routings");
-  EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
-  ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
-  EXPECT_EQ(keys(json["tension_distributions"][0]), "mu held rms_measured routings");
-  const Json& routing = json["tension_distributions"][0]["routings"][0];
-  EXPECT_EQ(keys(routing), "routing name published_source readings strands");
-  EXPECT_EQ(keys(routing["strands"][0]),
-            "strand model published published_fault measured measured_deviation");
-  EXPECT_EQ(keys(json["measured_data"]), "file simulated notes");
-  EXPECT_TRUE(with_page({"rank", "TR5"})["measured_data"].is_null());
 }
 
 TEST(KeysOfTheExploreSummary, HaveNullRankForAKnownRoutingThatIsNotAmongTheDesigns) {
@@ -235,8 +187,6 @@ TEST(KeysOfCheck, AreThePromisedOnes) {
     EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees");
   }
 }
-
-const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 TEST(KeysOfCompare, AreThePromisedOnes) {
   const Json json = json_of({"compare", readings});
@@ -343,7 +293,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
   collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
   collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
-  collect(with_page({"rank", "TR5", "TR7", "--data", readings_of_tr5}), names);
+  collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
   collect(json_of({"rank", "TR5", "--model", example_model}), names);
   collect(summary(), names);
   collect(json_of({"count"}), names);
