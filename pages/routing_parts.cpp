@@ -47,7 +47,7 @@ std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
     if (name.empty()) {
       result.push_back(word);
     } else {
-      result.push_back(uses[name] > 1 ? name + ": " + word : name);
+      result.push_back(uses[name] > 1 ? fmt::format("{}: {}", name, word) : name);
     }
   }
   return result;
