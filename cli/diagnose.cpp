@@ -118,6 +118,10 @@ void run(const DiagnoseFlags& flags) {
   }
   std::cout << (flags.format.is("json") ? diagnosis_json(result)
                                         : printed(diagnosis_sheet(result), flags.format));
+  if (flags.out_given->count() > 0) {
+    std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out,
+                           flags.format);
+  }
 }
 
 // A check of CLI11's; it lets no NaN pass.

@@ -202,6 +202,9 @@ int run(const RankFlags& flags, const CLI::App& command) {
     write_page(report, folder, command_line(command, {"--format", "--threads"}));
   }
   print(report, flags.format);
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, ranking.json and figures", folder, flags.format);
+  }
   return done;
 }
 

@@ -64,8 +64,8 @@ void write_drawing(const ShowFlags& flags, const ShowReport& report) {
   flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
 }
 
-void write_page(const ShowFlags& flags, const ShowReport& report, const std::string& command) {
-  const std::filesystem::path folder = flags.out.prepare();
+void write_page(const std::filesystem::path& folder, const ShowReport& report,
+                const std::string& command) {
   const RoutingPage page = routing_page(report, command);
   write_figures(folder, page.figures);
   write_file(folder / "routing.json", show_json(report));
@@ -75,8 +75,10 @@ void write_page(const ShowFlags& flags, const ShowReport& report, const std::str
 void run(const ShowFlags& flags, const CLI::App& command) {
   const ShowReport shown = report(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
+  std::filesystem::path folder;
   if (flags.out.is_given()) {
-    write_page(flags, shown, command_line(command, {"--format", "--svg"}));
+    folder = flags.out.prepare();
+    write_page(folder, shown, command_line(command, {"--format", "--svg"}));
   }
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
@@ -84,6 +86,9 @@ void run(const ShowFlags& flags, const CLI::App& command) {
     std::cout << dot(flags, shown);
   } else {
     std::cout << printed(show_sheet(shown), flags.format);
+  }
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, routing.json and figures", folder, flags.format);
   }
 }
 

@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/integration/explored.hpp"
@@ -68,9 +70,43 @@ TEST(ExploreFiles, AreTheSameForAnyNumberOfThreads) {
     const Explored more = with_threads(threads);
     EXPECT_EQ(more.file("designs.csv"), one.file("designs.csv"));
     EXPECT_EQ(more.file("pareto.csv"), one.file("pareto.csv"));
+    EXPECT_TRUE(more.file("index.html") == one.file("index.html"));
+    EXPECT_EQ(more.file("figures/pareto.svg"), one.file("figures/pareto.svg"));
     EXPECT_EQ(without_times(more.file("summary.json")), without_times(one.file("summary.json")));
   }
   EXPECT_EQ(words(one.file("designs.csv")).size(), 100U);
+}
+
+// What stands in the element, unescaped.
+std::string command_of(const std::string& page) {
+  const std::string opening = "id=\"command\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  std::string text = page.substr(begin, page.find("</pre>", begin) - begin);
+  for (const auto& [escaped, plain] : std::vector<std::pair<std::string, std::string>>{
+           {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}}) {
+    for (std::size_t at = text.find(escaped); at != std::string::npos; at = text.find(escaped)) {
+      text.replace(at, escaped.size(), plain);
+    }
+  }
+  return text;
+}
+
+TEST(ExplorePage, GivesTheCommandThatGivesItAgain) {
+  const Explored first({"--fingers", "2", "--constraint", "sheaths<=2", "--constraint", "jams==0",
+                        "--threads", "1", "--objectives", "uniformity, travel"});
+  const std::string command = command_of(first.file("index.html"));
+  ASSERT_TRUE(command.starts_with("reeve explore ")) << command;
+  ProcessOptions options;
+  options.directory = first.folder.path();
+  const std::string page = first.file("index.html");
+  std::filesystem::remove_all(first.out());
+  const std::string program = REEVE_EXECUTABLE;
+  EXPECT_EQ(
+      run_process({"/bin/sh", "-c", "reeve() { '" + program + "' \"$@\"; }; " + command}, options)
+          .exit_code,
+      0)
+      << command;
+  EXPECT_TRUE(first.file("index.html") == page) << command;
 }
 
 TEST(ExploreShards, AddUpToTheWhole) {

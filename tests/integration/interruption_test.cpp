@@ -59,6 +59,8 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
             summary["generated"]);
   expect_whole_csv(explored.file("designs.csv"), "# partial: stopped after ");
   expect_whole_csv(explored.file("pareto.csv"), "# partial: stopped after ");
+  EXPECT_NE(explored.file("index.html").find("This exploration is partial: stopped after "),
+            std::string::npos);
   EXPECT_EQ(words(explored.file("designs.csv")).size(), summary["top"].size());
 }
 
