@@ -147,7 +147,7 @@ std::vector<Margin> least_leads(const RankFlags& flags, const RankInputs& inputs
 
 RankDetails details(const RankInputs& inputs, const std::vector<RankedDesign>& ranked,
                     RankReport& report, TensionDistributions distributions) {
-  RankDetails details{best_by_objective(ranked), {}, std::move(distributions)};
+  RankDetails details{best_by_objective(ranked, ranked.size()), {}, std::move(distributions)};
   for (const RankedDesign& entry : ranked) {
     details.routings.push_back(shown_routing(parse_routing(entry.design.word), inputs.file.model,
                                              report.grasps, Direction::pull, inputs.catalogue));

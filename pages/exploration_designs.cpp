@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "pages/exploration_words.hpp"
+#include "pages/objective_title.hpp"
 
 namespace reeve {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "pages/exploration_designs.hpp"
 #include "pages/exploration_words.hpp"
+#include "pages/objective_title.hpp"
 
 namespace reeve {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pages/exploration_designs.hpp"
+#include "pages/objective_title.hpp"
 #include "reports/model_text.hpp"
 
 namespace reeve {
@@ -304,20 +305,13 @@ ExplorationWords exploration_words(const ExploreReport& report) {
 }
 
 std::vector<SingleBest> single_bests(const ExploreReport& report) {
-  const std::vector<ListedDesign>& listed = listed_designs(report);
   std::vector<SingleBest> bests;
-  if (listed.empty()) return bests;
-  for (const ObjectiveRow& row : objective_table()) {
-    const double up = row.better == Better::higher ? 1 : -1;
-    const auto worse = [&](const ListedDesign& a, const ListedDesign& b) {
-      return up * get(a, row.objective) < up * get(b, row.objective);
-    };
-    const ListedDesign& best = *std::max_element(listed.begin(), listed.end(), worse);
-    const auto as_good = [&](const ListedDesign& design) {
-      return get(design, row.objective) == get(best, row.objective);
-    };
-    const auto count = std::count_if(listed.begin(), listed.end(), as_good);
-    bests.push_back({row, best, static_cast<std::size_t>(count) - 1});
+  for (const BestDesigns& best : report.result.best) {
+    for (const ListedDesign& design : listed_designs(report)) {
+      if (design.ranked.design.word != best.words.front()) continue;
+      bests.push_back({row(best.objective), design, best.count - 1});
+      break;
+    }
   }
   return bests;
 }
@@ -325,12 +319,6 @@ std::vector<SingleBest> single_bests(const ExploreReport& report) {
 std::string design_label(const ListedDesign& design) {
   const std::string& word = design.ranked.design.word;
   return design.name.empty() ? word : design.name + " (" + word + ")";
-}
-
-std::string objective_title(const ObjectiveRow& row) {
-  std::string title = row.name;
-  std::replace(title.begin(), title.end(), '_', ' ');
-  return title;
 }
 
 }  // namespace reeve

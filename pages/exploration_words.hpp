@@ -35,7 +35,5 @@ std::vector<SingleBest> single_bests(const ExploreReport& report);
 
 // "TR7 (1-P-2-P-1)", or the word alone.
 std::string design_label(const ListedDesign& design);
-// "uniformity mean"
-std::string objective_title(const ObjectiveRow& row);
 
 }  // namespace reeve

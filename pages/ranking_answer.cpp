@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/routing.hpp"
+#include "pages/objective_title.hpp"
 #include "reports/data_text.hpp"
 #include "reports/text_table.hpp"
 
@@ -33,7 +34,7 @@ std::string compared(const RankReport& report) {
       "{:g} of tubes, {:g} of sheaths and {:g} of bearings.",
       plural(report.designs.size(), "routing"),
       plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
-      to_text(report.grasps), objective_names(report.objectives), hardware.tube.mu,
+      to_text(report.grasps), objective_titles(report.objectives), hardware.tube.mu,
       hardware.sheath.mu, hardware.bearing.mu);
 }
 
@@ -71,7 +72,7 @@ Json others(const RankReport& report, const Labels& labels) {
     if (std::find(best.words.begin(), best.words.end(), first) != best.words.end()) continue;
     std::vector<std::string> names;
     for (const std::string& word : best.words) names.push_back(label_of(report, labels, word));
-    list.push_back({{"objective", row(best.objective).name},
+    list.push_back({{"objective", objective_title(row(best.objective))},
                     {"meaning", row(best.objective).meaning},
                     {"routings", fmt::format("{}", fmt::join(names, ", "))}});
   }

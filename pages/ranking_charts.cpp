@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pages/objective_title.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
 #include "reports/text_table.hpp"
@@ -62,7 +63,7 @@ Json axis(const char* field, Objective objective) {
   const ObjectiveRow& about = row(objective);
   return {{"field", field},
           {"type", "quantitative"},
-          {"title", fmt::format("{} ({} is better)", about.name,
+          {"title", fmt::format("{} ({} is better)", objective_title(about),
                                 about.better == Better::higher ? "higher" : "lower")},
           {"scale", {{"zero", false}, {"padding", 18}}}};
 }
@@ -107,7 +108,8 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   const Axes on = axes(report.objectives);
   const bool all_named = labels.size() <= most_labels;
   Json values = Json::array();
-  std::string alt = fmt::format("{} against {}.", row(on.second).name, row(on.first).name);
+  std::string alt = fmt::format("{} against {}.", objective_title(row(on.second)),
+                                objective_title(row(on.first)));
   for (const Point& point : points(report, labels, on)) {
     const std::string names = shortened(point.names);
     values.push_back({{"routings", names},
@@ -120,7 +122,7 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   std::string caption = "Routings on one point share its label.";
   if (!all_named) caption += " Only those on the Pareto front are labelled.";
   if (report.objectives.size() > 2) {
-    caption += " The front is over " + objective_names(report.objectives) +
+    caption += " The front is over " + objective_titles(report.objectives) +
                "; the first two of them are drawn.";
   }
   const Json spec{{"width", "container"},

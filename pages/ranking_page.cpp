@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pages/distribution_figure.hpp"
+#include "pages/objective_title.hpp"
 #include "pages/ranking_answer.hpp"
 #include "pages/ranking_charts.hpp"
 #include "pages/routing_parts.hpp"
@@ -33,7 +34,7 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
                   {"rank", "front", "<routing", "<word"},
                   {},
                   true};
-  for (const ObjectiveRow& row : objective_table()) table.headings.emplace_back(row.name);
+  for (const ObjectiveRow& row : objective_table()) table.headings.push_back(objective_title(row));
   if (report.uncertainty) {
     for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {
       table.headings.emplace_back(heading);

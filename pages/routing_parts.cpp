@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pages/objective_title.hpp"
 #include "reports/json.hpp"
 #include "reports/schematic_svg.hpp"
 #include "reports/text_table.hpp"
@@ -135,7 +136,8 @@ HtmlTable objective_table(const ShowReport& report) {
                   {"<objective", "value", "<unit", "<meaning"},
                   {}};
   for (const ObjectiveRow& row : objective_table()) {
-    table.rows.push_back({row.name, objective_text(row, report.values), row.unit, row.meaning});
+    table.rows.push_back(
+        {objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
   }
   return table;
 }

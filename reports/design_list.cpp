@@ -145,4 +145,15 @@ Json to_json(const std::vector<ListedDesign>& designs) {
   return json;
 }
 
+Json to_json(const std::vector<BestDesigns>& best) {
+  Json json = Json::array();
+  for (const BestDesigns& one : best) {
+    json.push_back({{"objective", row(one.objective).name},
+                    {"value", number(one.value)},
+                    {"count", one.count},
+                    {"routings", one.words}});
+  }
+  return json;
+}
+
 }  // namespace reeve

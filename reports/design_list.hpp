@@ -36,5 +36,6 @@ std::string sample_csv(const std::vector<Design>& designs, const std::string& no
 
 Json to_json(const ListedDesign& design);
 Json to_json(const std::vector<ListedDesign>& designs);
+Json to_json(const std::vector<BestDesigns>& best);
 
 }  // namespace reeve

@@ -181,6 +181,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["front_equals_left_out"] = result.front_equals_left_out;
   json["front"] = to_json(report.front);
   json["top"] = to_json(report.top);
+  json["best"] = to_json(report.result.best);
   json["known"] = known_json(report);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();

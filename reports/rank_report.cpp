@@ -46,18 +46,8 @@ Json margins_json(const std::vector<Margin>& margins) {
   return json;
 }
 
-Json best_json(const std::vector<BestDesigns>& best) {
-  Json json = Json::array();
-  for (const BestDesigns& one : best) {
-    json.push_back({{"objective", row(one.objective).name},
-                    {"value", number(one.value)},
-                    {"routings", one.words}});
-  }
-  return json;
-}
-
 void add_details(Json& json, const RankDetails& details) {
-  json["best"] = best_json(details.best);
+  json["best"] = to_json(details.best);
   json["routings"] = Json::array();
   for (const ShowReport& routing : details.routings) json["routings"].push_back(to_json(routing));
   json["tension_distributions"] = Json::array();

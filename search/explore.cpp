@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t batch_size = 16384;
 constexpr std::size_t grain = 64;
+constexpr std::size_t named_as_best = 10;
 
 // What became of one routing of a batch.
 struct Slot {
@@ -161,6 +162,9 @@ class Exploration {
       if (ranked.front == 1) result.front.push_back(ranked);
       if (ranked.rank <= options_.top) result.top.push_back(ranked);
     }
+    // Both are the beginning of one ranking.
+    result.best = best_by_objective(
+        result.front.size() > result.top.size() ? result.front : result.top, named_as_best);
     result.sample = sampled();
     place_references(content.ranked);
     result.references = references_;

@@ -74,7 +74,8 @@ struct ExploreResult {
   double seconds = 0;
   std::vector<RankedDesign> front;
   std::vector<RankedDesign> top;
-  std::vector<Design> sample;  // of all that no constraint rejects (sample.hpp)
+  std::vector<BestDesigns> best;  // among top and front, with a few words each
+  std::vector<Design> sample;     // of all that no constraint rejects (sample.hpp)
   std::uint64_t front_equals_left_out = 0;
   std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;

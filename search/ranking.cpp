@@ -54,16 +54,20 @@ std::vector<RankedDesign> rank(std::vector<Design> designs,
   return ranked;
 }
 
-std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked) {
+std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
+                                           std::size_t named) {
   std::vector<BestDesigns> result;
+  if (ranked.empty()) return result;
   for (const ObjectiveRow& row : objective_table()) {
-    BestDesigns best{row.objective, 0, {}};
+    BestDesigns best{row.objective, 0, {}, 0};
     for (const RankedDesign& entry : ranked) {
       const double candidate = value(entry.design.values, row.objective);
       const bool better =
           row.better == Better::higher ? candidate > best.value : candidate < best.value;
-      if (best.words.empty() || better) best = {row.objective, candidate, {}};
-      if (candidate == best.value) best.words.push_back(entry.design.word);
+      if (best.count == 0 || better) best = {row.objective, candidate, {}, 0};
+      if (candidate != best.value) continue;
+      if (best.words.size() < named) best.words.push_back(entry.design.word);
+      ++best.count;
     }
     result.push_back(std::move(best));
   }

@@ -42,9 +42,12 @@ struct BestDesigns {
   Objective objective{};
   double value = 0;
   std::vector<std::string> words;  // in the order of the rank
+  std::size_t count = 0;           // of those that have that value, named or not
 };
 
-// For each objective, in the order of their table.
-std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked);
+// For each objective, in the order of their table, with at most so many words each; nothing of
+// nothing.
+std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
+                                           std::size_t named);
 
 }  // namespace reeve

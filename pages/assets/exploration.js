@@ -62,8 +62,8 @@
     const { selected, label, letter } = state;
     const chips = selected().map((row) => {
       const chip = element("button", { type: "button", className: "chip",
-        textContent: `${letter(row)} ${label(row)} ×` });
-      chip.setAttribute("aria-label", `Remove ${label(row)} from the selection`);
+        textContent: `${letter(row)} ${label(row)} ×`,
+        title: `Remove ${label(row)} from the selection` });
       chip.addEventListener("click", () => state.toggle(row));
       return chip;
     });

@@ -184,7 +184,10 @@ const explorationCards = (() => {
       reeve.savable(figure, `${figure.closest(".card")?.dataset.word}-tensions`);
     }
     const ranks = rankChart(rows);
-    if (ranks) await reeve.draw(ranks.figure, ranks.spec);
+    if (ranks) {
+      await reeve.draw(ranks.figure, ranks.spec);
+      if (!ranks.figure.querySelector(".save")) reeve.savable(ranks.figure);
+    }
   }
 
   function start() {

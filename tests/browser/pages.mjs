@@ -25,6 +25,10 @@ export const pages = [
     scripted: true,
     environment: hostileNames,
   }),
+  reeve("rank", () => ["rank", "--catalog", "--uncertainty", "--margin"]),
+  reeve("rank-hostile", () => ["rank", "X", "TR1", "TR5", "--data", hostileData(inputs)], {
+    environment: hostileNames,
+  }),
   reeve("show", () => ["show", "TR5"]),
   reeve("show-bench", () => ["show", "M-F"]),
   reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),

@@ -141,13 +141,21 @@ TEST(Progress, FitsTheWindow) {
   EXPECT_GT(text_width(line), 50U);
 }
 
-TEST(Pages, AreAnnouncedWhereThereAreSome) {
+TEST(Pages, AreAnnounced) {
   const Explored explored({});
-  EXPECT_EQ(explored.result.out.find("Page: "), std::string::npos);
-  Explored with_page({});
-  with_page.folder.write("out/index.html", "<!doctype html>");
-  with_page.run({});
-  EXPECT_NE(with_page.result.out.find("\nPage: out/index.html\n"), std::string::npos);
+  EXPECT_NE(explored.result.out.find("\nPage: out/index.html\n"), std::string::npos);
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "page").string();
+  const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
+  for (const Arguments& arguments :
+       {Arguments{"show", "TR7"}, {"rank", "TR1", "TR7"}, {"diagnose", data}}) {
+    const std::string alone = reeve(arguments).out;
+    Arguments with_page = arguments;
+    with_page.insert(with_page.end(), {"--out", out});
+    const std::string announced = reeve(with_page).out;
+    EXPECT_TRUE(announced.starts_with(alone)) << announced;
+    EXPECT_TRUE(announced.ends_with("\nPage: " + out + "/index.html\n")) << announced;
+  }
 }
 
 }  // namespace

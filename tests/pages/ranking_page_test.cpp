@@ -201,7 +201,7 @@ TEST(FigureNine, DrawsTheMeansOfTheDataAndLabelsSimulatedOnes) {
 }
 
 TEST(RankingPage, LiesBesideTheUsualResult) {
-  EXPECT_EQ(catalogue().result.out, reeve({"rank", "--catalog"}).out);
+  EXPECT_TRUE(catalogue().result.out.starts_with(reeve({"rank", "--catalog"}).out));
   const TemporaryFolder folder;
   const std::string out = folder.path().string();
   const ProcessResult printed = reeve({"rank", "--catalog", "--format", "json", "--out", out});

@@ -86,7 +86,7 @@ TEST(RoutingPage, SaysWhichModelAndDirection) {
   const Shown shown({"TR5", "--direction", "release", "--model",
                      std::string(REEVE_CATALOG_DIR) + "/model/example.toml"});
   EXPECT_TRUE(shown.has("lets the fingers draw them out"));
-  EXPECT_TRUE(shown.has("<pre id=\"model\">Model with tube_friction (mu 0.09)"));
+  EXPECT_TRUE(shown.has("<p class=\"model\">Model with tube_friction (mu 0.09)"));
 }
 
 }  // namespace

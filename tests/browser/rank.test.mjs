@@ -1,0 +1,99 @@
+// The page of a ranking, of the catalogue's routings: what it shows is what the command prints.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { open, startBrowser } from "./harness.mjs";
+import {
+  bars,
+  column,
+  countInSvg,
+  marks,
+  sameToThreeDecimals,
+  saveButton,
+  saved,
+  schematicTensions,
+  schematicTitle,
+  sortButton,
+} from "./looking.mjs";
+import { jsonBesidePage, pageFile, reeveJson } from "./places.mjs";
+
+const mean = (design, objective) => design[objective].mean;
+
+describe("rank", () => {
+  const { designs } = reeveJson(["rank", "--catalog"]);
+  const label = (design) => `${design.name}: ${design.routing}`;
+  let browser;
+  let page;
+  let faults;
+  let json;
+  before(async () => {
+    browser = await startBrowser();
+    ({ page, faults } = await open(browser, pageFile("rank")));
+    json = jsonBesidePage("rank", "ranking.json");
+  });
+  after(() => browser.close());
+
+  test("the first of the ranking is named first", async () => {
+    const answer = await page.locator("#answer").textContent();
+    assert.ok(answer.trim().startsWith(`${designs[0].name} comes first`), answer);
+  });
+
+  test("the table is in the order of the ranking, and sorts", async () => {
+    const table = page.locator("#ranking-table");
+    assert.deepEqual(
+      await column(table, "word"),
+      designs.map((design) => design.routing),
+    );
+    const least = [...designs].sort((a, b) => mean(a, "efficiency") - mean(b, "efficiency"));
+    await sortButton(table, "efficiency mean").click();
+    const shown = await column(table, "efficiency mean");
+    assert.deepEqual(
+      shown,
+      least.map((design) => mean(design, "efficiency").toFixed(3)),
+    );
+  });
+
+  test("the plot has a mark wherever a design is", async () => {
+    const places = new Set(
+      designs.map((design) => `${mean(design, "uniformity")} ${mean(design, "efficiency")}`),
+    );
+    assert.equal(await marks(page.locator("#pareto")).count(), places.size);
+  });
+
+  test("the tension distributions have a symbol for each strand, and a bar for each published share", async () => {
+    const strands = json.tension_distributions.flatMap(({ routings }) =>
+      routings.flatMap((routing) => routing.strands),
+    );
+    const figure = page.locator("#figure-9");
+    assert.equal(strands.length, 2 * 7 * 4); // coefficients, routings, strands
+    assert.equal(await marks(figure).count(), strands.length);
+    const published = strands.filter((strand) => strand.published !== null);
+    assert.equal(await bars(figure).count(), published.length);
+    const { bytes } = await saved(page, saveButton(figure, "SVG"));
+    const drawn = ".mark-symbol.role-mark > path";
+    assert.equal(await countInSvg(page, bytes.toString("utf8"), drawn), strands.length);
+  });
+
+  // The capstan ratios of TR1 by hand: each turn of the tube takes exp(-0.18 pi), or exp(-0.09 pi).
+  test("the model's shares of TR1 are those of the closed form", () => {
+    for (const { mu, routings } of json.tension_distributions) {
+      const left = [0, 1, 2, 3].map((turns) => Math.exp(-mu * Math.PI * turns));
+      const sum = left.reduce((a, b) => a + b);
+      const { strands } = routings.find((routing) => routing.name === "TR1");
+      strands.forEach((strand, i) => assert.ok(Math.abs(strand.model - left[i] / sum) < 1e-9));
+    }
+  });
+
+  test("a chosen grasp shows each routing's schematic with its tensions, and no other grasp", async () => {
+    await page.locator("#grasp").selectOption("1");
+    assert.ok(await page.locator("#held-1").isVisible());
+    assert.ok(!(await page.locator("#held-none").isVisible()));
+    for (const [i, design] of designs.entries()) {
+      const schematic = page.locator(`#schematic-${i + 1}-held-1`);
+      assert.equal(await schematicTitle(schematic), label(design));
+      const { grasps } = reeveJson(["show", design.routing, "--held", "1"]);
+      sameToThreeDecimals(await schematicTensions(schematic), grasps[0].tensions);
+    }
+  });
+
+  test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));
+});
