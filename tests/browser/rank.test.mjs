@@ -84,7 +84,7 @@ describe("rank", () => {
   });
 
   test("a chosen grasp shows each routing's schematic with its tensions, and no other grasp", async () => {
-    await page.locator("#grasp").selectOption("1");
+    await page.locator("#grasp").selectOption("held-1");
     assert.ok(await page.locator("#held-1").isVisible());
     assert.ok(!(await page.locator("#held-none").isVisible()));
     for (const [i, design] of designs.entries()) {

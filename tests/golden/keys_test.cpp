@@ -130,7 +130,7 @@ TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
   EXPECT_EQ(keys(json),
             "designs settings best routings tension_distributions measured_data version");
-  EXPECT_EQ(keys(json["best"][0]), "objective value routings");
+  EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
   EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
   EXPECT_EQ(keys(json["tension_distributions"][0]), "mu held rms_measured routings");
@@ -146,7 +146,7 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
   EXPECT_EQ(keys(json),
             "generated rejected evaluated partial notes total seconds designs_per_second "
-            "front_equals_left_out front top known settings version");
+            "front_equals_left_out front top best known settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives);
   EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives);
