@@ -20,6 +20,7 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "pages/diagnosis_page.hpp"
+#include "pages/figure_files.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/files.hpp"
 

@@ -6,6 +6,7 @@
 #include "cli/shown_routing.hpp"
 #include "core/notation.hpp"
 #include "pages/exploration_page.hpp"
+#include "pages/figure_files.hpp"
 #include "reports/files.hpp"
 
 namespace reeve::cli {

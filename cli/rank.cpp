@@ -22,6 +22,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "diagnosis/measured_data.hpp"
+#include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "pages/ranking_page.hpp"
 #include "reports/files.hpp"

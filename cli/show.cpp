@@ -9,6 +9,7 @@
 #include "cli/shown_routing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "pages/routing_page.hpp"
 #include "reports/files.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/show_report.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pages/exploration_details.hpp"
+#include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "reports/explore_report.hpp"
 

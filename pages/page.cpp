@@ -59,11 +59,4 @@ std::string page_html(const Page& page) {
                                   {"version", version_json()}});
 }
 
-void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
-  prepare_directory(directory / "figures", "--out");
-  for (const FigureFile& figure : figures) {
-    write_file(directory / "figures" / (figure.id + ".svg"), figure.svg);
-  }
-}
-
 }  // namespace reeve

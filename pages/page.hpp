@@ -5,7 +5,6 @@
 // and can be saved (assets/page.js).
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -41,12 +40,5 @@ struct Page {
 };
 
 std::string page_html(const Page& page);
-
-// figures/ID.svg. Throws InputError.
-struct FigureFile {
-  std::string id;
-  std::string svg;
-};
-void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
 
 }  // namespace reeve

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "reports/rank_report.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "pages/figure_files.hpp"
 #include "pages/html_table.hpp"
 #include "pages/page.hpp"
 #include "reports/show_report.hpp"

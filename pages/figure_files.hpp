@@ -1,0 +1,20 @@
+// The figures of a page as files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reeve {
+
+struct FigureFile {
+  std::string id;
+  std::string svg;
+};
+
+// Writes figures/ID.svg, and removes what an earlier run wrote there and this one did not: what
+// lies in the folder then belongs to one result. Files of others stay; which are ours stands in
+// figures/.reeve. Throws InputError.
+void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
+
+}  // namespace reeve
