@@ -49,6 +49,9 @@ void require_places(const DiagnoseFlags& flags) {
   if (flags.out_given->count() > 0) {
     const std::string option = fmt::format("--out '{}'", flags.out);
     require_folder_can_be_written(flags.out, "--out");
+    if (std::filesystem::is_directory(flags.out)) {
+      require_file_can_be_written(flags.page_file(), "--out");
+    }
     require_not_the_data(flags.json_file(), flags.data, option);
     require_not_the_data(flags.csv_file(), flags.data, option);
     require_not_the_data(flags.page_file(), flags.data, option);
@@ -188,7 +191,7 @@ void add_diagnose(CLI::App& program, int&) {
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, command] {
-    flags->command = command_line(*command, {"--threads"});
+    flags->command = command_line(*command, {"--threads", "--format"});
     run(*flags);
   });
 }

@@ -4,6 +4,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/shown_routing.hpp"
+#include "cli/supervision.hpp"
 #include "core/notation.hpp"
 #include "pages/exploration_page.hpp"
 #include "pages/figure_files.hpp"
@@ -11,6 +12,9 @@
 
 namespace reeve::cli {
 namespace {
+
+// Designs whose page takes long enough for somebody to wonder.
+constexpr std::size_t long_list = 200;
 
 ExplorationView view(const ExploreReport& report, const CLI::App& command,
                      const Catalogue& catalogue) {
@@ -31,6 +35,8 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
+  StageLine stage;
+  if (report.top.size() >= long_list) stage.show("writing the page");
   const PageFiles page = exploration_page(view(report, command, catalogue));
   write_figures(directory, page.figures);
   write_file(directory / "index.html", page.html);

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
@@ -99,6 +100,7 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   prepare_directory(flags.out, "--out");
+  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
   const std::atomic<bool>& stop = stop_on_interrupt();
   ExploreResult result = explore_supervised(explore_options, stop);
   std::vector<RankDistribution> distributions;
@@ -112,9 +114,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
       explore_report(explore_options, std::move(result), distributions, catalogue);
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
+  write_exploration(report, command, catalogue, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
-  write_exploration(report, command, catalogue, flags.out);
   std::cout << announced(
       "index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures", flags.out,
       flags.format);

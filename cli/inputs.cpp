@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "cli/outputs.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
@@ -96,6 +97,7 @@ CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
 
 std::filesystem::path OutOption::prepare() const {
   prepare_directory(folder_, "--out");
+  require_file_can_be_written(std::filesystem::path(folder_) / "index.html", "--out");
   return folder_;
 }
 

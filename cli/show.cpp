@@ -52,16 +52,19 @@ ShowReport report(const ShowFlags& flags) {
 
 std::string dot(const ShowFlags& flags, const ShowReport& report) {
   if (flags.held.empty()) return to_dot(report.network, report.word);
-  if (flags.held.size() > 1) {
-    throw InputError("--format dot draws one grasp: expected --held once at most");
-  }
   const ShownGrasp& shown = report.grasps.front();
   return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
 }
 
+void require_one_grasp_to_draw(const ShowFlags& flags) {
+  if (flags.held.size() < 2) return;
+  const std::string what = flags.svg.is_given()     ? "--svg"
+                           : flags.format.is("dot") ? "--format dot"
+                                                    : "";
+  if (!what.empty()) throw InputError(what + " draws one grasp: expected --held once at most");
+}
+
 void write_drawing(const ShowFlags& flags, const ShowReport& report) {
-  if (flags.held.size() > 1)
-    throw InputError("--svg draws one grasp: expected --held once at most");
   flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
 }
 
@@ -75,6 +78,7 @@ void write_page(const std::filesystem::path& folder, const ShowReport& report,
 
 void run(const ShowFlags& flags, const CLI::App& command) {
   const ShowReport shown = report(flags);
+  require_one_grasp_to_draw(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
   std::filesystem::path folder;
   if (flags.out.is_given()) {

@@ -1,5 +1,5 @@
 # cmake -DOUTPUT=<cpp> -DFILES=<name=file|name=file…> -P embed.cmake
-# Writes pages/assets.hpp's table: files as raw strings.
+# Writes the table of pages/asset_table.hpp: files as raw strings.
 string(REPLACE "|" ";" FILES "${FILES}")
 set(entries "")
 foreach(entry IN LISTS FILES)

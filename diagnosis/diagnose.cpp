@@ -289,10 +289,13 @@ class Diagnosis {
       const Forecast before = forecast(part, nominal_);
       const Forecast after = forecast(part, result_.model);
       const Eigen::VectorXd deviation = deviations(part, result_.noise, after.reading_N);
+      const Problem seen = problem(part, deviation);
+      const Eigen::VectorXd residual_before = residuals(seen, before);
+      const Eigen::VectorXd residual_after = residuals(seen, after);
       for (std::size_t i = 0; i < part.cells.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
-        result_.cells.push_back(
-            {part.cells[i], held_out, before.reading_N[k], after.reading_N[k], deviation[k]});
+        result_.cells.push_back({part.cells[i], held_out, before.reading_N[k], after.reading_N[k],
+                                 deviation[k], residual_before[k], residual_after[k]});
       }
     }
     std::stable_sort(result_.cells.begin(), result_.cells.end(),

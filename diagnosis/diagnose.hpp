@@ -89,6 +89,10 @@ struct ComparedCell {
   double before_N = 0;  // forecast of the model as it was
   double after_N = 0;   // of the extended one
   double deviation_N = 0;
+  // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
+  // would read on average that cannot read below 0, without what a free scale explains.
+  double residual_before = 0;
+  double residual_after = 0;
 };
 
 struct DiagnosisResult {

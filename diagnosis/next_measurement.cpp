@@ -21,6 +21,19 @@ using Eigen::VectorXd;
 constexpr double normal_quantile = 1.959963984540054;
 // Of which a separation must be worth at least this, or it would never decide.
 constexpr double least_log_likelihood = 0.5;
+// A reading beyond so many times whatever the rig has shown or the motor pulls is no advice:
+// sensors need not reach there, and no model was ever tried there.
+constexpr double far_beyond = 3;
+
+double greatest_tension(const MeasuredData& data) {
+  double greatest = 0;
+  for (const Reading& reading : data.readings) {
+    for (const auto& tension : reading.tension_N) {
+      if (tension) greatest = std::max(greatest, *tension);
+    }
+  }
+  return greatest;
+}
 
 struct Levels {
   std::vector<double> values;
@@ -89,7 +102,7 @@ class Measurements {
 class Reader {
  public:
   Reader(const MeasurementPlan& plan, const MeasurableRouting& routing, const Network& network)
-      : word_(routing.word), network_(network) {
+      : word_(routing.word), network_(network), shown_N_(greatest_tension(*plan.data)) {
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
       const Segment& segment = network.segments[i];
       const bool has_channel = std::any_of(
@@ -100,7 +113,7 @@ class Reader {
     }
   }
 
-  // Empty if the model has no tensions there.
+  // Empty if the model has no tensions there, or tensions far beyond the rig's.
   VectorXd operator()(const Model& model, Grasp grasp, Direction direction,
                       const Conditions& conditions) const {
     try {
@@ -113,7 +126,8 @@ class Reader {
             reading(model, network_.segments[segments_[i]],
                     conditions.motor_tension_N * state.tension[segments_[i]]);
       }
-      return result;
+      const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
+      return (result.array() <= reach).all() ? result : VectorXd();
     } catch (const InputError&) {
       return {};
     }
@@ -126,6 +140,7 @@ class Reader {
  private:
   std::string word_;
   const Network& network_;
+  double shown_N_;
   std::vector<std::size_t> segments_;
 };
 

@@ -7,7 +7,9 @@
 //   (|e|² − χ²_ν) / 2 in log-likelihood:  (|e|² − ν) / 2 on average,
 //                                         and 95 % of the time between the quantiles of χ²_ν.
 //
-// A model that gains more follows the noise; one that gains less misses something.
+// A model that gains less than that misses something. The standard deviations are taken as known;
+// where they were estimated from what the model leaves, and not from repeated readings, the limit
+// is that of a model that leaves as much.
 #pragma once
 
 #include "causes/model.hpp"
@@ -19,7 +21,7 @@ struct NoiseLimit {
   double log_likelihood_gain = 0;
   double low = 0;
   double high = 0;
-  double rms_N = 0;  // root of the mean squared standard deviation of the noise
+  double rms_N = 0;  // of the residuals that are noise alone
 };
 
 NoiseLimit noise_limit(const Problem& held_out, const Model& before);

@@ -64,6 +64,21 @@ Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
   return result;
 }
 
+Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
+  Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
+  for (const DatasetRow& row : problem.dataset->rows) {
+    if (row.has_motor_tension) continue;
+    const auto first = static_cast<Index>(row.first);
+    const auto size = static_cast<Index>(row.last - row.first);
+    const Eigen::VectorXd scale =
+        at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
+    const double square = scale.squaredNorm();
+    if (square == 0) continue;
+    variance.segment(first, size).array() *= 1 - scale.array().square() / square;
+  }
+  return variance;
+}
+
 double misfit(const Problem& problem, const Model& model) {
   try {
     return residuals(problem, forecast(*problem.dataset, model)).squaredNorm();

@@ -37,6 +37,9 @@ void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
 
+// N², of each cell: of the residuals, in newton, that nothing but noise leaves.
+Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at);
+
 // Σ e²; infinite where the model has no tensions.
 double misfit(const Problem& problem, const Model& model);
 

@@ -15,7 +15,7 @@ struct RunGain {
   std::size_t cells = 0;
   double rms_before_N = 0;
   double rms_after_N = 0;
-  double rms_noise_N = 0;  // root of the mean squared standard deviation of the noise
+  double rms_noise_N = 0;  // of the residuals that are noise alone
 };
 
 // In the order in which the data name the runs.

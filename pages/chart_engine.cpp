@@ -38,6 +38,7 @@ constexpr std::string_view surroundings =
 constexpr std::string_view drawing =
     "globalThis.drawn = {svg: '', error: 'nothing was drawn'};"
     "globalThis.draw = (text, ids) => {"
+    "  drawn = {svg: '', error: 'nothing was drawn'};"
     "  vega.resetSVGDefIds();"
     "  const view = new vega.View(vega.parse(vegaLite.compile(JSON.parse(text)).spec),"
     "                             {renderer: 'none'});"

@@ -211,8 +211,8 @@ Figure compared_figure(const DiagnosisReport& report, const Json& marks) {
 
 Figure residual_figure(const DiagnosisReport& report, const Json& marks, const MarkColumn& column) {
   const bool extended = !report.result.causes.empty();
-  std::vector<std::string> fields{"measured", "before", "after",   "sd",   "line",
-                                  "run",      "strand", "routing", "grasp"};
+  std::vector<std::string> fields{"residual_before", "residual_after", "line", "run",
+                                  "strand",          "routing",        "grasp"};
   if (std::find(fields.begin(), fields.end(), column.field) == fields.end()) {
     fields.push_back(column.field);
   }
@@ -236,20 +236,20 @@ Figure residual_figure(const DiagnosisReport& report, const Json& marks, const M
       "Residuals in standard deviations of the noise over {}{}; in grey what 95 % of noise "
       "does.",
       column.title, extended ? ", before and after the model is extended" : "");
-  Json before_after = Json::array({"before"});
-  if (extended) before_after.push_back("after");
+  Json before_after = Json::array({"residual_before"});
+  if (extended) before_after.push_back("residual_after");
   figure.spec = {
       {"title", {{"text", fmt::format("by {}", column.title)}, {"limit", 330}}},
       {"data", {{"values", fields_of(marks, fields)}}},
-      {"transform", Json::array({{{"fold", before_after}, {"as", {"model", "predicted"}}},
-                                 {{"calculate", "(datum.measured - datum.predicted) / datum.sd"},
-                                  {"as", "residual"}}})},
+      {"transform", Json::array({{{"fold", before_after}, {"as", {"model", "residual"}}}})},
       {"facet",
        {{"column",
          {{"field", "model"},
           {"sort", before_after},
           {"title", nullptr},
-          {"header", {{"labelExpr", extended ? "datum.value" : "''"}}}}}}},
+          {"header",
+           {{"labelExpr",
+             extended ? "datum.value == 'residual_before' ? 'before' : 'after'" : "''"}}}}}}},
       {"spacing", 10},
       {"spec", {{"width", extended ? 126 : 260}, {"height", 150}, {"layer", layers}}}};
   return reeve::figure(std::move(figure));

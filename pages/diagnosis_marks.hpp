@@ -30,8 +30,9 @@ struct MarkColumns {
 
 MarkColumns mark_columns(const DiagnosisReport& report);
 
-// measured, before, after, sd (N); held_out, routing, strand, grasp, direction, run, line; and the
-// columns' fields. At most this many, drawn by a fixed rule from all; all where they are fewer.
+// measured, before, after (N); residual_before, residual_after (sd of the noise); held_out,
+// routing, strand, grasp, direction, run, line; and the columns' fields. At most this many, drawn
+// by a fixed rule from all; all where they are fewer.
 Json marks(const DiagnosisReport& report, const std::vector<MarkColumn>& columns, std::size_t most);
 
 // Of those marks only these fields.

@@ -98,7 +98,7 @@ Figure runs_figure(const DiagnosisReport& report) {
   figure.title = "Each held-out run by itself.";
   figure.caption = simulated_label(report) +
                    (extended ? "From the model as it stands to the extended one. " : "") +
-                   "Grey ticks: what noise alone leaves, which is as good as any model can be.";
+                   "Grey ticks: what noise alone leaves on average.";
   if (runs > most_runs) {
     figure.caption +=
         fmt::format(" Drawn are the first {} of {} runs; diagnosis.json has all.", most_runs, runs);

@@ -114,11 +114,14 @@ Json weighed(const DiagnosisResult& result) {
   return list;
 }
 
-Json limit_values(const std::optional<NoiseLimit>& limit) {
+Json limit_values(const DiagnosisResult& result) {
+  const std::optional<NoiseLimit>& limit = result.noise_limit;
   if (!limit) return nullptr;
+  const bool beyond = result.held_out && result.held_out->log_likelihood_gain > limit->high;
   return {{"gain", gain_number(limit->log_likelihood_gain)},
           {"interval", gain_interval(limit->low, limit->high)},
-          {"rms", newton(limit->rms_N)}};
+          {"rms", newton(limit->rms_N)},
+          {"beyond", beyond}};
 }
 
 Json groups(const DiagnosisResult& result) {
@@ -147,13 +150,14 @@ Json cause_values(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   return {{"named", named_values(report)},
           {"has_named", !result.causes.empty()},
+          {"too_few", result.too_few_readings},
           {"parameters", parameters(result)},
           {"has_parameters", !parameters(result).empty()},
           {"gains", gains(result)},
           {"has_gains", !gains(result).empty()},
           {"weighed", weighed(result)},
           {"has_weighed", !result.weighed.empty()},
-          {"limit", limit_values(result.noise_limit)},
+          {"limit", limit_values(result)},
           {"not_confirmed", joined(result.not_confirmed)},
           {"groups", groups(result)},
           {"has_groups", !result.indistinguishable.empty()},

@@ -25,7 +25,9 @@ Json rows_axis() {
           {"sort", nullptr},
           {"title", nullptr},
           {"axis",
-           {{"labelLimit", {{"expr", "containerSize()[0] < 600 ? 130 : 320"}}}, {"grid", true}}}};
+           {{"labelExpr", "split(datum.label, ' + ')"},
+            {"labelLimit", {{"expr", "containerSize()[0] < 600 ? 130 : 320"}}},
+            {"grid", true}}}};
 }
 
 Json weighed_values(const DiagnosisResult& result) {
@@ -104,7 +106,9 @@ std::string weighed_caption(const DiagnosisReport& report) {
       "Each model was fitted to the training runs alone. Bars: 95 % intervals over resampled "
       "held-out ";
   text += result.held_out_runs < 5 ? "readings." : "runs.";
-  text += " The dashed line is what a model gains that leaves nothing but noise.";
+  text +=
+      " The dashed line is what a model gains on average that leaves nothing but noise, the grey "
+      "band where noise puts it in 95 % of data sets.";
   if (result.weighed.size() > most_models) {
     text += fmt::format(" Drawn are the best {} of {} on the training runs; the table has all.",
                         most_models, result.weighed.size());

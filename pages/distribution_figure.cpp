@@ -220,7 +220,9 @@ std::string caption(const Rows& rows, const TensionDistributions& all) {
         " Light bars: what is printed of the routing, the same in every row, since it is printed "
         "for one set of coefficients.";
   }
-  if (any(rows, is_faulty)) text += " Dashed: printed values that rest on a fault of the source.";
+  if (any(rows, is_faulty))
+    text +=
+        " Dashed: printed values that the check does not find, mostly for a fault of the source.";
   if (any(rows, is_measured)) {
     text += all.data->simulated ? " Dark bars: simulated data, of no rig" : " Dark bars: measured";
     text += ", mean of the readings ± their standard deviation.";
@@ -275,7 +277,6 @@ std::string distribution_notes(const TensionDistributions& distributions) {
     }
   }
   Json values{{"sources", sources}, {"faults", faults}, {"file", ""}, {"notes", Json::array()}};
-  values["has_sources"] = !sources.empty();
   values["has_sources"] = !sources.empty();
   values["simulated"] = false;
   if (distributions.data) {

@@ -13,10 +13,10 @@
 namespace reeve {
 namespace {
 
-// Six digits: more than any of it can be measured to, and half the bytes.
+// Eight digits: enough to round as the rest of the page does, and half the bytes.
 Json rounded(double value) {
   const Json exact = number(value);
-  return exact.is_null() ? exact : Json(std::stod(fmt::format("{:.6g}", value)));
+  return exact.is_null() ? exact : Json(std::stod(fmt::format("{:.8g}", value)));
 }
 
 class Columns {
@@ -90,6 +90,8 @@ Json design_columns(const ExploreReport& report, std::size_t most) {
                  std::nullopt},
                 Kind::known);
   }
+  // What is listed has a rank, even if there is no room for it here.
+  for (const ListedDesign& design : listed) held.insert(design.ranked.design.word);
   for (const Design& design : report.result.sample) {
     if (!held.contains(design.word)) columns.add({{design, 0, 0}, "", std::nullopt}, Kind::sample);
   }

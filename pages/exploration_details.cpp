@@ -61,9 +61,6 @@ Json grasp_json(const ShowReport& report, std::size_t grasp, Lines& lines) {
   for (const double tension : shown.state.tension) {
     json["tensions"].push_back(three_decimals(tension));
   }
-  json["uniformity"] = three_decimals(shown.performance.uniformity);
-  json["efficiency"] = three_decimals(shown.performance.efficiency);
-  json["force_transmission"] = three_decimals(shown.performance.force_transmission);
   json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
   return json;
 }

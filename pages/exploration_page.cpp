@@ -11,6 +11,7 @@
 #include "pages/exploration_designs.hpp"
 #include "pages/exploration_tables.hpp"
 #include "pages/exploration_words.hpp"
+#include "pages/objective_title.hpp"
 #include "pages/template.hpp"
 #include "reports/schematic_svg.hpp"
 
@@ -62,7 +63,7 @@ Figure pareto_figure(const Json& data, const ExploreReport& report) {
                 "The dashed line is the edge of the Pareto front, drawn where both axes are what "
                 "the ranking counts. Where several designs share a spot, the first is drawn.",
                 fmt::format("Scatter plot of the designs over {}; {} marks stand for {} designs.",
-                            objective_names(report.options.objectives), drawn["drawn"].dump(),
+                            objective_titles(report.options.objectives), drawn["drawn"].dump(),
                             drawn["of"].dump()),
                 Json(), ""},
                drawn);
@@ -167,7 +168,8 @@ std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
 }
 
 // Why a known routing is not in the list.
-std::string standing(const ReferenceStanding& reference) {
+std::string standing(const ReferenceStanding& reference, bool partial) {
+  if (!reference.generated && partial) return "it was not reached before the exploration stopped";
   if (!reference.generated) return "these parts, or this shard, do not give it";
   if (!reference.rejected_by.empty()) return "it fails " + reference.rejected_by;
   return fmt::format("its rank is beyond the list, and {} designs dominate it",
@@ -177,7 +179,7 @@ std::string standing(const ReferenceStanding& reference) {
 Json standings(const ExploreReport& report) {
   Json json = Json::object();
   for (const ReferenceStanding& reference : report.result.references) {
-    json[reference.design.word] = standing(reference);
+    json[reference.design.word] = standing(reference, report.result.partial);
   }
   return json;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "pages/exploration_designs.hpp"
 #include "pages/objective_title.hpp"
@@ -69,11 +70,16 @@ std::string values_text(const ListedDesign& design, const std::vector<Objective>
   return enumeration(values);
 }
 
-std::string parts_text(const ListedDesign& design) {
-  return fmt::format("{}, {} and {}",
-                     plural(static_cast<std::uint64_t>(get(design, Objective::sheaths)), "sheath"),
-                     plural(static_cast<std::uint64_t>(get(design, Objective::pulleys)), "pulley"),
-                     plural(static_cast<std::uint64_t>(get(design, Objective::knots)), "knot"));
+// ", with 4 sheaths and 1 knot": the parts that the ranking does not count, which stand elsewhere.
+std::string with_parts(const ListedDesign& design, const std::vector<Objective>& objectives) {
+  const std::pair<Objective, const char*> parts[] = {
+      {Objective::sheaths, "sheath"}, {Objective::pulleys, "pulley"}, {Objective::knots, "knot"}};
+  std::vector<std::string> texts;
+  for (const auto& [objective, noun] : parts) {
+    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) continue;
+    texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
+  }
+  return texts.empty() ? "" : ", with " + enumeration(texts);
 }
 
 // Which of the ranking's rules put the first before the second of its front.
@@ -112,9 +118,11 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
   }
   const std::string text = "Next comes " + design_label(second);
   if (differences.empty()) {
-    return fmt::format("{}, which equals it in these, with {}.", text, parts_text(second));
+    return fmt::format("{}, which equals it in these{}.", text,
+                       with_parts(second, report.options.objectives));
   }
-  return fmt::format("{}: {}, with {}.", text, enumeration(differences), parts_text(second));
+  return fmt::format("{}: {}{}.", text, enumeration(differences),
+                     with_parts(second, report.options.objectives));
 }
 
 // The known routing with the best rank behind `rank`, by its place in the report.
@@ -150,11 +158,11 @@ std::string known_text(const ExploreReport& report) {
 std::vector<std::string> won(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
-  std::vector<std::string> text{
-      fmt::format("{} comes first of {}: {}, with {}.", design_label(listed[0]),
-                  plural(ranked_designs(report), "design"),
-                  values_text(listed[0], report.options.objectives), parts_text(listed[0])),
-      why(report, listed)};
+  std::vector<std::string> text{fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
+                                            plural(ranked_designs(report), "design"),
+                                            values_text(listed[0], report.options.objectives),
+                                            with_parts(listed[0], report.options.objectives)),
+                                why(report, listed)};
   text.push_back(known_text(report));
   if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
   return text;

@@ -29,22 +29,23 @@ std::string label_of(const RankReport& report, const Labels& labels, const std::
 
 std::string compared(const RankReport& report) {
   const Hardware hardware = effective_hardware(report.model);
+  const bool with_own = !hardware.fingers.empty() || !hardware.contacts.empty();
   return fmt::format(
       "Compared: {} with {} in the grasps {} (held fingers), by {}, at the friction coefficients "
-      "{:g} of tubes, {:g} of sheaths and {:g} of bearings.",
+      "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.",
       plural(report.designs.size(), "routing"),
       plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
       to_text(report.grasps), objective_titles(report.objectives), hardware.tube.mu,
-      hardware.sheath.mu, hardware.bearing.mu);
+      hardware.sheath.mu, hardware.bearing.mu,
+      with_own ? "; some fingers or contacts have their own" : "");
 }
 
 std::string winner(const RankReport& report, const Labels& labels) {
-  std::string text =
-      fmt::format("{} comes first, with {}.", labels[0], both_means(report.designs[0]));
-  if (labels.size() > 1) {
-    text += fmt::format(" Next is {}, with {}.", labels[1], both_means(report.designs[1]));
+  if (labels.size() == 1) {
+    return fmt::format("{} alone was given, with {}.", labels[0], both_means(report.designs[0]));
   }
-  return text;
+  return fmt::format("{} comes first, with {}. Next is {}, with {}.", labels[0],
+                     both_means(report.designs[0]), labels[1], both_means(report.designs[1]));
 }
 
 std::string front(const RankReport& report, const Labels& labels) {
@@ -116,6 +117,8 @@ Json ranking_answer(const RankReport& report, const Labels& labels) {
               {"uncertainty", uncertainty(report, labels)},
               {"margin", margin(report, labels)}};
   values["others"] = others(report, labels);
+  const auto& data = report.details->distributions.data;
+  values["simulated"] = data && data->simulated;
   values["has_others"] = !values["others"].empty();
   values["hint"] = !report.uncertainty && !report.margins && labels.size() > 1;
   return values;

@@ -182,15 +182,16 @@ std::string diagnosis_residuals_csv(const DiagnosisReport& report) {
   const MeasuredData& data = report.data;
   std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
   csv +=
-      "line,run,routing,held,direction,channel,held_out,measured_N,before_N,after_N,deviation_N\n";
+      "line,run,routing,held,direction,channel,held_out,measured_N,before_N,after_N,deviation_N,"
+      "residual_before,residual_after\n";
   for (const ComparedCell& compared : report.result.cells) {
     const Reading& reading = data.readings[compared.cell.reading];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
                        held_field(reading.grasp), direction_field(reading.direction),
                        data.channels[compared.cell.channel].name, compared.held_out,
                        compared.cell.measured_N, compared.before_N, compared.after_N,
-                       compared.deviation_N);
+                       compared.deviation_N, compared.residual_before, compared.residual_after);
   }
   return csv;
 }

@@ -3,8 +3,8 @@
 //
 // "All simulation results were normalized so that the sum of T1 and T4 is equal to 1" (section I).
 // Its tables give shares of the sum of T1 to T4, "Ratio", and so does this. Its two friction
-// coefficients, 0.18 and 0.09, are "of Teflon tube": here of tubes and sheaths alike, which are both
-// lined with Teflon. The paper does not say whether it changed both (docs/diagnosis.md).
+// coefficients, 0.18 and 0.09, are "of Teflon tube": here of tubes and sheaths alike, which are
+// both lined with Teflon. The paper does not say whether it changed both (docs/diagnosis.md).
 #pragma once
 
 #include <cstdint>

@@ -101,8 +101,7 @@ class Exploration {
       slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
       slot.sampled = slot.failed_constraint == 0 && sample_.would_enter(slot.place);
       // Return friction alone decides nothing here, so only what is kept needs it.
-      if ((slot.may_rank || slot.sampled) && !needs_release_)
-        slot.values = evaluator.evaluate(slot.routing);
+      if (slot.may_rank && !needs_release_) slot.values = evaluator.evaluate(slot.routing);
       compare_with_references(slot, block.worker);
     }
   }
@@ -183,12 +182,13 @@ class Exploration {
     return designs;
   }
 
-  // Beyond the first `top` the archive has gaps, so only ranks up to there are ranks.
+  // Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
   void place_references(const std::vector<RankedDesign>& ranked) {
     for (std::size_t r = 0; r < references_.size(); ++r) {
       for (const auto& counts : dominators_) references_[r].dominated_by += counts[r];
       for (const RankedDesign& entry : ranked) {
-        if (entry.design.word != references_[r].design.word || entry.rank > options_.top) continue;
+        if (entry.design.word != references_[r].design.word) continue;
+        if (entry.rank > options_.top && entry.front > 1) continue;
         references_[r].rank = entry.rank;
         references_[r].front = entry.front;
       }

@@ -37,6 +37,12 @@
     });
   }
 
+  // Views come and go with the axes, the filter and the colours.
+  function onView(view) {
+    selectOnClick(view);
+    markSelection();
+  }
+
   async function drawPlots() {
     const data = state.data();
     const rows = state.rows();
@@ -46,9 +52,8 @@
     document.getElementById("pareto-count").textContent =
       `${points.drawn} of ${points.of} designs drawn: of those that lie on one spot, the first.`;
     document.getElementById("parallel-count").textContent = `${lines.drawn} of ${lines.of} designs drawn.`;
-    await reeve.draw(pareto, points.spec, selectOnClick);
-    await reeve.draw(parallel, lines.spec, selectOnClick);
-    markSelection();
+    await reeve.draw(pareto, points.spec, onView);
+    await reeve.draw(parallel, lines.spec, onView);
   }
 
   // Several changes within a moment, such as typing, are one.
@@ -68,6 +73,9 @@
       return chip;
     });
     document.getElementById("chips").replaceChildren(...chips);
+    const gone = state.putAway().map(label);
+    document.getElementById("put-away").textContent =
+      gone.length > 0 ? `Four fit side by side: ${gone.join(", ")} made room.` : "";
     document.getElementById("tray").hidden = chips.length === 0;
   }
 

@@ -90,7 +90,7 @@ const explorationCards = (() => {
     const { rank, front, kind } = state.designs();
     if (rank[row] > 0) return `Rank ${rank[row]}, front ${front[row]}.`;
     return kind[row] === 3
-      ? "One of the random sample of all evaluated designs; not among the listed."
+      ? "One of the random sample of all ranked designs; not among the listed."
       : `Known routing, not among the listed designs: ${reeve.data.standings[state.designs().word[row]]}.`;
   }
 

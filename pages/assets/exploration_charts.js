@@ -299,6 +299,7 @@ const explorationCharts = (() => {
           data: { name: "chosen", values: [] },
           mark: {
             type: "line",
+            clip: true, // a filter may leave designs behind that are selected
             strokeWidth: 3.5,
             strokeJoin: "round",
             style: "chosen",

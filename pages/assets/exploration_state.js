@@ -10,6 +10,7 @@ const explorationState = (() => {
   const filter = { text: "", which: "all", bounds: [] };
   let designs = null;
   let selected = []; // rows
+  let putAway = []; // by the last choice, for want of room
   let axes = [0, 2];
   let rows = [];
 
@@ -24,7 +25,7 @@ const explorationState = (() => {
   function passes(row) {
     const kind = designs.kind[row];
     const has = {
-      listed: kind !== 3,
+      listed: designs.rank[row] > 0,
       front: designs.front[row] === 1,
       known: kind === 2,
       sample: kind === 3,
@@ -79,6 +80,7 @@ const explorationState = (() => {
 
   async function load() {
     designs = await unpacked(reeve.data.columns);
+    designs.name.forEach((name, row) => name && rowOf.set(name, row)); // no name is a word
     designs.word.forEach((word, row) => rowOf.set(word, row));
     axes = ranking.length > 1 ? ranking.slice(0, 2) : [ranking[0], ranking[0] === 2 ? 0 : 2];
     if (!readAddress()) selected = firstSelection();
@@ -88,17 +90,20 @@ const explorationState = (() => {
     rows = designs.word.map((_, row) => row).filter(passes);
   }
 
-  // In or out; one too many replaces the one that was chosen first.
+  // In or out; one too many replaces the one that was chosen first, and says so.
   function toggle(row) {
-    selected = selected.includes(row)
+    const chosen = selected.includes(row)
       ? selected.filter((other) => other !== row)
-      : [...selected, row].slice(-most);
+      : [...selected, row];
+    putAway = chosen.slice(0, -most);
+    selected = chosen.slice(-most);
     writeAddress();
     tell("selection");
   }
 
   function clear() {
     selected = [];
+    putAway = [];
     writeAddress();
     tell("selection");
   }
@@ -127,6 +132,7 @@ const explorationState = (() => {
     designs: () => designs,
     objectives,
     selected: () => selected,
+    putAway: () => putAway,
     letter: (row) => explorationCharts.letters[selected.indexOf(row)] ?? "",
     axes: () => axes,
     rows: () => rows,

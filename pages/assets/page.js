@@ -70,9 +70,9 @@ const reeve = (() => {
 
   // As the reader sees it, but on white: saved figures go into papers.
   async function chartSvg(figure) {
-    const { spec, view } = charts.get(figure);
+    const { shown, view } = charts.get(figure);
     const width = view.width();
-    const sized = spec.width === "container" ? { ...spec, width } : spec;
+    const sized = shown.width === "container" ? { ...shown, width } : shown;
     const copy = new vega.View(parsed(sized, themes.light), { renderer: "none" });
     await copy.runAsync(); // first: a chart that never ran has no parts to take a state
     copy.setState(view.getState());
@@ -114,8 +114,9 @@ const reeve = (() => {
 
   const key = (cell) => {
     const text = cell?.dataset.value ?? cell?.textContent.trim() ?? "";
-    const number = Number(text);
-    return text === "" || Number.isNaN(number) ? text : number;
+    // A number may bear a unit: "0.12 N".
+    const [, digits] = /^([-+]?[\d.]+(?:e[-+]?\d+)?)(?: \S+)?$/i.exec(text) ?? [];
+    return digits === undefined || Number.isNaN(Number(digits)) ? text : Number(digits);
   };
 
   function compare(a, b) {

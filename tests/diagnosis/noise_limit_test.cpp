@@ -67,6 +67,31 @@ TEST(NoiseLimit, IsWhatTheTrueModelGains) {
   EXPECT_NEAR(within, 0.95 * experiments, 3 * std::sqrt(0.95 * 0.05 * experiments));
 }
 
+// Two values a row, whose common scale is free: half of what noise does can be called scale.
+TEST(NoiseLimit, CountsOutWhatAFreeScaleTakes) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, sd_N);
+  double squares = 0, limits = 0;
+  constexpr int experiments = 100;
+  for (int n = 0; n < experiments; ++n) {
+    std::string text = "run,routing,T1_N,T2_N\n";
+    for (int i = 0; i < rows; ++i) {
+      text += fmt::format("first,M-1-F,{},{}\n", truth(0.18, 10.0 + i, false) + noise(random),
+                          truth(0.18, 10.0 + i, true) + noise(random));
+    }
+    const MeasuredData data = read_data(text);
+    const Dataset part = all_of(data);
+    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
+    squares += misfit(held_out, Model{}) * sd_N * sd_N / (2 * rows);
+    const NoiseLimit limit = noise_limit(held_out, Model{});
+    limits += limit.rms_N * limit.rms_N;
+    EXPECT_NEAR(limit.rms_N, sd_N / std::numbers::sqrt2, 1e-12);
+    EXPECT_NEAR(run_gains(held_out, Model{}, Model{})[0].rms_noise_N, limit.rms_N, 1e-12);
+  }
+  // Of 3000 degrees of freedom in all: standard deviation 2.6 %.
+  EXPECT_NEAR(squares, limits, 3 * 0.026 * limits);
+}
+
 TEST(RunGains, AreTheResidualsOfEachRun) {
   std::mt19937 random(7);
   const MeasuredData data = readings(random);

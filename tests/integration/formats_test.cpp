@@ -94,7 +94,7 @@ TEST(Formats, SayThatAnExplorationWasStopped) {
         std::pair{"latex", "\n\\noindent PARTIAL: "}}) {
     ProcessOptions options;
     options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::seconds(1))};
-    const Explored explored({"--fingers", "9", "--format", format}, options);
+    const Explored explored({"--fingers", "9", "--top", "10", "--format", format}, options);
     EXPECT_EQ(explored.result.exit_code, 3);
     EXPECT_NE(explored.result.out.find(note), std::string::npos) << explored.result.out;
   }

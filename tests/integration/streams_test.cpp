@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 TEST(Progress, IsSilentWhereStderrIsNoTerminal) {
   ProcessOptions options;
   options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
-  const Explored explored({"--fingers", "9"}, options);
+  const Explored explored({"--fingers", "9", "--top", "10"}, options);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
 }
@@ -28,7 +28,7 @@ TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
                                     }};
-  const Explored explored({"--fingers", "9"}, options);
+  const Explored explored({"--fingers", "9", "--top", "10"}, options);
   ASSERT_FALSE(explored.result.timed_out);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_TRUE(explored.result.err.starts_with("\rexploring [>")) << explored.result.err;
@@ -45,7 +45,7 @@ TEST(Progress, IsSilentOnATerminalThatKnowsNoCodes) {
   options.stderr_is_terminal = true;
   options.environment["TERM"] = "dumb";
   options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
-  EXPECT_EQ(Explored({"--fingers", "9"}, options).result.err, "");
+  EXPECT_EQ(Explored({"--fingers", "9", "--top", "10"}, options).result.err, "");
 }
 
 TEST(Progress, LeavesNoTraceOfShortWork) {

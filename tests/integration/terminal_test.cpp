@@ -131,7 +131,7 @@ TEST(Progress, FitsTheWindow) {
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
                                     }};
-  const Explored explored({"--fingers", "9"}, options);
+  const Explored explored({"--fingers", "9", "--top", "10"}, options);
   const std::string& err = explored.result.err;
   const std::string line = err.substr(1, err.find('\x1b') - 1);
   EXPECT_TRUE(

@@ -148,6 +148,50 @@ TEST(DiagnosisPage, DrawsOneMarkForEachValueBeforeAndAfter) {
   EXPECT_EQ(marks, 40U);
 }
 
+// As the caption says: hollow what was fitted to, filled what no fit has seen.
+TEST(DiagnosisPage, FillsTheHeldOutRunsAndDrawsEachModelInItsPanel) {
+  DiagnosisReport report = plain_report(10);
+  name_tube_friction(report);
+  const Json compared = spec(html(report), "compared");
+  for (const Json& value : compared["data"]["values"]) {
+    const bool odd = value["line"].get<std::size_t>() % 2 == 1;  // of the second run
+    EXPECT_EQ(value["held_out"], odd ? "held out" : "training");
+    EXPECT_EQ(value["before"], 2.0);
+    EXPECT_EQ(value["after"], 2.9);
+  }
+  const char* const fields[] = {"before", "after"};
+  for (const std::size_t panel : {0U, 1U}) {
+    const Json& encoding = compared["concat"][panel]["layer"][1]["encoding"];
+    EXPECT_EQ(encoding["x"]["field"], fields[panel]);
+    EXPECT_EQ(encoding["fillOpacity"]["scale"]["domain"], Json({"training", "held out"}));
+    EXPECT_EQ(encoding["fillOpacity"]["scale"]["range"], Json({0, 0.9}));
+    EXPECT_EQ(compared["concat"][panel]["title"].get<std::string>().find(fields[panel]), 0U);
+  }
+}
+
+TEST(DiagnosisPage, DrawsTheResidualsThatTheDiagnosisJudges) {
+  DiagnosisReport report = plain_report(10);
+  name_tube_friction(report);
+  for (ComparedCell& cell : report.result.cells) {
+    cell.residual_before = 7;
+    cell.residual_after = 0.5;
+  }
+  const Json values = spec(html(report), "residuals-routing")["data"]["values"];
+  ASSERT_EQ(values.size(), 20U);
+  for (const Json& value : values) {
+    EXPECT_EQ(value["residual_before"], 7);
+    EXPECT_EQ(value["residual_after"], 0.5);
+  }
+}
+
+TEST(DiagnosisPage, SaysWhereTheNoiseIsEstimatedTooHigh) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  EXPECT_FALSE(has(html(report), "the noise is estimated too high"));
+  report.result.noise_limit = NoiseLimit{30, 25, 35, 0.1};
+  EXPECT_TRUE(has(html(report), "the noise is estimated too high"));
+}
+
 TEST(DiagnosisPage, HasOnePanelWhereNothingExtendsTheModel) {
   EXPECT_EQ(spec(html(plain_report()), "compared")["concat"].size(), 1U);
 }

@@ -390,10 +390,27 @@ TEST(ExploreReferences, StandWhereTheNaiveRankingPutsThem) {
       });
       EXPECT_EQ(standing.design.values, entry->design.values);
       EXPECT_EQ(standing.dominated_by, static_cast<std::uint64_t>(dominators));
-      EXPECT_EQ(standing.rank, entry->rank <= options.top ? entry->rank : 0) << entry->rank;
-      EXPECT_EQ(standing.front, entry->rank <= options.top ? entry->front : 0);
+      const bool is_kept = entry->rank <= options.top || entry->front == 1;
+      EXPECT_EQ(standing.rank, is_kept ? entry->rank : 0) << entry->rank;
+      EXPECT_EQ(standing.front, is_kept ? entry->front : 0);
     }
   }
+}
+
+TEST(ExploreReferences, HaveTheirRankOnAFrontThatIsLongerThanTheList) {
+  ExploreOptions options = options_for(full_parts(), 2,
+                                       {Objective::uniformity_mean, Objective::efficiency_mean,
+                                        Objective::sheaths, Objective::pulleys});
+  options.top = 1;
+  options.references = {parse_routing("M-1-T-2-F")};
+  const ExploreResult result = explore(options);
+  ASSERT_GT(result.front.size(), 1U);
+  const auto entry = std::find_if(result.front.begin(), result.front.end(), [](const auto& ranked) {
+    return ranked.design.word == "M-1-T-2-F";
+  });
+  ASSERT_NE(entry, result.front.end());
+  EXPECT_EQ(result.references[0].rank, entry->rank);
+  EXPECT_EQ(result.references[0].front, 1);
 }
 
 TEST(ExploreReferences, NeedNotBeAmongTheRoutings) {
