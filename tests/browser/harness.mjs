@@ -125,10 +125,13 @@ export const tooWide = (page, width) =>
       .map((element) => `<${element.tagName.toLowerCase()} id="${element.id}">`);
   }, width);
 
-// axe's serious and critical violations, a line for each.
-export async function accessibilityFaults(page) {
+// axe's serious and critical violations, a line for each; of all its rules, or of those named.
+export async function accessibilityFaults(page, rules = null) {
   await page.evaluate(axeSource);
-  const { violations } = await page.evaluate(() => axe.run({ resultTypes: ["violations"] }));
+  const { violations } = await page.evaluate(
+    (runOnly) => axe.run({ resultTypes: ["violations"], ...(runOnly && { runOnly }) }),
+    rules,
+  );
   return violations
     .filter(({ impact }) => impact === "serious" || impact === "critical")
     .map(({ id, help, nodes }) => {
