@@ -54,7 +54,8 @@ Json named_values(const DiagnosisReport& report) {
               {"p", p_text(cause.p_value, report.settings.replicates)}};
     if (cause.runner_up) {
       item["runner_up"] = {{"name", cause.runner_up->name},
-                           {"delta", fmt::format("{:.1f}", cause.runner_up->delta_log_likelihood)}};
+                           {"delta", fmt::format("{:.1f}", cause.runner_up->delta_log_likelihood)},
+                           {"as_well", cause.runner_up->delta_log_likelihood < 0.05}};
     }
     list.push_back(std::move(item));
   }

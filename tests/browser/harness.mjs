@@ -65,7 +65,7 @@ export async function open(browser, file, options = {}) {
     reducedMotion: "reduce",
     locale: "en-US",
   });
-  context.setDefaultTimeout(10_000);
+  context.setDefaultTimeout(30_000);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
   const faults = noteFaults(page, url);
