@@ -20,11 +20,11 @@ namespace {
 constexpr unsigned heap_bytes = 1U << 30U;
 constexpr int static_width = 640;
 
-struct Runtime {
-  Runtime() {
+struct Library {
+  Library() {
     if (!JS_Init()) throw std::runtime_error("the chart engine does not start");
   }
-  ~Runtime() { JS_ShutDown(); }
+  ~Library() { JS_ShutDown(); }
 };
 
 const JSClass global_class = {
@@ -50,7 +50,7 @@ constexpr std::string_view drawing =
 class Interpreter {
  public:
   Interpreter() {
-    static const Runtime runtime;
+    static const Library library;
     context_ = JS_NewContext(heap_bytes);
     if (context_ == nullptr || !js::UseInternalJobQueues(context_) ||
         !JS::InitSelfHostedCode(context_)) {
