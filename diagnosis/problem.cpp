@@ -29,20 +29,27 @@ Forecast moved(const Problem& problem, Model model, std::size_t effect, std::siz
   return forecast(*problem.dataset, model);
 }
 
-}  // namespace
-
-void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
+// Calls use(first, size, scale) for each row whose scale is free: `scale` is what a change of it
+// does to the row's cells, in units of the noise, and of length 1.
+template <typename Use>
+void for_each_free_scale(const Problem& problem, const Forecast& at, Use use) {
   for (const DatasetRow& row : problem.dataset->rows) {
     if (row.has_motor_tension) continue;
     const auto first = static_cast<Index>(row.first);
     const auto size = static_cast<Index>(row.last - row.first);
     const Eigen::VectorXd scale =
         at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
-    const double square = scale.squaredNorm();
-    if (square == 0) continue;
-    const double along = scale.dot(whitened.segment(first, size)) / square;
-    whitened.segment(first, size) -= along * scale;
+    const double length = scale.norm();
+    if (length > 0) use(first, size, Eigen::VectorXd(scale / length));
   }
+}
+
+}  // namespace
+
+void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
+  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
+    whitened.segment(first, size) -= scale.dot(whitened.segment(first, size)) * scale;
+  });
 }
 
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
@@ -66,16 +73,9 @@ Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
 
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
   Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
-  for (const DatasetRow& row : problem.dataset->rows) {
-    if (row.has_motor_tension) continue;
-    const auto first = static_cast<Index>(row.first);
-    const auto size = static_cast<Index>(row.last - row.first);
-    const Eigen::VectorXd scale =
-        at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
-    const double square = scale.squaredNorm();
-    if (square == 0) continue;
-    variance.segment(first, size).array() *= 1 - scale.array().square() / square;
-  }
+  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
+    variance.segment(first, size).array() *= 1 - scale.array().square();
+  });
   return variance;
 }
 
