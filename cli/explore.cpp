@@ -55,7 +55,8 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   options.shard = parse_shard(flags.shard);
   options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
-  options.objectives = parse_objectives(flags.ranking.objectives);
+  options.order = flags.ranking.read_order();
+  options.score = parse_score(flags.ranking.score);
   for (const std::string& text : flags.constraints) {
     const Constraint constraint = parse_constraint(text);
     for (const Constraint& other : options.constraints) {
@@ -75,8 +76,8 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
 
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
-  return {file.model,          file.uncertainty,   options.grasps,       options.objectives,
-          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads};
+  return {file.model,          file.uncertainty,   options.grasps,        options.order,
+          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score};
 }
 
 ExploreResult explore_supervised(const ExploreOptions& options, const std::atomic<bool>& stop) {

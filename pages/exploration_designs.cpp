@@ -107,7 +107,7 @@ Json chart_data(const ExploreReport& report, Json columns) {
                                   {"better", row.better == Better::higher ? "higher" : "lower"},
                                   {"meaning", row.meaning}});
   }
-  for (const Objective objective : report.options.objectives) {
+  for (const Objective objective : report.options.order.objectives) {
     data["ranking"].push_back(static_cast<std::size_t>(objective));
   }
   data["designs"] = std::move(columns);

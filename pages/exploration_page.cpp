@@ -57,14 +57,14 @@ Figure chart(Figure figure, const Json& drawn) {
 Figure pareto_figure(const Json& data, const ExploreReport& report) {
   const Json drawn = script_value(charts, "explorationCharts.pareto",
                                   {{"data", data},
-                                   {"axes", axes(report.options.objectives)},
+                                   {"axes", axes(report.options.order.objectives)},
                                    {"grid", {{"columns", 90}, {"lines", 60}}}});
   return chart({"pareto", "Designs by two objectives.",
                 "The dashed line is the edge of the Pareto front, drawn where both axes are what "
                 "the ranking counts. Where several designs share a spot, the first is drawn.",
                 fmt::format("Scatter plot of the designs over {}; {} marks stand for {} designs.",
-                            objective_titles(report.options.objectives), drawn["drawn"].dump(),
-                            drawn["of"].dump()),
+                            objective_titles(report.options.order.objectives),
+                            drawn["drawn"].dump(), drawn["of"].dump()),
                 Json(), ""},
                drawn);
 }

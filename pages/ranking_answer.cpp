@@ -35,7 +35,7 @@ std::string compared(const RankReport& report) {
       "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.",
       plural(report.designs.size(), "routing"),
       plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
-      to_text(report.grasps), objective_titles(report.objectives), hardware.tube.mu,
+      to_text(report.grasps), objective_titles(report.order.objectives), hardware.tube.mu,
       hardware.sheath.mu, hardware.bearing.mu,
       with_own ? "; some fingers or contacts have their own" : "");
 }

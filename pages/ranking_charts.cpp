@@ -105,7 +105,7 @@ std::string rank_alt(const RankReport& report, const Labels& labels) {
 }  // namespace
 
 Figure pareto_figure(const RankReport& report, const Labels& labels) {
-  const Axes on = axes(report.objectives);
+  const Axes on = axes(report.order.objectives);
   const bool all_named = labels.size() <= most_labels;
   Json values = Json::array();
   std::string alt = fmt::format("{} against {}.", objective_title(row(on.second)),
@@ -121,8 +121,8 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   }
   std::string caption = "Routings on one point share its label.";
   if (!all_named) caption += " Only those on the Pareto front are labelled.";
-  if (report.objectives.size() > 2) {
-    caption += " The front is over " + objective_titles(report.objectives) +
+  if (report.order.objectives.size() > 2) {
+    caption += " The front is over " + objective_titles(report.order.objectives) +
                "; the first two of them are drawn.";
   }
   const Json spec{{"width", "container"},
