@@ -202,9 +202,16 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsPublishedNumbers) {
        "x.toml:11:9: fault[1].times = 0: expected a number above zero"},
       {table + "[[fault]]\nkind = \"factor\"\nstrands = [1]\ntimes = inf\n",
        "x.toml:11:9: fault[1].times = inf: expected a finite number, not negative"},
-      {"[[fault]]\nkind = \"factor\"\n", "x.toml:4:1: this fault needs a [table] that it is about"},
+      {"[[fault]]\nkind = \"factor\"\n",
+       "x.toml:4:1: this fault needs a [table] or [[lines]] that it is "
+       "about"},
       {"[fault]\nkind = \"factor\"\n",
        "x.toml:4:1: fault = (a table): expected tables headed [[fault]]"},
+      {"[[lines]]\nsource = \"Fig. 1\"\nmu = 2\n",
+       "x.toml:6:6: lines[1].mu = 2: expected a number from 0 to 1"},
+      {"[[lines]]\nsource = \"Fig. 1\"\nmu = 0.1\nshare_percent = [\"60\", \"40\"]\n",
+       "x.toml:4:1: missing key 'read_to_percent' in 'lines[1]': expected how closely the figure can "
+       "be read"},
       {"[[misprint]]\nsource = \"Eq. 1\"\n",
        "x.toml:4:1: missing key 'text' in 'misprint[1]': expected what is misprinted"},
   };
