@@ -4,17 +4,20 @@
 
 #include "diagnosis/null_model.hpp"
 #include "diagnosis/outlook.hpp"
+#include "diagnosis/rivals.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
+constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
 
-// A friction coefficient of all contacts of a kind.
-bool is_coefficient(const Effect& effect) {
+// A friction coefficient of all contacts of a kind, which the hardware does not say to be none.
+bool is_coefficient(const Effect& effect, const Hardware& hardware) {
   return effect.cause->reach() == Reach::hardware &&
-         effect.cause->subject_kind() == SubjectKind::rig;
+         effect.cause->subject_kind() == SubjectKind::rig &&
+         effect.cause->parameters(hardware).front().nominal.value_or(0) > 0;
 }
 
 // From the nominal values, and from parts of them: rigs are mostly smoother than they are thought.
@@ -101,7 +104,7 @@ class Search {
     Model together = result_.model;
     std::vector<AcceptedCause> added;
     for (const Candidate& candidate : candidates) {
-      if (!is_coefficient(candidate.effect)) continue;
+      if (!is_coefficient(candidate.effect, result_.model.hardware)) continue;
       add_effect(together, candidate.effect);
       added.push_back({candidate.effect, result_.p_value_of_next});
     }
@@ -134,7 +137,10 @@ class Search {
 
   // Whether the cause lost its place.
   bool defend_one(std::size_t accepted) {
-    constexpr double clearly = 0.5;
+    // A coefficient is the plainest cause: it makes room only for one that the data tell from it.
+    const double clearly = is_coefficient(result_.accepted[accepted].effect, result_.model.hardware)
+                               ? alias_margin
+                               : least_advantage;
     const double now = misfit(problem_, result_.model);
     const Fit base = fit(
         problem_, without(result_.model, place(result_.model, result_.accepted[accepted].effect)));

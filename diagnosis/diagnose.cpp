@@ -25,6 +25,9 @@ namespace {
 constexpr double further_share_of_alpha = 0.5;
 constexpr double structure_share_of_alpha = 0.25;
 constexpr double too_few_degrees = 8;
+// Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
+// they say nothing: what they know of it may all stand in one run.
+constexpr double refuted = -2;
 
 class Diagnosis {
  public:
@@ -59,6 +62,8 @@ class Diagnosis {
     compare_cells();
     result_.share_errors = share_errors(data_, result_.cells);
     result_.losses = losses(data_, result_.model, result_.cells);
+    result_.without_apart =
+        without_apart(data_, result_.model, result_.noise, result_.cells, result_.losses);
     return std::move(result_);
   }
 
@@ -141,7 +146,7 @@ class Diagnosis {
   bool drop_unconfirmed() {
     while (!result_.causes.empty()) {
       if (stopped("confirming the causes")) return false;
-      double least = 0;
+      double least = refuted;
       std::size_t weakest = result_.causes.size();
       Model kept;
       for (std::size_t c = 0; c < result_.causes.size(); ++c) {

@@ -30,6 +30,7 @@
 #include "diagnosis/sample.hpp"
 #include "diagnosis/share_error.hpp"
 #include "diagnosis/structure.hpp"
+#include "diagnosis/without_apart.hpp"
 
 namespace reeve {
 
@@ -112,6 +113,7 @@ struct DiagnosisResult {
   ShareErrors share_errors;
   std::vector<LeftOutRun> left_out;  // the named causes fitted without each run
   std::vector<Loss> losses;
+  std::optional<WithoutApart> without_apart;
   std::size_t rows = 0;  // used, training and held out
   std::size_t runs = 0;
   std::size_t held_out_runs = 0;

@@ -10,9 +10,9 @@ namespace reeve {
 namespace {
 
 constexpr double greatest_score = 3.5;
-// In standard deviations: losses that agree better than that agree by their rounding, as those of
-// made-up data may.
-constexpr double least_scatter = 0.05;
+// Losses that agree better than that agree by their rounding, as those of made-up data may.
+constexpr double least_scatter = 1e-3;
+constexpr double sure_of_noise = 2;
 constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution over its deviation
 
 // Two measured segments with nothing measured between them.
@@ -169,13 +169,14 @@ double median(std::vector<double> values) {
 void mark_those_apart(std::vector<Loss>& losses) {
   if (losses.size() < enough_stretches) return;
   std::vector<double> left;
-  for (const Loss& loss : losses) left.push_back((loss.measured - loss.after) / loss.deviation);
+  for (const Loss& loss : losses) left.push_back(loss.measured - loss.after);
   const double middle = median(left);
   std::vector<double> distances;
   for (const double value : left) distances.push_back(std::abs(value - middle));
   const double typical = std::max(least_scatter, median(distances));
   for (std::size_t i = 0; i < losses.size(); ++i) {
-    losses[i].stands_apart = normal_consistency * distances[i] > greatest_score * typical;
+    losses[i].stands_apart = normal_consistency * distances[i] > greatest_score * typical &&
+                             distances[i] > sure_of_noise * losses[i].deviation;
   }
 }
 

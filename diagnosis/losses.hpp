@@ -6,9 +6,10 @@
 //   ln(T_high / T_low) = Σ φ_k
 //
 // so that each such stretch is a measurement of its contacts' friction by itself, without the motor
-// tension and without the other readings. With x a stretch's loss less the extended model's, in
-// standard deviations, it stands apart from the others by the modified z-score of B. Iglewicz and
-// D. C. Hoaglin (How to Detect and Handle Outliers, ASQC, 1993): 0.6745 |x − median| / MAD > 3.5.
+// tension and without the other readings. With x a stretch's loss less the extended model's, it
+// stands apart from the others by the modified z-score of B. Iglewicz and D. C. Hoaglin (How to
+// Detect and Handle Outliers, ASQC, 1993), 0.6745 |x − median| / MAD > 3.5, if it does so by more
+// than two standard deviations of its readings' noise too.
 #pragma once
 
 #include <vector>

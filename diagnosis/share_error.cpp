@@ -73,13 +73,20 @@ double mean(const std::vector<ShareError>& groups, Get get) {
 
 }  // namespace
 
-double share_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  const double whole_a = sum(a);
-  const double whole_b = sum(b);
+double distance_to_shares(const std::vector<double>& tensions, const std::vector<double>& shares) {
+  const double whole = sum(tensions);
   double squares = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    squares += std::pow(a[i] / whole_a - b[i] / whole_b, 2);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    squares += std::pow(tensions[i] / whole - shares[i], 2);
+  }
   return std::sqrt(squares);
+}
+
+double share_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  const double whole = sum(b);
+  std::vector<double> shares;
+  for (const double tension : b) shares.push_back(tension / whole);
+  return distance_to_shares(a, shares);
 }
 
 ShareErrors share_errors(const MeasuredData& data, const std::vector<ComparedCell>& cells) {

@@ -35,7 +35,9 @@ struct ShareErrors {
 // Empty where no row has all strands.
 ShareErrors share_errors(const MeasuredData& data, const std::vector<ComparedCell>& cells);
 
-// √ Σ (a_i − b_i)² of the shares of two lists of tensions of equal length.
+// √ Σ (T_i / ΣT − s_i)² of shares as they are, which as printed need not add up to 1.
+double distance_to_shares(const std::vector<double>& tensions, const std::vector<double>& shares);
+// The same of the shares of two lists of tensions.
 double share_distance(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace reeve

@@ -32,7 +32,7 @@ DiagnosisReport plain_report(std::size_t readings = 12) {
     reading.motor_tension_N = 10 + static_cast<double>(i);
     report.data.readings.push_back(reading);
     for (std::size_t channel = 0; channel < 2; ++channel) {
-      report.result.cells.push_back({{i, channel, 0, 3.0}, i % 2 == 1, 2.0, 2.9, 0.1});
+      report.result.cells.push_back({{i, channel, 0, 3.0}, i % 2 == 1, 2.0, 2.9, 0.1, 0, 0, {}});
     }
   }
   report.result.rows = readings;
