@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/schematic_layout.hpp"
+#include "reports/shapes.hpp"
 
 namespace reeve::svg {
 
