@@ -18,7 +18,7 @@
 // - Layers are drawn in their order. Those of one name share an entry of the legend, where their
 //   symbols lie over each other; without a name a layer has none. A layer without marks is in the
 //   legend all the same, and explains what others look like.
-// - `title` is what a reader sees who points at a mark.
+// - `title` is what a reader sees who points at a mark; it may have several lines.
 // - Labels lie beside their marks, and never over each other or beyond the frame; the first are
 //   placed first, and one for which there is no room is left out.
 // - The same chart gives the same bytes.

@@ -17,10 +17,21 @@ std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + value + "\"";
 }
 
+// What a reader sees who points there; its lines stay lines.
+std::string hint(const std::string& title) {
+  std::string lines;
+  for (std::size_t begin = 0; begin <= title.size();) {
+    const std::size_t end = std::min(title.find('\n', begin), title.size());
+    lines += (begin == 0 ? "" : "\n") + svg::escape(title.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return "<title>" + lines + "</title>";
+}
+
 // Closes an element that was begun.
 std::string ended(const std::string& begun, const char* name, const std::string& title) {
   if (title.empty()) return begun + "/>\n";
-  return begun + "><title>" + svg::escape(title) + "</title></" + name + ">\n";
+  return begun + ">" + hint(title) + "</" + name + ">\n";
 }
 
 std::string rectangle(const Box& box) {
@@ -255,8 +266,7 @@ std::string draw(const ChartText& text) {
   }
   begun += attribute("font-size", svg::number(drawn.size)) + svg::anchor(drawn.align);
   if (drawn.weight == Weight::bold) begun += attribute("font-weight", "bold");
-  const std::string title =
-      text.whole.empty() ? "" : "<title>" + svg::escape(text.whole) + "</title>";
+  const std::string title = text.whole.empty() ? "" : hint(text.whole);
   return begun + ">" + title + svg::escape(drawn.text) + "</text>\n";
 }
 

@@ -96,7 +96,7 @@ Inset inset(const Panel& panel, Along along, double length) {
   for (const Layer& layer : panel.layers) {
     has_bars = has_bars || std::holds_alternative<Bars>(layer.marks);
     if (!std::holds_alternative<Points>(layer.marks)) continue;
-    const double widest = layer.style.symbol == Symbol::tick ? 1.6 : 1.25;
+    const double widest = layer.style.symbol == Symbol::tick ? 1.6 : 1.35;
     half = std::max(half, widest * layer.style.size + layer.style.line + 1);
   }
   const auto categories = static_cast<double>(axis(panel, along).categories.size());

@@ -14,6 +14,7 @@ constexpr double between_columns = 16;
 constexpr double between_rows = 14;
 constexpr double before_legend = 8;
 constexpr double least_legend = 320;
+constexpr double least_heading = 200;
 
 struct Row {
   std::size_t begin = 0;  // panels
@@ -89,14 +90,21 @@ std::vector<ColumnPlace> columns(const Chart& chart, const std::vector<Row>& row
   return result;
 }
 
-// Moves the panels of a row, and says where the next may begin.
-double put_row(const Row& row, const std::vector<ColumnPlace>& columns, double top,
-               ChartLayout& layout) {
-  if (row.heading != nullptr) {
-    layout.headings.push_back(
-        at(cut(*row.heading, heading_text, Weight::bold, 800), {margin, top}, Align::start));
-    top = layout.headings.back().drawn.box.bottom + 4;
+// As wide as the panels, and no narrower than a few words; returns where they may begin.
+double add_heading(const std::string& heading, double right, double top, ChartLayout& layout) {
+  const double width = std::max(right - margin, least_heading);
+  for (const ChartText& line : broken(heading, heading_text, Weight::bold, width, 3)) {
+    layout.headings.push_back(at(line, {margin, top}, Align::start));
+    top = layout.headings.back().drawn.box.bottom;
   }
+  return top + 4;
+}
+
+// Moves the panels of a row, and says where the next may begin.
+double put_row(const Row& row, const std::vector<ColumnPlace>& columns, double width, double top,
+               ChartLayout& layout) {
+  const double right = columns[row.end - row.begin - 1].frame + width;
+  if (row.heading != nullptr) top = add_heading(*row.heading, right, top, layout);
   double above = 0;
   for (std::size_t i = row.begin; i < row.end; ++i) {
     above = std::max(above, -bounds(layout.panels[i]).top);
@@ -140,7 +148,7 @@ ChartLayout layout(const Chart& chart) {
   layout.panels = lay_panels(chart, all_rows);
   const std::vector<ColumnPlace> places = columns(chart, all_rows, layout.panels);
   double top = margin;
-  for (const Row& row : all_rows) top = put_row(row, places, top, layout);
+  for (const Row& row : all_rows) top = put_row(row, places, chart.width, top, layout);
   for (const LaidPanel& panel : layout.panels) layout.labels.push_back(mark_labels(panel));
   add_legend(chart, layout);
   return layout;

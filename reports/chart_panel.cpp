@@ -13,6 +13,7 @@ constexpr double beside_tick = tick_length + 3;  // from the frame to a tick's t
 constexpr double before_title = 5;
 constexpr double widest_category = 230;   // beside the y axis
 constexpr double longest_category = 150;  // turned, below the x axis
+constexpr double beyond_frame = 14;       // that a title may be wider than the frame
 constexpr std::size_t most_lines = 3;
 
 double lowest(const std::vector<ChartText>& texts, double least) {
@@ -74,8 +75,8 @@ void add_x_ticks(const LaidPanel& laid, std::vector<ChartText>& texts) {
     return;
   }
   const double step = step_of(laid.x.ticks, laid.frame.right - laid.frame.left);
-  if (lie_flat(laid.x.ticks, step - 4)) {
-    add_flat(laid, step - 4, texts);
+  if (lie_flat(laid.x.ticks, step - 1)) {
+    add_flat(laid, step - 1, texts);
   } else {
     add_turned(laid, step, texts);
   }
@@ -124,8 +125,9 @@ void add_y_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
 
 void add_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
   if (laid.panel->title.empty()) return;
+  const double width = laid.frame.right - laid.frame.left + beyond_frame;
   const std::vector<ChartText> lines =
-      broken(laid.panel->title, title_text, Weight::bold, laid.frame.right - laid.frame.left, 2);
+      broken(laid.panel->title, title_text, Weight::bold, width, 2);
   const double height = line_of(title_text) * static_cast<double>(lines.size());
   add_lines(lines, {laid.frame.left, laid.frame.top - before_title - height}, Align::start, texts);
 }

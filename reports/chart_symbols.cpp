@@ -29,7 +29,7 @@ std::string symbol(Symbol kind, Point at, double size) {
     case Symbol::square:
       return outline(at, 0.89 * size, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     case Symbol::triangle:
-      return outline(at, 1.15 * size, {{0, -1}, {1, 0.8}, {-1, 0.8}});
+      return outline(at, 1.1 * size, {{0, -1.2}, {1, 0.6}, {-1, 0.6}});
     case Symbol::diamond:
       return outline(at, 1.25 * size, {{0, -1}, {1, 0}, {0, 1}, {-1, 0}});
     case Symbol::cross:
@@ -47,7 +47,7 @@ std::string symbol(Symbol kind, Point at, double size) {
                       {-1, -arm},
                       {-arm, -arm}});
     case Symbol::wedge:
-      return outline(at, 1.15 * size, {{0, 1}, {1, -0.8}, {-1, -0.8}});
+      return outline(at, 1.1 * size, {{0, 1.2}, {1, -0.6}, {-1, -0.6}});
     case Symbol::tick:
       return outline(at, size, {{-0.2, -1.6}, {0.2, -1.6}, {0.2, 1.6}, {-0.2, 1.6}});
   }

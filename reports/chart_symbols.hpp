@@ -1,4 +1,5 @@
-// The symbols of points, each about as large to the eye as a circle of the same size.
+// The symbols of points, each about as large to the eye as a circle of the same size, with its
+// centre of gravity where the point lies.
 #pragma once
 
 #include <string>

@@ -72,6 +72,8 @@ TEST(ChartSvg, SaysWhatAMarkIsToWhoPointsAtIt) {
   const std::string svg = chart_svg(one_of_everything("t"));
   EXPECT_NE(group(svg, "reeve-points").find("<title>t</title></circle>"), std::string::npos);
   EXPECT_EQ(count(svg, "<title>t</title>"), 6U);
+  const std::string lines = chart_svg(one_of_everything("a<b\nc"));
+  EXPECT_EQ(count(lines, "<title>a&lt;b\nc</title>"), 6U);
 }
 
 TEST(ChartSvg, DrawsEachSymbolAndColour) {
