@@ -10,8 +10,9 @@
 
 namespace reeve::cli {
 
-// `command` is the subcommand as it was given.
+// `command` is the subcommand as it was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,
-                       const Catalogue& catalogue, const std::filesystem::path& directory);
+                       const Catalogue& catalogue, std::size_t details,
+                       const std::filesystem::path& directory);
 
 }  // namespace reeve::cli

@@ -18,6 +18,7 @@
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
+#include "pages/exploration_page.hpp"
 #include "reports/explore_report.hpp"
 #include "reports/files.hpp"
 #include "search/uncertainty.hpp"
@@ -31,6 +32,7 @@ struct ExploreFlags {
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
+  std::size_t details = default_details;
   std::string out = "out/explore";
   ModelOption model;
   FormatOption format;
@@ -114,7 +116,7 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
       explore_report(explore_options, std::move(result), distributions, catalogue);
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
-  write_exploration(report, command, catalogue, flags.out);
+  write_exploration(report, command, catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   std::cout << announced(
@@ -141,6 +143,12 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->add_option("--top", flags->top,
                    "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  command
+      ->add_option("--details", flags->details,
+                   "Of how many of the best designs the page holds schematics and tensions; of the "
+                   "known routings always")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}))
       ->capture_default_str();
   command
       ->add_option(

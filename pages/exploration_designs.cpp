@@ -1,9 +1,8 @@
 #include "pages/exploration_designs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,10 +13,14 @@
 namespace reeve {
 namespace {
 
-// Eight digits: enough to round as the rest of the page does, and half the bytes.
+// Eight digits: enough to round as the rest of the page does, and half the bytes. A whole number
+// over a power of ten is the nearest number to those digits.
 Json rounded(double value) {
-  const Json exact = number(value);
-  return exact.is_null() ? exact : Json(std::stod(fmt::format("{:.8g}", value)));
+  if (value == 0 || !std::isfinite(value)) return number(value);
+  const double decimals = 7 - std::floor(std::log10(std::abs(value)));
+  if (decimals < 0 || decimals > 22) return value;
+  const double power = std::pow(10, decimals);
+  return std::round(value * power) / power;
 }
 
 Json values_column(const std::vector<PageDesign>& designs, std::size_t objective) {

@@ -54,15 +54,17 @@ Json specifications() {
   return all;
 }
 
-// Known routings, then in the order of the ranking, which the front begins.
-std::vector<std::string> in_order_of_details(const ExploreReport& report) {
+// Known routings, then the best in the order of the ranking, which the front begins.
+std::vector<std::string> in_order_of_details(const ExploreReport& report, std::size_t best) {
   std::vector<std::string> words;
   for (const ReferenceStanding& reference : report.result.references) {
     words.push_back(reference.design.word);
   }
   const std::set<std::string> known(words.begin(), words.end());
-  for (const ListedDesign& design : listed_designs(report)) {
-    if (!known.contains(design.ranked.design.word)) words.push_back(design.ranked.design.word);
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) {
+    const std::string& word = listed[i].ranked.design.word;
+    if (!known.contains(word)) words.push_back(word);
   }
   return words;
 }
@@ -158,18 +160,20 @@ Json standings(const ExploreReport& report) {
 
 Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
           Json body) {
-  const std::size_t wanted = in_order_of_details(view.report).size();
+  const std::size_t listed = listed_designs(view.report).size();
+  const std::size_t all = in_order_of_details(view.report, listed).size();
   body["details_text"] =
-      details.designs >= wanted
+      details.designs >= all
           ? fmt::format(
                 "All {} listed designs and known routings have schematics, tensions and "
                 "contacts here.",
-                wanted)
+                all)
           : fmt::format(
                 "{} of {} listed designs and known routings have schematics, tensions and "
                 "contacts here: known routings first, then by rank. For the others the "
-                "page gives the values and the command that shows the rest.",
-                details.designs, wanted);
+                "page gives the values and the command that shows the rest; with --details {} it "
+                "has more, as far as there is room.",
+                details.designs, all, listed);
   return {title(view.report),
           render("exploration.mustache", body),
           "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "
@@ -220,7 +224,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =
-      design_details(in_order_of_details(report), view.solve,
+      design_details(in_order_of_details(report, view.details), view.solve,
                      without < page_bytes ? page_bytes - without : 0, report.options.threads);
   for (const Figure& figure : {pareto.figure, parallel.figure}) {
     figures.push_back({figure.id, figure.svg});

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double bar_share = 0.8;  // of a category
 
-std::string attribute(const char* name, const std::string& value) {
-  return std::string(" ") + name + "=\"" + value + "\"";
-}
+using svg::attribute;
 
 // What a reader sees who points there; its lines stay lines.
 std::string hint(const std::string& title) {

@@ -15,6 +15,9 @@ std::string escape(const std::string& text);
 // At most two decimals, no trailing zeros.
 std::string number(double value);
 
+// " name="value""; the value is escaped, or has nothing to escape.
+std::string attribute(const char* name, const std::string& value);
+
 std::string line(Point from, Point to);
 std::string circle(Point centre, double radius, const std::string& attributes = "");
 std::string rectangle(const Box& box, double rounding, const std::string& attributes = "");

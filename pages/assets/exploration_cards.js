@@ -15,8 +15,8 @@ const explorationCards = (() => {
     const chunk = reeve.data.chunks.find(({ words }) => words.includes(word));
     if (!chunk) return null;
     if (!packs.has(chunk)) packs.set(chunk, state.unpacked(chunk.pack));
-    const pack = await packs.get(chunk);
-    return { lines: pack.lines, ...pack.designs[chunk.words.indexOf(word)] };
+    const [designs, ...lines] = (await packs.get(chunk)).split("\n");
+    return { lines, ...JSON.parse(designs)[chunk.words.indexOf(word)] };
   }
 
   function schematic({ lines }, runs, id) {

@@ -33,10 +33,25 @@ std::set<std::string> detailed_words(const std::string& html) {
 
 TEST(ExplorationPage, HasDetailsOfAllDesignsOfASmallList) {
   const ExploreReport report = explored(small_options());
-  const PageFiles page = exploration_page(testing::view(report));
+  ExplorationView view = testing::view(report);
+  view.details = 1000;
+  const PageFiles page = exploration_page(view);
   EXPECT_EQ(detailed_words(page.html).size(), 54U);
   EXPECT_NE(page.html.find("54 of 54 ranked designs are listed"), std::string::npos);
   EXPECT_LT(page.html.size(), 1'300'000U);
+}
+
+TEST(ExplorationPage, HasDetailsOfTheBestAndTheKnownAndSaysSo) {
+  const ExploreReport report = explored(small_options());
+  ExplorationView view = testing::view(report);
+  view.details = 5;
+  const std::string html = exploration_page(view).html;
+  std::set<std::string> expected{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"};
+  for (std::size_t i = 0; i < 5; ++i) expected.insert(report.top[i].ranked.design.word);
+  EXPECT_EQ(detailed_words(html), expected);
+  EXPECT_NE(html.find("7 of 54 listed designs and known routings have schematics"),
+            std::string::npos);
+  EXPECT_NE(html.find("with --details 54 it has more"), std::string::npos);
 }
 
 TEST(ExplorationPage, WritesItsPicturesAsFiles) {
@@ -111,7 +126,7 @@ TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
     }
     return own;
   };
-  const PageFiles page = exploration_page({report, "reeve explore", "", solve});
+  const PageFiles page = exploration_page({report, "reeve explore", "", solve, 100'000});
   EXPECT_LT(page.html.size(), 5'000'000U);
   EXPECT_GT(page.html.size(), 3'000'000U);  // it does not give up room that it has
   EXPECT_GT(detailed_words(page.html).size(), 100U);

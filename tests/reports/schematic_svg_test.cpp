@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <set>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "numerics/random.hpp"
 #include "reports/svg.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/svg.hpp"
@@ -140,12 +142,26 @@ TEST(SchematicSheet, HoldsAllOverOneLegend) {
   EXPECT_EQ(count(svg, ">sheath</text>"), 1U);
 }
 
+TEST(SvgNumber, RoundsToTheNearestHundredth) {
+  for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
+    const double value = 1000 * normal(seed, 1, 0) * std::pow(10, -4 * uniform(seed, 1, 1));
+    const std::string text = svg::number(value);
+    EXPECT_NEAR(std::stod(text), value, 0.005000001) << text;
+    const std::size_t point = text.find('.');
+    EXPECT_TRUE(point == std::string::npos || (text.size() - point <= 3 && text.back() != '0'))
+        << text;
+  }
+}
+
 TEST(SvgNumber, IsShortAndNeverMinusZero) {
   EXPECT_EQ(svg::number(12), "12");
   EXPECT_EQ(svg::number(0.126), "0.13");
   EXPECT_EQ(svg::number(2.5), "2.5");
   EXPECT_EQ(svg::number(-0.001), "0");
   EXPECT_EQ(svg::number(100), "100");
+  EXPECT_EQ(svg::number(0.07), "0.07");
+  EXPECT_EQ(svg::number(-1234567.5), "-1234567.5");
+  EXPECT_EQ(svg::number(1e20), "100000000000000000000");
 }
 
 }  // namespace
