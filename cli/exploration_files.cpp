@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t long_list = 200;
 
 ExplorationView view(const ExploreReport& report, const CLI::App& command,
-                     const Catalogue& catalogue, std::size_t details) {
+                     const Catalogue& catalogue, std::optional<std::size_t> details) {
   const ExploreOptions& options = report.options;
   return {report, command_line(command, {"--threads", "--format"}),
           given_options(command, {"--hardware", "--model"}),
@@ -32,7 +32,7 @@ ExplorationView view(const ExploreReport& report, const CLI::App& command,
 }  // namespace
 
 void write_exploration(const ExploreReport& report, const CLI::App& command,
-                       const Catalogue& catalogue, std::size_t details,
+                       const Catalogue& catalogue, std::optional<std::size_t> details,
                        const std::filesystem::path& directory) {
   const std::string reason = partial_note(report);
   const std::string note = reason.empty() ? "" : "partial: " + reason;
@@ -40,7 +40,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
   StageLine stage;
-  if (std::min(details, report.top.size()) >= long_list) stage.show("writing the page");
+  if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   const PageFiles page = exploration_page(view(report, command, catalogue, details));
   write_figures(directory, page.figures);
   write_file(directory / "index.html", page.html);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 
 #include "catalog/catalogue.hpp"
 #include "reports/explore_report.hpp"
@@ -12,7 +13,7 @@ namespace reeve::cli {
 
 // `command` is the subcommand as it was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,
-                       const Catalogue& catalogue, std::size_t details,
+                       const Catalogue& catalogue, std::optional<std::size_t> details,
                        const std::filesystem::path& directory);
 
 }  // namespace reeve::cli

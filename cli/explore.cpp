@@ -18,7 +18,6 @@
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
-#include "pages/exploration_page.hpp"
 #include "reports/explore_report.hpp"
 #include "reports/files.hpp"
 #include "search/uncertainty.hpp"
@@ -32,7 +31,7 @@ struct ExploreFlags {
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
-  std::size_t details = default_details;
+  std::optional<std::size_t> details;
   std::string out = "out/explore";
   ModelOption model;
   FormatOption format;
@@ -145,11 +144,11 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command
-      ->add_option("--details", flags->details,
-                   "Of how many of the best designs the page holds schematics and tensions; of the "
-                   "known routings always")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}))
-      ->capture_default_str();
+      ->add_option(
+          "--details", flags->details,
+          "Of how many of the best designs the page holds schematics and tensions, besides "
+          "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
       ->add_option(
           "--out", flags->out,

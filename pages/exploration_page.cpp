@@ -69,6 +69,10 @@ std::vector<std::string> in_order_of_details(const ExploreReport& report, std::s
   return words;
 }
 
+std::size_t details_of(const ExplorationView& view) {
+  return view.details.value_or(usual_schematics / view.report.options.grasps.size());
+}
+
 std::vector<std::string> drawn_words(const ExploreReport& report) {
   std::vector<std::string> words;
   for (const ListedDesign& design : report.front) {
@@ -172,7 +176,7 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
                 "{} of {} listed designs and known routings have schematics, tensions and "
                 "contacts here: known routings first, then by rank. For the others the "
                 "page gives the values and the command that shows the rest; with --details {} it "
-                "has more, as far as there is room.",
+                "has all, as far as there is room.",
                 details.designs, all, listed);
   return {title(view.report),
           render("exploration.mustache", body),
@@ -224,7 +228,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =
-      design_details(in_order_of_details(report, view.details), view.solve,
+      design_details(in_order_of_details(report, details_of(view)), view.solve,
                      without < page_bytes ? page_bytes - without : 0, report.options.threads);
   for (const Figure& figure : {pareto.figure, parallel.figure}) {
     figures.push_back({figure.id, figure.svg});

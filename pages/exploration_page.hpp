@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@
 namespace reeve {
 
 inline constexpr std::size_t page_bytes = 4'900'000;
-inline constexpr std::size_t default_details = 50;
+inline constexpr std::size_t usual_schematics = 170;
 
 struct ExplorationView {
   const ExploreReport& report;
@@ -25,9 +26,9 @@ struct ExplorationView {
   std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
   SolveDesign solve;
   // Of how many of the best designs the page has schematics, tensions and contacts, beside those of
-  // the known routings. Each costs as much time as evaluating tens of designs, and few are looked
-  // at.
-  std::size_t details = default_details;
+  // the known routings; if nobody says, as many as `usual_schematics` show in all grasps. One costs
+  // as much time as evaluating tens of designs, and few are looked at.
+  std::optional<std::size_t> details;
 };
 
 struct PageFiles {

@@ -51,7 +51,7 @@ TEST(ExplorationPage, HasDetailsOfTheBestAndTheKnownAndSaysSo) {
   EXPECT_EQ(detailed_words(html), expected);
   EXPECT_NE(html.find("7 of 54 listed designs and known routings have schematics"),
             std::string::npos);
-  EXPECT_NE(html.find("with --details 54 it has more"), std::string::npos);
+  EXPECT_NE(html.find("with --details 54 it has all"), std::string::npos);
 }
 
 TEST(ExplorationPage, WritesItsPicturesAsFiles) {
