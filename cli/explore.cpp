@@ -31,6 +31,7 @@ struct ExploreFlags {
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
+  std::optional<std::size_t> details;
   std::string out = "out/explore";
   ModelOption model;
   FormatOption format;
@@ -115,7 +116,7 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
       explore_report(explore_options, std::move(result), distributions, catalogue);
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
-  write_exploration(report, command, catalogue, flags.out);
+  write_exploration(report, command, catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   std::cout << announced(
@@ -143,6 +144,12 @@ void add_explore(CLI::App& program, int& exit_code) {
                    "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--details", flags->details,
+          "Of how many of the best designs the page holds schematics and tensions, besides "
+          "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
       ->add_option(
           "--out", flags->out,

@@ -9,6 +9,7 @@
 #include "pages/exploration_designs.hpp"
 #include "pages/objective_title.hpp"
 #include "reports/model_text.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -315,6 +316,7 @@ ExplorationWords exploration_words(const ExploreReport& report) {
 std::vector<SingleBest> single_bests(const ExploreReport& report) {
   std::vector<SingleBest> bests;
   for (const BestDesigns& best : report.result.best) {
+    if (!is_shown(best.objective, report.options.order, report.options.score)) continue;
     for (const ListedDesign& design : listed_designs(report)) {
       if (design.ranked.design.word != best.words.front()) continue;
       bests.push_back({row(best.objective), design, best.count - 1});

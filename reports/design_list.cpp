@@ -7,6 +7,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/names.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -25,25 +26,14 @@ std::string range(const RankDistribution& distribution) {
 // Objectives that make one column: the parts of one family.
 using ColumnRows = std::vector<const ObjectiveRow*>;
 
-bool is_asked_for(const ObjectiveRow& row, const Order& order, const Score& score) {
-  const auto& chosen = order.objectives;
-  const auto is_this = [&](Objective objective) { return objective == row.objective; };
-  if (std::any_of(chosen.begin(), chosen.end(), is_this)) return true;
-  const bool scored =
-      order.by_score || std::find(chosen.begin(), chosen.end(), Objective::score) != chosen.end();
-  return scored && (row.objective == Objective::score ||
-                    std::any_of(score.terms.begin(), score.terms.end(),
-                                [&](const ScoreTerm& term) { return is_this(term.objective); }));
-}
-
-std::vector<ColumnRows> shown_objectives(const Order& order, const Score& score) {
+std::vector<ColumnRows> objective_columns(const Order& order, const Score& score) {
   std::vector<ColumnRows> columns;
-  for (const ObjectiveRow& row : objective_table()) {
-    if (row.on_demand && !is_asked_for(row, order, score)) continue;
+  for (const Objective objective : shown_objectives(order, score)) {
+    const ObjectiveRow& about = row(objective);
     const bool joins =
-        !columns.empty() && std::string_view(columns.back().front()->family) == row.family;
+        !columns.empty() && std::string_view(columns.back().front()->family) == about.family;
     if (!joins) columns.emplace_back();
-    columns.back().push_back(&row);
+    columns.back().push_back(&about);
   }
   return columns;
 }
@@ -89,7 +79,7 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score) {
   const bool uncertain = with_distributions(designs);
-  const std::vector<ColumnRows> objectives = shown_objectives(order, score);
+  const std::vector<ColumnRows> objectives = objective_columns(order, score);
   Table table{columns(objectives, uncertain), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
