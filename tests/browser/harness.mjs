@@ -130,7 +130,7 @@ const marks = ".reeve-points, .reeve-bars, .reeve-spans, .reeve-paths, .live .ma
 
 // axe's serious and critical violations, a line for each; of all its rules, or of those named.
 export async function accessibilityFaults(page, rules = null) {
-  await page.evaluate(axeSource);
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axeSource);
   const { violations } = await page.evaluate(
     ([exclude, runOnly]) =>
       axe.run({ exclude }, { resultTypes: ["violations"], ...(runOnly && { runOnly }) }),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,22 @@ Chart one_of_everything(const std::string& text) {
   chart.alt = text;
   chart.panels = {panel};
   return chart;
+}
+
+// As chart.hpp shows it.
+TEST(ChartSvg, DrawsTheExampleOfItsHeader) {
+  chart::Chart chart;
+  chart.alt = "Measured over predicted tensions";
+  chart::Panel panel;
+  panel.x.title = "predicted, N";
+  panel.y.title = "measured, N";
+  chart::Style hollow{chart::series_colour(0), chart::series_symbol(0)};
+  hollow.fill = 0;
+  panel.layers.push_back({"TR1", hollow, chart::Points{{{1.9, 2.1, "line 7: T1", ""}}}});
+  chart.panels.push_back(panel);
+  const std::string svg = chart_svg(chart);
+  expect_well_formed(svg);
+  EXPECT_NE(group(svg, "reeve-points").find("<title>line 7: T1</title>"), std::string::npos);
 }
 
 TEST(ChartSvg, IsWellFormedWithAnyText) {
