@@ -114,7 +114,7 @@ TEST(ExplorationPage, IsMadeEvenIfNothingIsLeft) {
 TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
   const ExploreReport report = testing::large(100'000);
   const ShownRouting shown = shown_routing(parse_routing("1b-P-2b-P-3b-P-1b+4-P-5-P-4"), {},
-                                                single_grasps(5), Direction::pull, Catalogue{});
+                                           single_grasps(5), Direction::pull, Catalogue{});
   std::size_t solved = 0;
   const SolveDesign solve = [&](const std::string& word) {
     ShownRouting own = shown;
