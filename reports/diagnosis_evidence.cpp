@@ -96,7 +96,7 @@ Table loss_table(const DiagnosisReport& report) {
        number_column("measured"), number_column("as it stands")},
       {}};
   if (extended) table.columns.push_back(number_column("extended"));
-  table.columns.push_back(text_column(""));
+  table.columns.push_back(text_column("remark"));
   for (const Loss& loss : report.result.losses) {
     std::vector<std::string> cells{routing_name(report, loss.routing),
                                    to_text(loss.grasp),
