@@ -107,7 +107,7 @@ class Problem {
   Problem& operator=(const Problem&) = delete;
 
   const ReferenceResult& fixed_point() {
-    for (int step = 0; step < 1000; ++step) {
+    for (int step = 0; step < 4000; ++step) {
       if (move(step) < 1e-10) return result_;
       solve();
     }
@@ -126,7 +126,7 @@ class Problem {
 
   // By how much the greatest step was to change an exponent.
   double move(int step) {
-    const double share = step < 200 ? 1 : step < 600 ? 0.5 : 0.2;
+    const double share = step < 200 ? 1 : step < 600 ? 0.5 : step < 1000 ? 0.2 : 0.05;
     double greatest = 0;
     for (const auto& [name, law] : laws_) {
       const double left = condition_.motor_tension_N * result_.tension.at(name.first);
