@@ -202,7 +202,9 @@ std::map<std::string, double> planted_tensions(const Nature& nature, const Condi
 }
 
 bool goes_slack(const Nature& nature, const Condition& recorded) {
-  if (nature.bending_force_N == 0 && nature.drag_force_N == 0) return false;
+  if (nature.bending_force_N == 0 && nature.drag_force_N == 0 && nature.load_exponent == 0) {
+    return false;
+  }
   const Condition condition = actual(nature, recorded);
   const CutRouting cut = cut_of(nature, condition.word);
   if (cut.word.empty()) return false;
