@@ -12,12 +12,12 @@
 namespace reeve {
 namespace {
 
-std::string text(double value) { return fmt::format("{:.6g}", value); }
+std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 class HardwareRows {
  public:
   void add(const std::string& part, const char* quantity, double value, const char* unit) {
-    rows_.push_back({part, quantity, text(value), unit});
+    rows_.push_back({part, quantity, six_digits(value), unit});
   }
   void add(const std::string& part, const char* quantity, const std::optional<double>& value,
            const char* unit) {
@@ -62,7 +62,7 @@ HtmlTable grasp_table(const GraspSet& grasps) {
   HtmlTable table{
       "grasps-table", "Grasps, and their weights in the means", {"<grasp", "weight"}, {}};
   for (const WeightedGrasp& grasp : grasps) {
-    table.rows.push_back({grasp_words(grasp.grasp), text(grasp.weight)});
+    table.rows.push_back({grasp_words(grasp.grasp), six_digits(grasp.weight)});
   }
   return table;
 }

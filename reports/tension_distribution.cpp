@@ -5,8 +5,6 @@
 namespace reeve {
 namespace {
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
 Json to_json(const StrandShare& strand) {
   Json json{{"strand", strand.strand}, {"model", number(strand.model)},
             {"published", nullptr},    {"published_fault", nullptr},
