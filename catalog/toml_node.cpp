@@ -90,7 +90,7 @@ TomlKind kind_of(const toml::node& node) {
   }
 }
 
-bool precedes(const TomlNode& a, const TomlNode& b) {
+bool stands_before(const TomlNode& a, const TomlNode& b) {
   return a.key_at.line != b.key_at.line ? a.key_at.line < b.key_at.line
                                         : a.key_at.column < b.key_at.column;
 }
@@ -114,7 +114,7 @@ void convert_table(const toml::table& from, TomlNode& to, int depth) {
     child.key_at = position(key.source());
     to.children.push_back(convert(value, to, std::move(child), depth + 1));
   }
-  std::stable_sort(to.children.begin(), to.children.end(), precedes);
+  std::stable_sort(to.children.begin(), to.children.end(), stands_before);
 }
 
 TomlNode convert(const toml::node& from, const TomlNode& parent, TomlNode to, int depth) {

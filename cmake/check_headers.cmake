@@ -18,6 +18,7 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/generated/all_headers.cpp" CONTENT 
 list(APPEND sources "${PROJECT_BINARY_DIR}/generated/all_headers.cpp")
 
 add_library(reeve_headers_alone OBJECT ${sources})
+set_target_properties(reeve_headers_alone PROPERTIES UNITY_BUILD OFF)
 # Whether they compile is all that is asked; whatever the preset does to code costs time here.
 target_compile_options(reeve_headers_alone PRIVATE -O0 -g0 -fno-sanitize=all)
 target_link_libraries(reeve_headers_alone PRIVATE

@@ -104,7 +104,7 @@ int number_from_letters(std::string_view text) {
   return number;
 }
 
-std::string letters(int number) {
+std::string letters_of(int number) {
   std::string text;
   for (; number > 0; number = (number - 1) / 26) {
     text.insert(text.begin(), static_cast<char>('a' + (number - 1) % 26));
@@ -138,7 +138,7 @@ std::string name(const Segment& segment) {
     case SegmentKind::strand:
       return "T" + std::to_string(segment.number);
     case SegmentKind::motor_side:
-      return letters(segment.number);
+      return letters_of(segment.number);
     case SegmentKind::hand:
       return "h" + std::to_string(segment.number);
   }

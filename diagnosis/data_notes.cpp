@@ -83,7 +83,7 @@ void add_motor_side(const MeasuredData& data, std::vector<DataNote>& notes) {
 }
 
 // 0 if there are none.
-double median(std::vector<double> values) {
+double upper_median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -104,8 +104,8 @@ void add_units(const std::string& what, double median, double low, double high,
 // Zeros are left out: a slack strand says nothing about units.
 void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   const auto add_tension = [&](const std::string& what, const std::vector<double>& tensions) {
-    add_units(what, median(tensions), least_plausible_tension_N, greatest_plausible_tension_N, " N",
-              notes);
+    add_units(what, upper_median(tensions), least_plausible_tension_N, greatest_plausible_tension_N,
+              " N", notes);
   };
   std::vector<double> motor;
   for (const Reading& reading : data.readings) {
@@ -124,7 +124,7 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
       }
     }
     add_tension(column, tensions);
-    add_units(column + " over motor_tension_N", median(ratios), least_plausible_ratio,
+    add_units(column + " over motor_tension_N", upper_median(ratios), least_plausible_ratio,
               greatest_plausible_ratio, "", notes);
   }
 }

@@ -10,8 +10,8 @@ namespace reeve {
 namespace {
 
 constexpr std::size_t draws = 1000;
-constexpr std::size_t enough_runs = 5;
-constexpr std::uint32_t stream = 0x6a1;
+constexpr std::size_t enough_held_out_runs = 5;
+constexpr std::uint32_t resampling_stream = 0x6a1;
 
 // What one unit of resampling contributes.
 struct Unit {
@@ -51,7 +51,7 @@ std::vector<Unit> units(const Problem& problem, const Eigen::VectorXd& before,
     by_row.push_back(unit);
     by_run[dataset.data->readings[row.reading].run] += unit;
   }
-  if (by_run.size() < enough_runs) return by_row;
+  if (by_run.size() < enough_held_out_runs) return by_row;
   std::vector<Unit> result;
   for (const auto& [run, unit] : by_run) result.push_back(unit);
   return result;
@@ -82,7 +82,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   for (std::size_t d = 0; d < draws; ++d) {
     Unit drawn;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double u = uniform(seed, stream, d * all.size() + i);
+      const double u = uniform(seed, resampling_stream, d * all.size() + i);
       drawn += all[static_cast<std::size_t>(u * static_cast<double>(all.size()))];
     }
     reductions.push_back(reduction(drawn));

@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double enough_runs = 4;
-constexpr double enough_degrees = 3;
+constexpr double enough_telling_runs = 4;
+constexpr double enough_shared_degrees = 3;
 constexpr double covered = 0.95;
 double two_sided_t(double degrees) { return student_t_quantile(0.5 + covered / 2, degrees); }
 
@@ -72,7 +72,7 @@ class HalfWidths {
   }
 
   double of_runs(Index parameter) const {
-    if (static_cast<double>(runs_.size()) < enough_runs) return 0;
+    if (static_cast<double>(runs_.size()) < enough_telling_runs) return 0;
     double told = 0;
     double told_squares = 0;
     double moved_squares = 0;
@@ -83,10 +83,10 @@ class HalfWidths {
       moved_squares += std::pow(inverse_.row(parameter).dot(run.along), 2);
     }
     const double telling = told_squares > 0 ? told * told / told_squares : 0;
-    if (telling >= enough_runs) {
+    if (telling >= enough_telling_runs) {
       return two_sided_t(telling - 1) * std::sqrt(telling / (telling - 1) * moved_squares);
     }
-    if (shared_.degrees < enough_degrees) return 0;
+    if (shared_.degrees < enough_shared_degrees) return 0;
     return two_sided_t(shared_.degrees) * std::sqrt(shared_.square * known(parameter));
   }
 

@@ -28,12 +28,12 @@ std::vector<double> shares(const MeasuredData& data, const Reading& reading) {
   return result;
 }
 
-struct Group {
+struct ShareGroup {
   MeasuredShares shares;
   std::vector<std::vector<double>> readings;
 };
 
-MeasuredShares summary(Group group) {
+MeasuredShares summary(ShareGroup group) {
   MeasuredShares result = std::move(group.shares);
   result.readings = group.readings.size();
   const auto n = static_cast<double>(result.readings);
@@ -49,8 +49,8 @@ MeasuredShares summary(Group group) {
   return result;
 }
 
-Group& group_of(std::vector<Group>& groups, const Reading& reading) {
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+ShareGroup& group_of(std::vector<ShareGroup>& groups, const Reading& reading) {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const ShareGroup& group) {
     return group.shares.routing == reading.routing && group.shares.grasp == reading.grasp;
   });
   if (found != groups.end()) return *found;
@@ -66,7 +66,7 @@ SharesOfData measured_shares(const MeasuredData& data) {
                    "a share needs the tensions of all strands, not all of them slack: these "
                    "readings are left out",
                    {}};
-  std::vector<Group> groups;
+  std::vector<ShareGroup> groups;
   for (const Reading& reading : data.readings) {
     std::vector<double> strands = shares(data, reading);
     if (reading.direction != Direction::pull) {
@@ -78,7 +78,7 @@ SharesOfData measured_shares(const MeasuredData& data) {
     }
   }
   SharesOfData result;
-  for (Group& group : groups) result.groups.push_back(summary(std::move(group)));
+  for (ShareGroup& group : groups) result.groups.push_back(summary(std::move(group)));
   for (DataNote* note : {&released, &without}) {
     if (!note->lines.empty()) result.notes.push_back(std::move(*note));
   }

@@ -12,7 +12,7 @@
 namespace reeve {
 namespace {
 
-constexpr double enough_degrees = 30;
+constexpr double enough_noise_degrees = 30;
 constexpr double floor_share = 1e-3;  // of the median reading
 
 double median_reading(const Dataset& dataset) {
@@ -52,7 +52,7 @@ Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, Noi
   return noise;
 }
 
-using Group = std::vector<std::size_t>;  // cells
+using CellGroup = std::vector<std::size_t>;  // cells
 
 double degrees(const std::vector<ScatterSample>& samples) {
   double sum = 0;
@@ -64,7 +64,7 @@ double degrees(const std::vector<ScatterSample>& samples) {
 std::vector<ScatterSample> repeats(const Dataset& dataset, std::vector<char>& used) {
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction, double, double, double,
                          double, std::optional<double>>;
-  std::map<Key, Group> groups;
+  std::map<Key, CellGroup> groups;
   for (const DatasetRow& row : dataset.rows) {
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
@@ -113,7 +113,7 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
   return columns.leftCols(used);
 }
 
-void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const Group& cells,
+void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const CellGroup& cells,
             double level, std::vector<ScatterSample>& samples) {
   const Eigen::MatrixXd columns = smooth_columns(dataset, rows);
   if (columns.rows() < columns.cols() + 3) return;
@@ -143,7 +143,7 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<c
   const double level = median_reading(dataset);
   std::vector<ScatterSample> samples;
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
-  std::map<Key, std::pair<std::vector<std::size_t>, Group>> groups;
+  std::map<Key, std::pair<std::vector<std::size_t>, CellGroup>> groups;
   for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
     const DatasetRow& row = dataset.rows[r];
     if (!row.has_motor_tension) continue;
@@ -201,7 +201,7 @@ std::optional<Noise> noise_without_model(const Dataset& dataset) {
   const bool repeated = !samples.empty();
   const std::vector<ScatterSample> smoothed = smoothing(dataset, used);
   samples.insert(samples.end(), smoothed.begin(), smoothed.end());
-  if (degrees(samples) < enough_degrees) return std::nullopt;
+  if (degrees(samples) < enough_noise_degrees) return std::nullopt;
   return fit(dataset, samples,
              !repeated          ? NoiseSource::smoothing
              : smoothed.empty() ? NoiseSource::repeats

@@ -9,9 +9,9 @@
 namespace reeve {
 
 double gain_from_misfits(double before, double after, double degrees_of_freedom) {
-  constexpr double least_share = 1e-300;
+  constexpr double least_remainder = 1e-300;
   if (!(before > 0) || after >= before) return 0;
-  return degrees_of_freedom / 2 * std::log(before / std::max(after, least_share * before));
+  return degrees_of_freedom / 2 * std::log(before / std::max(after, least_remainder * before));
 }
 
 Screening::Screening(const Problem& problem, const Model& model, const Forecast& at,

@@ -30,6 +30,9 @@ Figure runs_figure(const DiagnosisReport& report);
 // A parameter's estimate with its interval, beside its nominal value and the literature's range.
 Figure parameters_figure(const DiagnosisReport& report);
 
+// Of a chart's named row.
+inline constexpr double row_px = 26;
+
 // Of a figure whose points may be a part of all.
 std::string thinned_text(const DiagnosisReport& report, std::size_t drawn);
 

@@ -9,8 +9,6 @@
 namespace reeve {
 namespace {
 
-constexpr double row_px = 26;
-
 std::string interval(const EstimatedParameter& parameter) {
   return fmt::format("{:.4g} ({:.4g} to {:.4g})", parameter.value, parameter.low, parameter.high);
 }

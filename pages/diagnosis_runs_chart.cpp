@@ -11,7 +11,6 @@ namespace reeve {
 namespace {
 
 constexpr std::size_t most_runs = 40;
-constexpr double row_px = 26;
 
 std::string title(const std::string& run, const RunGain& gain, bool extended) {
   std::string text = fmt::format("run {}: {} measured values\nbefore {:.3g} N", run, gain.cells,

@@ -12,7 +12,6 @@ namespace reeve {
 namespace {
 
 constexpr std::size_t most_models = 15;
-constexpr double row_px = 26;
 
 // Shapes and colours keep their meaning, whichever of them a diagnosis has.
 struct StandingStyle {
@@ -20,7 +19,7 @@ struct StandingStyle {
   chart::Style style;
 };
 
-const std::array<StandingStyle, 4> standings{
+const std::array<StandingStyle, 4> standing_styles{
     {{"weighed", {chart::Colour::blue, chart::Symbol::circle, 5.5}},
      {"named", {chart::Colour::orange, chart::Symbol::diamond, 5.5}},
      {"cannot be told from it", {chart::Colour::green, chart::Symbol::square, 5.5}},
@@ -53,7 +52,7 @@ void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
 // The intervals of all, and the points of each standing.
 void add_models(const DiagnosisResult& result, chart::Panel& panel) {
   const std::vector<WeighedCause> models = by_training_gain(result.weighed);
-  std::array<chart::Points, standings.size()> points;
+  std::array<chart::Points, standing_styles.size()> points;
   chart::Spans intervals{{}, chart::Along::x, {}};
   for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
     const WeighedCause& weighed = models[i];
@@ -66,16 +65,16 @@ void add_models(const DiagnosisResult& result, chart::Panel& panel) {
       intervals.spans.push_back(
           {at, weighed.held_out->gain_low, weighed.held_out->gain_high, text});
     }
-    for (std::size_t k = 0; k < standings.size(); ++k) {
-      if (standings[k].standing == place) points[k].spots.push_back({gain, at, text, ""});
+    for (std::size_t k = 0; k < standing_styles.size(); ++k) {
+      if (standing_styles[k].standing == place) points[k].spots.push_back({gain, at, text, ""});
     }
   }
   chart::Style ink{chart::Colour::ink};
   ink.line = 2;
   panel.layers.push_back({"", ink, intervals});
-  for (std::size_t k = 0; k < standings.size(); ++k) {
+  for (std::size_t k = 0; k < standing_styles.size(); ++k) {
     if (points[k].spots.empty()) continue;
-    panel.layers.push_back({standings[k].standing, standings[k].style, points[k]});
+    panel.layers.push_back({standing_styles[k].standing, standing_styles[k].style, points[k]});
   }
 }
 

@@ -163,7 +163,7 @@ std::string standing(const ReferenceStanding& reference, bool partial) {
                      reference.dominated_by);
 }
 
-Json standings(const ExploreReport& report) {
+Json standings_json(const ExploreReport& report) {
   Json json = Json::object();
   for (const ReferenceStanding& reference : report.result.references) {
     json[reference.design.word] = standing(reference, report.result.partial);
@@ -196,7 +196,7 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
            {"specifications", specifications()},
            {"columns", held.packed},
            {"commands", commands(view)},
-           {"standings", standings(view.report)},
+           {"standings", standings_json(view.report)},
            {"chunks", details.chunks}},
           true};
 }

@@ -16,9 +16,10 @@ double share(double value, const chart::Extent& extent) {
 }
 
 // Kind, column and line; known routings have cells of their own.
-using Cell = std::tuple<int, double, double>;
+using GridCell = std::tuple<int, double, double>;
 
-Cell cell(const PageDesign& design, std::size_t index, const Point& at, const SpotGrid& grid) {
+GridCell grid_cell(const PageDesign& design, std::size_t index, const Point& at,
+                   const SpotGrid& grid) {
   const int kind = static_cast<int>(design.kind);
   if (design.kind == Kind::known) return {kind, static_cast<double>(index), 0};
   const double finer = design.kind == Kind::front ? 5 : 1;
@@ -46,11 +47,12 @@ std::vector<DrawnDesign> thinned(const std::vector<PageDesign>& designs, const T
     y.add(spot(design, axes).y);
   }
   std::vector<DrawnDesign> drawn;
-  std::map<Cell, std::size_t> cells;  // place in `drawn`
+  std::map<GridCell, std::size_t> cells;  // place in `drawn`
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const Point at = spot(designs[i], axes);
     const Point within{share(at.x, x), share(at.y, y)};
-    const auto [found, is_new] = cells.try_emplace(cell(designs[i], i, within, grid), drawn.size());
+    const auto [found, is_new] =
+        cells.try_emplace(grid_cell(designs[i], i, within, grid), drawn.size());
     if (is_new) {
       drawn.push_back({i, 1});
     } else {

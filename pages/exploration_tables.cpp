@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t first_designs = 50;
 constexpr std::size_t front_designs = 200;
 
-std::string text(double value) { return fmt::format("{:.4g}", value); }
+std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
 
 // Shares line up in their column.
 std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
   const double v = value(design.ranked.design.values, row.objective);
-  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : text(v);
+  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : four_digits(v);
 }
 
 Json design_row(const ListedDesign& design, const std::vector<Objective>& shown) {
@@ -38,8 +38,8 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
   if (design.distribution) {
     const RankDistribution& drawn = *design.distribution;
     row["cells"].push_back(fmt::format("{:.1f} %", 100 * drawn.first));
-    row["cells"].push_back(text(drawn.median));
-    row["cells"].push_back(text(drawn.low) + "–" + text(drawn.high));
+    row["cells"].push_back(four_digits(drawn.median));
+    row["cells"].push_back(four_digits(drawn.low) + "–" + four_digits(drawn.high));
   }
   return row;
 }

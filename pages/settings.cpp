@@ -12,11 +12,11 @@
 namespace reeve {
 namespace {
 
-std::string text(double value) { return fmt::format("{:.6g}", value); }
+std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 struct HardwareRows {
   void add(const std::string& part, const char* quantity, double value, const char* unit) {
-    table.add({part, quantity, text(value), unit});
+    table.add({part, quantity, six_digits(value), unit});
   }
   void add(const std::string& part, const char* quantity, const std::optional<double>& value,
            const char* unit) {
@@ -62,7 +62,7 @@ HtmlTable hardware_table(const Hardware& hardware) {
 HtmlTable grasp_table(const GraspSet& grasps) {
   Table table{{text_column("grasp"), number_column("weight")}, {}};
   for (const WeightedGrasp& grasp : grasps) {
-    table.add({grasp_words(grasp.grasp), text(grasp.weight)});
+    table.add({grasp_words(grasp.grasp), six_digits(grasp.weight)});
   }
   return {"grasps-table", "Grasps, and their weights in the means", std::move(table)};
 }

@@ -8,7 +8,7 @@
 namespace reeve::chart {
 namespace {
 
-constexpr double apart = 10;  // px between two texts
+constexpr double least_gap = 10;  // px between two texts
 
 // What the text takes along the axis.
 double room(const std::string& text, Along along) {
@@ -16,7 +16,7 @@ double room(const std::string& text, Along along) {
 }
 
 bool overlap(const Tick& a, const Tick& b, Along along) {
-  return std::abs(a.at - b.at) < (room(a.text, along) + room(b.text, along)) / 2 + apart;
+  return std::abs(a.at - b.at) < (room(a.text, along) + room(b.text, along)) / 2 + least_gap;
 }
 
 bool has_room_for_all(const std::vector<Tick>& ticks, Along along) {

@@ -7,9 +7,8 @@
 #include "reports/svg.hpp"
 
 namespace reeve {
+namespace chart {
 namespace {
-
-using namespace chart;
 
 const std::string grid_style = " class=\"reeve-grid\" fill=\"none\" stroke=\"#dddddd\"";
 
@@ -64,23 +63,27 @@ std::string panel(const LaidPanel& laid, const std::vector<LaidLabel>& labels) {
   return svg::group(" class=\"reeve-panel\"", content);
 }
 
-}  // namespace
-
-std::string chart_svg(const Chart& chart) {
-  const ChartLayout laid = layout(chart);
+std::string content(const ChartLayout& laid) {
   std::string content = texts(laid.headings);
   for (std::size_t i = 0; i < laid.panels.size(); ++i)
     content += panel(laid.panels[i], laid.labels[i]);
   std::string legend;
   for (const LegendEntry& entry : laid.legend) legend += draw(entry);
-  content += svg::group(" class=\"reeve-legend\"", legend);
+  return content + svg::group(" class=\"reeve-legend\"", legend);
+}
+
+}  // namespace
+}  // namespace chart
+
+std::string chart_svg(const chart::Chart& chart) {
+  const chart::ChartLayout laid = layout(chart);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reeve-chart\" role=\"img\" "
       "aria-label=\"{2}\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" color=\"#1a1a1a\" "
       "fill=\"currentColor\" font-family=\"Helvetica, Arial, sans-serif\">\n{3}{4}</svg>\n",
       svg::number(laid.width), svg::number(laid.height), svg::escape(chart.alt),
       svg::rectangle({0, 0, laid.width, laid.height}, 0, " class=\"reeve-paper\" fill=\"#ffffff\""),
-      content);
+      chart::content(laid));
 }
 
 }  // namespace reeve

@@ -29,10 +29,6 @@ std::string figure(double value) {
   return fmt::format("{:.4g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-std::string percent(double value) {
-  return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "-";
-}
-
 void add_row(Table& table, const std::string& by, const ResidualSummary& summary) {
   table.add({by, for_message(summary.group), std::to_string(summary.count),
              figure(summary.mean_measured), figure(summary.mean_residual), figure(summary.rms),

@@ -16,8 +16,6 @@ bool with_distributions(const std::vector<ListedDesign>& designs) {
                      [](const ListedDesign& design) { return design.distribution.has_value(); });
 }
 
-std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
-
 std::string range(const RankDistribution& distribution) {
   return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
 }

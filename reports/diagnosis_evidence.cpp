@@ -12,8 +12,6 @@
 namespace reeve {
 namespace {
 
-std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
-
 const PublishedLine* line_of(const PublishedModel& model, std::size_t group) {
   const auto found = std::find_if(model.lines.begin(), model.lines.end(),
                                   [&](const PublishedLine& line) { return line.group == group; });

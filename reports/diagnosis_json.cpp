@@ -8,8 +8,6 @@
 namespace reeve {
 namespace {
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
 template <typename Value, typename ToJson>
 Json list(const std::vector<Value>& values, ToJson to_json) {
   Json json = Json::array();

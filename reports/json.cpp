@@ -38,6 +38,8 @@ std::string print(const Json& json) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 void add_objectives(Json& target, const ObjectiveValues& values) {
   for (const ObjectiveRow& row : objective_table()) {
     const double given = value(values, row.objective);

@@ -21,6 +21,7 @@ std::string print(const Json& json);
 
 // null where there is no number.
 Json number(double value);
+Json text_or_null(const std::string& text);  // null where it is empty
 
 // {"uniformity":{"mean","worst"},"efficiency":{"mean","worst"},"force_transmission",…}
 void add_objectives(Json& target, const ObjectiveValues& values);

@@ -26,19 +26,19 @@ double add_lines(const std::string& text, double top, DrawnText style, Schematic
   return top;
 }
 
-struct LegendEntry {
+struct SymbolMeaning {
   LegendSymbol symbol;
   const char* text;
 };
 
 constexpr double legend_size = 12;
-constexpr std::array<LegendEntry, 7> legend_entries{{{LegendSymbol::tube, "tube"},
-                                                     {LegendSymbol::bearing, "bearing"},
-                                                     {LegendSymbol::sheath, "sheath"},
-                                                     {LegendSymbol::fixed, "fixed (F)"},
-                                                     {LegendSymbol::tied, "tied (M)"},
-                                                     {LegendSymbol::slides, "slides"},
-                                                     {LegendSymbol::slack, "slack"}}};
+constexpr std::array<SymbolMeaning, 7> legend_entries{{{LegendSymbol::tube, "tube"},
+                                                       {LegendSymbol::bearing, "bearing"},
+                                                       {LegendSymbol::sheath, "sheath"},
+                                                       {LegendSymbol::fixed, "fixed (F)"},
+                                                       {LegendSymbol::tied, "tied (M)"},
+                                                       {LegendSymbol::slides, "slides"},
+                                                       {LegendSymbol::slack, "slack"}}};
 
 }  // namespace
 
@@ -102,7 +102,7 @@ Legend legend(const Box& room, bool with_tension) {
   Legend legend;
   double x = room.left;
   double y = room.top;
-  for (const LegendEntry& entry : legend_entries) {
+  for (const SymbolMeaning& entry : legend_entries) {
     const bool shows_tension =
         entry.symbol == LegendSymbol::slides || entry.symbol == LegendSymbol::slack;
     if (shows_tension && !with_tension) continue;

@@ -32,4 +32,8 @@ std::string fixed(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
 }
 
+std::string percent(double share) {
+  return std::isfinite(share) ? fixed(100 * share, 1) + " %" : "-";
+}
+
 }  // namespace reeve

@@ -60,5 +60,6 @@ void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool cave
 
 // A number with this many decimals; "-" if it is none.
 std::string fixed(double value, int decimals = 3);
+std::string percent(double share);  // "72.1 %"; "-" if it is none
 
 }  // namespace reeve

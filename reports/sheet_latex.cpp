@@ -40,7 +40,7 @@ std::string tabular(const Table& table) {
   return text + "  \\bottomrule\n\\end{tabular}\n";
 }
 
-std::string section_text(const Section& section) {
+std::string latex_section(const Section& section) {
   std::string text = section.title.empty() ? "" : comment(section.title);
   if (section.table) text += tabular(*section.table);
   for (const SheetLine& line : section.lines) {
@@ -53,7 +53,7 @@ std::string section_text(const Section& section) {
 
 std::string latex(const Sheet& sheet) {
   std::string text = "% Tables for \\input; they need \\usepackage{booktabs} in the preamble.\n";
-  for (const Section& section : sheet.sections) text += "\n" + section_text(section);
+  for (const Section& section : sheet.sections) text += "\n" + latex_section(section);
   return text;
 }
 

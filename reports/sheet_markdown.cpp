@@ -68,7 +68,7 @@ std::string line_text(const SheetLine& line, bool in_list) {
   return (in_list || entry ? "- " : "") + (line.caveat ? "**" + text + "**" : text) + '\n';
 }
 
-std::string section_text(const Section& section) {
+std::string markdown_section(const Section& section) {
   std::string text;
   const auto begin_block = [&] { text += text.empty() ? "" : "\n"; };
   if (!section.title.empty()) text += "**" + escaped(section.title) + "**\n";
@@ -89,7 +89,7 @@ std::string section_text(const Section& section) {
 std::string markdown(const Sheet& sheet) {
   std::string text;
   for (const Section& section : sheet.sections) {
-    text += (text.empty() ? "" : "\n") + section_text(section);
+    text += (text.empty() ? "" : "\n") + markdown_section(section);
   }
   return text;
 }

@@ -19,7 +19,7 @@ void put(Buffer& out, fmt::format_string<Values...> format, Values&&... values) 
   fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
-std::string effect_text(const Effect& effect, const Hardware& hardware) {
+std::string hidden_effect_text(const Effect& effect, const Hardware& hardware) {
   const std::string size = size_text(effect, hardware);
   return size.empty() ? name(effect) : fmt::format("{} ({})", name(effect), size);
 }
@@ -28,7 +28,7 @@ void put_comments(Buffer& out, const SimulationReport& report) {
   const Simulation& simulation = report.simulation;
   put(out, "# simulated by reeve {}, not measured\n", version_json());
   for (const Effect& effect : report.model.effects) {
-    put(out, "# hidden cause: {}\n", effect_text(effect, report.model.hardware));
+    put(out, "# hidden cause: {}\n", hidden_effect_text(effect, report.model.hardware));
   }
   if (report.model.effects.empty()) {
     put(out, "# hidden cause: none, the model with its hardware as given\n");
@@ -79,7 +79,7 @@ void put_row(Buffer& out, const ExperimentPlan& plan, const PlannedReading& read
 std::string hidden_text(const Model& model) {
   std::string text;
   for (const Effect& effect : model.effects) {
-    text += (text.empty() ? "" : ", ") + effect_text(effect, model.hardware);
+    text += (text.empty() ? "" : ", ") + hidden_effect_text(effect, model.hardware);
   }
   return text.empty() ? "no cause" : text;
 }

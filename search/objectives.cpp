@@ -108,11 +108,6 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      "weighted mean of objectives; without --score of the five before it", nullptr},
 }};
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 std::string names() {
   std::string list;
   for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
@@ -120,6 +115,11 @@ std::string names() {
 }
 
 }  // namespace
+
+std::string without_outer_spaces(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
 
 double on_grid(double value) {
   constexpr double grid = 1e10;
@@ -149,7 +149,7 @@ std::vector<Objective> parse_objectives(const std::string& text) {
   std::vector<Objective> objectives;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string name = trimmed(text.substr(at, comma - at));
+    const std::string name = without_outer_spaces(text.substr(at, comma - at));
     const Objective objective = parse_objective(name, fmt::format("--objectives '{}'", text));
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
       throw InputError(fmt::format("--objectives '{}': '{}' is named twice", text, name));
@@ -174,7 +174,7 @@ Constraint parse_constraint(const std::string& text) {
   const std::size_t at = std::min(text.find_first_of("<>="), text.size());
   const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
   const std::string comparison = text.substr(at, end - at);
-  const std::string number = trimmed(text.substr(end));
+  const std::string number = without_outer_spaces(text.substr(end));
   constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
   double bound = 0;
   const char* last = number.data() + number.size();
@@ -185,7 +185,7 @@ Constraint parse_constraint(const std::string& text) {
         "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
         option));
   }
-  const std::string name = trimmed(text.substr(0, at));
+  const std::string name = without_outer_spaces(text.substr(0, at));
   // On the grid of the values, so that a bound copied with all its digits holds.
   return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
 }

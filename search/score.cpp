@@ -13,19 +13,14 @@ namespace {
 
 constexpr double greatest_weight = 1e6;
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 ScoreTerm parse_term(const std::string& text, const std::string& option) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  ScoreTerm term{parse_objective(trimmed(text.substr(0, equals)), option), 1};
+  ScoreTerm term{parse_objective(without_outer_spaces(text.substr(0, equals)), option), 1};
   if (term.objective == Objective::score) {
     throw InputError(option + ": a score is no part of itself; expected other objectives");
   }
   if (equals == text.size()) return term;
-  const std::string number = trimmed(text.substr(equals + 1));
+  const std::string number = without_outer_spaces(text.substr(equals + 1));
   const char* last = number.data() + number.size();
   const auto [end, error] = std::from_chars(number.data(), last, term.weight);
   if (error != std::errc{} || end != last || !(term.weight > 0 && term.weight <= greatest_weight)) {

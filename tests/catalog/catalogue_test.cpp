@@ -10,11 +10,13 @@
 #include "catalog/entry_file.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
+#include "tests/catalog/mistake.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::Mistake;
 using testing::TemporaryFolder;
 
 const std::string minimal = "name = \"X\"\nword = \"M-1-F\"\n";
@@ -22,7 +24,7 @@ const std::string published = minimal + "held = [1]\n";
 const std::string table =
     "[table]\nsource = \"Table I\"\ntension = [\"0.3\", \"0.2\"]\nshare_percent = [\"60\", \"40\"]\n";
 
-std::string error_in(const std::string& text) {
+std::string error_in_catalogue(const std::string& text) {
   const TemporaryFolder folder;
   folder.write("x.toml", text);
   return folder.error_of([&] { read_catalogue(folder.path()); });
@@ -129,18 +131,13 @@ TEST(Catalogue, RefusesNamesAndRoutingsThatAreTaken) {
 
 TEST(Catalogue, RefusesAFaultThatRefersToNoOtherTable) {
   for (const std::string other : {"Z", "X"}) {
-    EXPECT_EQ(error_in(published + table + "[[fault]]\nkind = \"repeats\"\nrouting = \"" + other +
-                       "\"\n"),
+    EXPECT_EQ(error_in_catalogue(published + table + "[[fault]]\nkind = \"repeats\"\nrouting = \"" +
+                                 other + "\"\n"),
               "x.toml:8:1: fault.routing = \"" + other +
                   "\": expected another routing in the catalogue, with a [table] of as many "
                   "strands");
   }
 }
-
-struct Mistake {
-  std::string text;
-  std::string message;
-};
 
 TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
   const std::vector<Mistake> mistakes = {
@@ -173,7 +170,8 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
       {"name = \"X\"\nname = \"Y\"\n",
        "x.toml:2:8: not valid TOML: Error while parsing key-value pair: cannot redefine existing string 'name'"},
   };
-  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in(mistake.text), mistake.message);
+  for (const Mistake& mistake : mistakes)
+    EXPECT_EQ(error_in_catalogue(mistake.text), mistake.message);
 }
 
 TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsPublishedNumbers) {
@@ -216,7 +214,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsPublishedNumbers) {
        "x.toml:4:1: missing key 'text' in 'misprint[1]': expected what is misprinted"},
   };
   for (const Mistake& mistake : mistakes) {
-    EXPECT_EQ(error_in(published + mistake.text), mistake.message);
+    EXPECT_EQ(error_in_catalogue(published + mistake.text), mistake.message);
   }
 }
 
@@ -225,11 +223,11 @@ TEST(CatalogueEntry, NamesThePlaceOfAMistakeInAReversedContact) {
       published + "[closed_form]\nsource = \"Eq. 1\"\nstrand = [{}, {}]\ncarriage = [{}]\n";
   const std::string fault =
       "[[fault]]\nkind = \"reversed_contact\"\nsource = \"Eq. 1\"\nstrand = 1\n";
-  EXPECT_EQ(error_in(published + fault),
+  EXPECT_EQ(error_in_catalogue(published + fault),
             "x.toml:4:1: a reversed contact needs a [closed_form] beside it");
-  EXPECT_EQ(error_in(form + fault + "segment = \"b\"\n"),
+  EXPECT_EQ(error_in_catalogue(form + fault + "segment = \"b\"\n"),
             "x.toml:12:11: fault[1].segment = \"b\": expected a motor-side segment, a to a");
-  EXPECT_EQ(error_in(form + fault + "segment = \"a\"\nprinted_higher = \"T1\"\n"),
+  EXPECT_EQ(error_in_catalogue(form + fault + "segment = \"a\"\nprinted_higher = \"T1\"\n"),
             "x.toml:13:18: fault[1].printed_higher = \"T1\": expected \"strand\" or \"segment\"");
 }
 

@@ -6,19 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "tests/catalog/mistake.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::Mistake;
 using testing::TemporaryFolder;
 
-HardwareFile read(const std::string& text) {
+HardwareFile hardware_file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_hardware_file(folder.write("h.toml", text));
 }
 
-std::string error_in(const std::string& text) {
+std::string error_in_hardware(const std::string& text) {
   const TemporaryFolder folder;
   return folder.error_of([&] { read_hardware_file(folder.write("h.toml", text)); });
 }
@@ -38,10 +40,10 @@ void expect_defaults(const HardwareFile& file) {
 }
 
 TEST(HardwareFile, IsThePapersHardwareWhereNothingIsGiven) {
-  expect_defaults(read(""));
-  expect_defaults(read("# only a comment\n"));
-  expect_defaults(read("\xEF\xBB\xBF"));
-  expect_defaults(read("[tube]\n[finger]\n[uncertainty]\n"));
+  expect_defaults(hardware_file_of(""));
+  expect_defaults(hardware_file_of("# only a comment\n"));
+  expect_defaults(hardware_file_of("\xEF\xBB\xBF"));
+  expect_defaults(hardware_file_of("[tube]\n[finger]\n[uncertainty]\n"));
 }
 
 TEST(HardwareFile, GivesEveryKeyOfTheExampleToCore) {
@@ -62,7 +64,7 @@ TEST(HardwareFile, GivesEveryKeyOfTheExampleToCore) {
 }
 
 TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
-  const HardwareFile file = read(
+  const HardwareFile file = hardware_file_of(
       "tube = { mu = 0.01, angle_rad = 1.1 }\nbearing = { mu = 0.02, angle_rad = 1.2 }\n"
       "sheath = { mu = 0.03, angle_rad = 1.3 }\n"
       "[lengths]\nstrand_mm = 11\nmotor_side_mm = 12\nhand_mm = 13\n"
@@ -86,20 +88,15 @@ TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
 }
 
 TEST(HardwareFile, TakesAWholeNumberAndWindowsLineEnds) {
-  EXPECT_EQ(read("[tube]\r\nmu = 1\r\n").hardware.tube.mu, 1.0);
+  EXPECT_EQ(hardware_file_of("[tube]\r\nmu = 1\r\n").hardware.tube.mu, 1.0);
 }
 
 // A large angle is right with a small coefficient, in whatever order the two stand.
 TEST(HardwareFile, ChecksCoefficientAndAngleTogether) {
-  EXPECT_EQ(read("[tube]\nangle_rad = 100\nmu = 0.01\n").hardware.tube.exponent(), 1.0);
-  EXPECT_EQ(error_in("[tube]\nangle_rad = 100\n"),
+  EXPECT_EQ(hardware_file_of("[tube]\nangle_rad = 100\nmu = 0.01\n").hardware.tube.exponent(), 1.0);
+  EXPECT_EQ(error_in_hardware("[tube]\nangle_rad = 100\n"),
             "h.toml:1:2: hardware: tube: mu * angle = 18: expected at most 10");
 }
-
-struct Mistake {
-  std::string text;
-  std::string message;
-};
 
 TEST(HardwareFile, NamesThePlaceOfABadNumber) {
   const std::vector<Mistake> mistakes = {
@@ -129,7 +126,8 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
        "h.toml:2:23: uncertainty.bearing_mu_relative = 50: expected a half-width from 0 to 1, as a "
        "part of the value"},
   };
-  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in(mistake.text), mistake.message);
+  for (const Mistake& mistake : mistakes)
+    EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
 }
 
 TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
@@ -159,7 +157,8 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
        "h.toml:3:6: not valid TOML: Error while parsing key-value pair: cannot redefine existing "
        "integer 'mu'"},
   };
-  for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in(mistake.text), mistake.message);
+  for (const Mistake& mistake : mistakes)
+    EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
 }
 
 TEST(HardwareFile, RefusesWhatIsNoReadableFile) {

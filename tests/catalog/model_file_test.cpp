@@ -7,6 +7,7 @@
 
 #include "causes/library.hpp"
 #include "core/notation.hpp"
+#include "tests/catalog/mistake.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -14,20 +15,23 @@ namespace reeve {
 namespace {
 
 using testing::Dice;
+using testing::Mistake;
 using testing::TemporaryFolder;
 using testing::Trial;
 
-ModelFile read(const std::string& text) {
+ModelFile model_file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_model_file(folder.write("m.toml", text));
 }
 
-std::string error_in(const std::string& text) {
+std::string error_in_model(const std::string& text) {
   const TemporaryFolder folder;
   return folder.error_of([&] { read_model_file(folder.write("m.toml", text)); });
 }
 
-std::string error_in_effect(const std::string& keys) { return error_in("[[effect]]\n" + keys); }
+std::string error_in_effect(const std::string& keys) {
+  return error_in_model("[[effect]]\n" + keys);
+}
 
 void expect_same(const Subject& a, const Subject& b) {
   ASSERT_EQ(a.channel.has_value(), b.channel.has_value());
@@ -123,7 +127,7 @@ TEST(ModelFile, ReadsBackWhatIsWrittenBitByBit) {
     SCOPED_TRACE(seed);
     const Model model = random_model(seed);
     const UncertaintyRanges ranges{{0.1 / 3, 0.7 / 3}, {0, 1e-7}, 1.0 / 3, 0};
-    const ModelFile file = read(model_toml(model, {"a model"}, ranges));
+    const ModelFile file = model_file_of(model_toml(model, {"a model"}, ranges));
     expect_same(file.model, model);
     EXPECT_EQ(file.uncertainty.tube_mu.low, ranges.tube_mu.low);
     EXPECT_EQ(file.uncertainty.sheath_mu.high, ranges.sheath_mu.high);
@@ -141,8 +145,8 @@ TEST(ModelFile, KeepsEffectsOnTheHardwareBesideIt) {
   finger.finger = 2;
   add_effect(model, {find_cause("sheath_angle"), finger, {0.7}});
   add_effect(model, {find_cause("tube_friction"), {}, {0.09}});
-  expect_same(read(model_toml(model, {})).model, model);
-  EXPECT_EQ(model_toml(read(model_toml(model, {})).model, {}), model_toml(model, {}));
+  expect_same(model_file_of(model_toml(model, {})).model, model);
+  EXPECT_EQ(model_toml(model_file_of(model_toml(model, {})).model, {}), model_toml(model, {}));
 }
 
 TEST(ModelFile, TakesAnyTextAsAComment) {
@@ -152,16 +156,16 @@ TEST(ModelFile, TakesAnyTextAsAComment) {
   const std::string text = model_toml(Model{}, lines);
   EXPECT_EQ(text.find("# from ??.csv\n# two?lines?\n"), 0U);
   EXPECT_NE(text.find("# μ = 0.09\n"), std::string::npos);
-  expect_same(read(text).model, Model{});
+  expect_same(model_file_of(text).model, Model{});
 }
 
 TEST(ModelFile, IsThePlainModelWhereNothingIsGiven) {
-  expect_same(read("").model, Model{});
-  expect_same(read("[conditions]\n").model, Model{});
+  expect_same(model_file_of("").model, Model{});
+  expect_same(model_file_of("[conditions]\n").model, Model{});
 }
 
 TEST(ModelFile, SortsEffectsInTheOrderOfTheLibrary) {
-  const Model model = read(
+  const Model model = model_file_of(
                           "[[effect]]\ncause = \"bending_stiffness\"\nforce_N = 1\n"
                           "[[effect]]\ncause = \"wear\"\nchange = -0.25\ncycles = 100\n")
                           .model;
@@ -177,11 +181,6 @@ TEST(ModelFile, OfTheExampleHasWhatItSays) {
   EXPECT_EQ(name(file.model.effects[2]), "sheath_angle[2]");
   EXPECT_EQ(name(file.model.effects[3]), "seized_contact[M-1-P-2-M,T1-T2]");
 }
-
-struct Mistake {
-  std::string text;
-  std::string message;
-};
 
 TEST(BadModelFile, NamesThePlaceOfABadEffect) {
   const std::vector<Mistake> mistakes = {
@@ -232,22 +231,22 @@ TEST(BadModelFile, NamesThePlaceOfABadSubject) {
 }
 
 TEST(BadModelFile, NamesThePlaceOfABadCondition) {
-  EXPECT_EQ(error_in("[conditions]\nmotor_tension_N = 0\n"),
+  EXPECT_EQ(error_in_model("[conditions]\nmotor_tension_N = 0\n"),
             "m.toml:2:19: conditions.motor_tension_N = 0: expected a number from 0.01 to 100000");
-  EXPECT_EQ(error_in("[conditions]\nspeed = 1\n"),
+  EXPECT_EQ(error_in_model("[conditions]\nspeed = 1\n"),
             "m.toml:2:1: unknown key 'conditions.speed': expected one of motor_tension_N, "
             "speed_mm_s, cycle, temperature_C");
-  EXPECT_EQ(error_in("[effect]\ncause = \"wear\"\n"),
+  EXPECT_EQ(error_in_model("[effect]\ncause = \"wear\"\n"),
             "m.toml:1:1: effect = (a table): expected tables headed [[effect]]");
-  EXPECT_EQ(error_in("[tubes]\n"),
+  EXPECT_EQ(error_in_model("[tubes]\n"),
             "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, sheath, lengths, "
             "finger, contact, uncertainty, conditions, effect");
 }
 
 // The range of a parameter is not that of its product with the others.
 TEST(BadModelFile, NamesTheEffectThatMakesFrictionTooStrong) {
-  EXPECT_EQ(error_in("[sheath]\nmu = 0.1\nangle_rad = 90\n[[effect]]\ncause = "
-                     "\"sheath_friction\"\nmu = 0.2\n"),
+  EXPECT_EQ(error_in_model("[sheath]\nmu = 0.1\nangle_rad = 90\n[[effect]]\ncause = "
+                           "\"sheath_friction\"\nmu = 0.2\n"),
             "m.toml:4:1: hardware: sheath: mu * angle = 18: expected at most 10");
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using testing::TemporaryFolder;
 
-std::string error_in(const std::string& text) {
+std::string error_in_toml(const std::string& text) {
   const TemporaryFolder folder;
   return folder.error_of([&] { read_toml(folder.write("t.toml", text)); });
 }
@@ -61,19 +61,19 @@ TEST(TomlNode, KeepsMessagesToOneLineAndShort) {
 }
 
 TEST(ReadToml, RefusesWhatIsNotText) {
-  EXPECT_EQ(error_in("a = \xFF\n"),
+  EXPECT_EQ(error_in_toml("a = \xFF\n"),
             "t.toml:1:4: not valid TOML: Encountered invalid utf-8 sequence");
-  EXPECT_NE(error_in(std::string("a\0b = 1\n", 8)).find("t.toml:1:2: not valid TOML"),
+  EXPECT_NE(error_in_toml(std::string("a\0b = 1\n", 8)).find("t.toml:1:2: not valid TOML"),
             std::string::npos);
 }
 
 // A line of dots would send the parser down as many levels, and over the end of the stack.
 TEST(ReadToml, RefusesEndlessLinesAndDepth) {
-  EXPECT_EQ(error_in("b = 1\n" + repeated("a.", 500000) + "a = 1\n"),
+  EXPECT_EQ(error_in_toml("b = 1\n" + repeated("a.", 500000) + "a = 1\n"),
             "t.toml:2:1: the line has 1000005 characters: expected at most 4096");
-  EXPECT_EQ(error_in(repeated("a.", 2000) + "a = 1\n"),
+  EXPECT_EQ(error_in_toml(repeated("a.", 2000) + "a = 1\n"),
             "t.toml:1:17: expected no tables or arrays as deep as this");
-  EXPECT_EQ(error_in("a = " + repeated("[", 9) + repeated("]", 9) + "\n"),
+  EXPECT_EQ(error_in_toml("a = " + repeated("[", 9) + repeated("]", 9) + "\n"),
             "t.toml:1:13: expected no tables or arrays as deep as this");
 }
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "core/notation.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
 
-Network network(const std::string& word) { return expand(parse_routing(word)); }
+using testing::network_of;
 
 std::vector<std::string> lines_with(const std::string& text, const std::string& part) {
   std::vector<std::string> found;
@@ -28,7 +28,7 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
 }
 
 TEST(Graph, HasAVertexForEachSegmentAndAnEdgeForEachContact) {
-  const Network net = network("M-1-T-2-M+3-P-3");
+  const Network net = network_of("M-1-T-2-M+3-P-3");
   const NetworkGraph g = graph(net);
   ASSERT_EQ(boost::num_vertices(g), net.segments.size());
   EXPECT_EQ(boost::num_edges(g), net.contacts.size());
@@ -38,7 +38,7 @@ TEST(Graph, HasAVertexForEachSegmentAndAnEdgeForEachContact) {
 }
 
 TEST(Graph, EdgesJoinTheNeighboursOfTheirContact) {
-  const Network net = network("1-T-1");  // two segments, joined twice
+  const Network net = network_of("1-T-1");  // two segments, joined twice
   const NetworkGraph g = graph(net);
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> ends;  // by contact: left, right
   for (const auto& edge : boost::make_iterator_range(boost::edges(g))) {
@@ -53,7 +53,7 @@ TEST(Graph, EdgesJoinTheNeighboursOfTheirContact) {
 TEST(Graph, ItsConnectedComponentsAreTheTendons) {
   for (const char* word :
        {"M-1-T-2-F", "1-P-2-P-1+M-3-F", "M-1-F+M-2-F+3-P-4-B-3+M-F", "F-F+M-1-F"}) {
-    const Network net = network(word);
+    const Network net = network_of(word);
     const std::vector<std::size_t> component = tendons(graph(net));
     ASSERT_EQ(component.size(), net.segments.size());
     for (std::size_t t = 0; t < net.tendons.size(); ++t) {
@@ -66,7 +66,7 @@ TEST(Graph, ItsConnectedComponentsAreTheTendons) {
 
 TEST(Graph, NamesTheTendonThatHangsOnNoMotor) {
   const auto message = [](const std::string& word) {
-    return testing::input_error([&] { require_actuated(graph(network(word)), word); });
+    return testing::input_error([&] { require_actuated(graph(network_of(word)), word); });
   };
   EXPECT_EQ(message("M-1-F+F-2-T-3-F"),
             "routing 'M-1-F+F-2-T-3-F': the tendon with T3 is not actuated: it has no M and no P, "
@@ -78,7 +78,7 @@ TEST(Graph, NamesTheTendonThatHangsOnNoMotor) {
 }
 
 TEST(Dot, HoldsEverySegmentAndEveryContactOnce) {
-  const Network net = network("M-1-T-2b-P-T-B-3-F+4-P-4");
+  const Network net = network_of("M-1-T-2b-P-T-B-3-F+4-P-4");
   const std::string dot = to_dot(net, "title");
   for (const Segment& segment : net.segments) {
     EXPECT_EQ(lines_with(dot, "[label=\"" + name(segment) + "\"").size(), 1U) << name(segment);
@@ -94,7 +94,7 @@ TEST(Dot, HoldsEverySegmentAndEveryContactOnce) {
 }
 
 TEST(Dot, LabelsContactsByTheirPlaceAndDrawsThemByTheirKind) {
-  const std::string dot = to_dot(network("M-1-T-2b-P-F"), "t");
+  const std::string dot = to_dot(network_of("M-1-T-2b-P-F"), "t");
   EXPECT_EQ(lines_with(dot, "[label=\"sheath\", style=bold]").size(), 3U);
   EXPECT_EQ(lines_with(dot, "[label=\"tip 1 (tube)\", style=solid]").size(), 1U);
   EXPECT_EQ(lines_with(dot, "[label=\"tube\", style=solid]").size(), 1U);
@@ -106,11 +106,12 @@ TEST(Dot, LabelsContactsByTheirPlaceAndDrawsThemByTheirKind) {
 }
 
 TEST(Dot, CarriesItsTitle) {
-  EXPECT_EQ(lines_with(to_dot(network("M-1-F"), "TR0: M-1-F"), "label=\"TR0: M-1-F\";").size(), 1U);
+  EXPECT_EQ(lines_with(to_dot(network_of("M-1-F"), "TR0: M-1-F"), "label=\"TR0: M-1-F\";").size(),
+            1U);
 }
 
 TEST(Dot, WithAStateShowsTensionsAndSlidingDirections) {
-  const Network net = network("M-1-F");
+  const Network net = network_of("M-1-F");
   TensionState state;
   state.tension = {1, 0.3227, 0.18333};
   state.slip = {-1, 0};
@@ -123,7 +124,7 @@ TEST(Dot, WithAStateShowsTensionsAndSlidingDirections) {
 }
 
 TEST(Dot, TheArrowOfTheContactThatClosesALoopPointsAlongTheWalk) {
-  const Network net = network("1-P-1");  // T2 a b T1, and back to T2
+  const Network net = network_of("1-P-1");  // T2 a b T1, and back to T2
   TensionState state;
   state.tension = {1, 1, 1, 1};
   state.slip = {0, 0, 0, 2};

@@ -10,23 +10,22 @@
 #include <vector>
 
 #include "core/mechanics.hpp"
-#include "core/notation.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
 
 using std::numbers::pi;
-
-Network network(const std::string& word) { return expand(parse_routing(word)); }
+using testing::network_of;
 
 // Friction exponents along the walk.
 std::vector<double> phi(const std::string& word, const Hardware& hardware) {
-  return mechanics(network(word), hardware).phi;
+  return mechanics(network_of(word), hardware).phi;
 }
 
 std::vector<double> lengths(const std::string& word, const Hardware& hardware) {
-  return mechanics(network(word), hardware).length;
+  return mechanics(network_of(word), hardware).length;
 }
 
 // Exponents that tell every kind of contact apart: tube 0.1, bearing 0.01, sheath 1.
@@ -58,7 +57,7 @@ TEST(Hardware, EachContactHasTheExponentOfItsKind) {
 }
 
 TEST(Hardware, DecayIsTheExponentialOfMinusTheExponent) {
-  const Mechanics m = mechanics(network("M-1-T-2b-P-3-F"), simple_hardware());
+  const Mechanics m = mechanics(network_of("M-1-T-2b-P-3-F"), simple_hardware());
   ASSERT_EQ(m.decay.size(), m.phi.size());
   for (std::size_t k = 0; k < m.phi.size(); ++k) EXPECT_EQ(m.decay[k], std::exp(-m.phi[k]));
 }
@@ -75,7 +74,7 @@ TEST(Hardware, FingersCloseAlikeUnlessToldOtherwise) {
   Hardware hardware;
   hardware.fingers = {only_finger(3)};
   hardware.fingers[0].closing = 2.5;
-  EXPECT_EQ(mechanics(network("M-1-T-2-T-3-F"), hardware).closing, (Values{1, 1, 2.5}));
+  EXPECT_EQ(mechanics(network_of("M-1-T-2-T-3-F"), hardware).closing, (Values{1, 1, 2.5}));
 }
 
 TEST(HardwareFinger, OverridesItsTipAndItsSheathsOnly) {
@@ -151,9 +150,9 @@ TEST(HardwareContact, IsReportedIfNoContactHasItsName) {
   hardware.contacts = {
       {"T2", "T3", 0.1, {}}, {"T1", "T3", 0.1, {}}, {"b", "T4", 0.1, {}}, {"h1", "a", 0.1, {}}};
   const MechanicsBuilder builder(hardware);
-  EXPECT_EQ(builder.unmatched_contacts(network("M-1-T-2-F")),
+  EXPECT_EQ(builder.unmatched_contacts(network_of("M-1-T-2-F")),
             (std::vector<std::string>{"T1-T3", "b-T4", "h1-a"}));
-  EXPECT_EQ(builder.unmatched_contacts(network("M-1-T-2-M")),
+  EXPECT_EQ(builder.unmatched_contacts(network_of("M-1-T-2-M")),
             (std::vector<std::string>{"T1-T3", "h1-a"}));
 }
 
@@ -174,8 +173,8 @@ TEST(Hardware, ABuilderForgetsTheNetworkBefore) {
   hardware.contacts = {{"T1", "T2", 0.4, {}}};
   const MechanicsBuilder builder(hardware);
   Mechanics reused;
-  builder.apply(network("1-P-2-P-1+M-3-F"), reused);
-  builder.apply(network("M-1-F"), reused);
+  builder.apply(network_of("1-P-2-P-1+M-3-F"), reused);
+  builder.apply(network_of("M-1-F"), reused);
   EXPECT_EQ(reused.phi, (Values{1, 0.4}));
   EXPECT_EQ(reused.length.size(), 3U);
   EXPECT_EQ(reused.closing.size(), 1U);
@@ -273,7 +272,7 @@ TEST(HardwareError, NamesTheContact) {
 TEST(HardwareError, AContactsExponentIsKnownOnceTheNetworkIs) {
   Hardware hardware;
   hardware.contacts = {{"T2", "T1", 9.0, 2.0}};
-  EXPECT_EQ(testing::input_error([&] { mechanics(network("M-1-F"), hardware); }),
+  EXPECT_EQ(testing::input_error([&] { mechanics(network_of("M-1-F"), hardware); }),
             "hardware: T1-T2: mu * angle = 18: expected at most 10");
 }
 

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "core/notation.hpp"
+#include "tests/core/network_of.hpp"
 
 namespace reeve {
 namespace {
 
-Network network(const std::string& word) { return expand(parse_routing(word)); }
+using testing::network_of;
 
 Performance performance_of(const std::string& word, Grasp grasp,
                            Direction direction = Direction::pull, const Hardware& hardware = {}) {
-  const Network net = network(word);
+  const Network net = network_of(word);
   return performance(net, tensions(net, mechanics(net, hardware), grasp, direction), direction);
 }
 
@@ -69,7 +69,7 @@ TensionState state(const std::vector<double>& tension, const std::vector<double>
 TEST(Performance, FollowsItsDefinitions) {
   // a T1 T2 T3 T4
   const Performance found =
-      performance(network("M-1-T-2-F"), state({1, 0.8, 0.4, 0.5, 0.2}, {0.1, 0.4}));
+      performance(network_of("M-1-T-2-F"), state({1, 0.8, 0.4, 0.5, 0.2}, {0.1, 0.4}));
   EXPECT_DOUBLE_EQ(found.uniformity, 0.25);
   EXPECT_DOUBLE_EQ(found.force_transmission, 1.9);
   EXPECT_DOUBLE_EQ(found.efficiency, 0.1 * 1.2 + 0.4 * 0.7);
@@ -77,7 +77,7 @@ TEST(Performance, FollowsItsDefinitions) {
 
 TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
   const Performance found =
-      performance(network("M-1-F"), state({1, 2, 3}, {0.5}), Direction::release);
+      performance(network_of("M-1-F"), state({1, 2, 3}, {0.5}), Direction::release);
   EXPECT_DOUBLE_EQ(found.efficiency, 1 / (0.5 * 2 + 0.5 * 3));
   EXPECT_DOUBLE_EQ(found.force_transmission, 5);
 }
@@ -85,7 +85,7 @@ TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
 TEST(Performance, LooksAtStrandsOnly) {
   // a h1 T1 T2 h2
   const Performance found =
-      performance(network("M-T-1-T-F"), state({1, 0.9, 0.5, 0.4, 0.01}, {0.5}));
+      performance(network_of("M-T-1-T-F"), state({1, 0.9, 0.5, 0.4, 0.01}, {0.5}));
   EXPECT_DOUBLE_EQ(found.uniformity, 0.8);
   EXPECT_DOUBLE_EQ(found.force_transmission, 0.9);
 }
@@ -148,7 +148,7 @@ TEST(Parts, AreCountedFromTheNetwork) {
                                          {"1-T-2-P-1", 2, 1, 1},
                                          {"1-P-2-P-1", 4, 2, 1},
                                          {"M-1b-B-2-F+3b-P-3b", 3, 4, 1}}) {
-    const PartCount count = parts(network(row.word));
+    const PartCount count = parts(network_of(row.word));
     EXPECT_EQ(count.sheaths, row.sheaths) << row.word;
     EXPECT_EQ(count.pulleys, row.pulleys) << row.word;
     EXPECT_EQ(count.knots, row.knots) << row.word;

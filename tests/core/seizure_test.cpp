@@ -16,7 +16,8 @@
 namespace reeve {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 const double sheath = std::exp(-0.36 * pi);
 const double tube = std::exp(-0.18 * pi);
 constexpr double tolerance = 1e-12;

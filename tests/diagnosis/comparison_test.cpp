@@ -18,8 +18,8 @@ using testing::read_data;
 
 using Lines = std::vector<std::size_t>;
 
-const double tube = std::exp(-0.18 * std::numbers::pi);
-const double sheath = std::exp(-0.18 * 2 * std::numbers::pi);
+const double past_tube = std::exp(-0.18 * std::numbers::pi);
+const double past_sheath = std::exp(-0.18 * 2 * std::numbers::pi);
 
 Comparison compared(const std::string& text) { return compare(read_data(text), Hardware{}); }
 
@@ -35,21 +35,21 @@ void expect_near(const std::vector<double>& actual, const std::vector<double>& e
 }
 
 TEST(Comparison, PredictsTensionsAtTheMotorTensionOfTheRow) {
-  expect_near(
-      predicted("run,routing,motor_tension_N,T1_N,T2_N,Ta_N,T4_N\n"
-                "A,M-1-T-2-F,10,1,1,1,1\nA,M-1-T-2-F,20,,1,,\n"),
-      {10 * sheath, 10 * sheath * tube, 10, 10 * sheath * tube * tube * tube, 20 * sheath * tube});
+  expect_near(predicted("run,routing,motor_tension_N,T1_N,T2_N,Ta_N,T4_N\n"
+                        "A,M-1-T-2-F,10,1,1,1,1\nA,M-1-T-2-F,20,,1,,\n"),
+              {10 * past_sheath, 10 * past_sheath * past_tube, 10,
+               10 * past_sheath * past_tube * past_tube * past_tube, 20 * past_sheath * past_tube});
 }
 
 TEST(Comparison, PredictsReleasing) {
   expect_near(predicted("run,routing,direction,motor_tension_N,T1_N,T2_N\n"
                         "A,M-1-F,release,10,1,1\n"),
-              {10 / sheath, 10 / sheath / tube});
+              {10 / past_sheath, 10 / past_sheath / past_tube});
 }
 
 TEST(Comparison, PredictsABenchOfOneSheath) {
   expect_near(predicted("run,routing,motor_tension_N,Ta_N,Th1_N\nA,M-F,10,10,3\n"),
-              {10, 10 * sheath});
+              {10, 10 * past_sheath});
 }
 
 // TR5 with finger 1 held: T4 is what friction leaves behind; with none held all strands are alike.
@@ -64,7 +64,7 @@ TEST(Comparison, PredictsTheGraspOfTheRow) {
 TEST(Comparison, TakesTheSheathAngleOfTheRow) {
   const std::string header = "run,routing,motor_tension_N,sheath_angle_rad,T1_N\n";
   expect_near(predicted(header + "A,M-1-F,10,0,1\nA,M-1-F,10,5,1\nA,M-1-F,10,,1\n"),
-              {10, 10 * std::exp(-0.18 * 5), 10 * sheath});
+              {10, 10 * std::exp(-0.18 * 5), 10 * past_sheath});
   Hardware hardware;
   hardware.fingers.emplace_back();
   hardware.fingers[0].finger = 1;
@@ -96,12 +96,12 @@ TEST(Comparison, NamesTheLineWhoseSheathHasTooMuchFriction) {
 
 TEST(ComparisonWithoutMotorTension, IsOfSharesOverTheMeasuredStrands) {
   const Comparison result = compared("run,routing,T1_N,T2_N,T3_N\nA,M-1-T-2-F,6,3,1\n");
-  const double sum = 1 + tube + tube * tube;
+  const double sum = 1 + past_tube + past_tube * past_tube;
   ASSERT_EQ(result.values.size(), 3U);
   EXPECT_EQ(result.values[0].quantity, Quantity::share);
   EXPECT_NEAR(result.values[0].measured, 0.6, 1e-12);
   EXPECT_NEAR(result.values[0].predicted, 1 / sum, 1e-9);
-  EXPECT_NEAR(result.values[2].residual(), 0.1 - tube * tube / sum, 1e-9);
+  EXPECT_NEAR(result.values[2].residual(), 0.1 - past_tube * past_tube / sum, 1e-9);
   EXPECT_EQ(result.tension.all.count, 0U);
   EXPECT_EQ(result.share.all.count, 3U);
 }
@@ -167,7 +167,7 @@ TEST(Summaries, AreMeanAndRootMeanSquareOfTheResiduals) {
 
 TEST(Summaries, HaveNoRelativeErrorWhereAllReadingsAreZero) {
   const Comparison result = compared("run,routing,motor_tension_N,T1_N\nA,M-1-F,10,0\n");
-  EXPECT_NEAR(result.tension.all.rms, 10 * sheath, 1e-9);
+  EXPECT_NEAR(result.tension.all.rms, 10 * past_sheath, 1e-9);
   EXPECT_TRUE(std::isnan(result.tension.all.relative_rms));
 }
 

@@ -13,10 +13,8 @@
 namespace reeve::testing {
 namespace {
 
-const std::vector<std::string> three{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
-
 ExperimentPlan full_plan() {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.directions = {Direction::pull, Direction::release};
   plan.speed_mm_s = Levels{{1, 100}, {}};
   plan.cycle = Levels{{0, 3000}, {}};
@@ -68,7 +66,7 @@ TEST(Experiment, MeasuresGraspsAndDirectionsEquallyOftenInEveryRun) {
 }
 
 TEST(Experiment, MeasuresEveryGraspEvenWhereARunHasFewerRows) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.rows = 1;
   plan.runs = 9;
   std::set<std::pair<std::size_t, std::uint64_t>> seen;
@@ -112,7 +110,7 @@ TEST(Experiment, NeverTurnsTheCycleBack) {
 }
 
 TEST(Experiment, TakesTheLevelsOfAListAndNoOthers) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.motor_tension_N = {{}, {5, 12.5, 40, 60}};
   std::map<double, int> counts;
   for (const PlannedReading& reading : schedule(plan, 1)) {
@@ -122,7 +120,7 @@ TEST(Experiment, TakesTheLevelsOfAListAndNoOthers) {
 }
 
 TEST(Experiment, LeavesConditionsThatItDoesNotHaveAtTheReference) {
-  for (const PlannedReading& reading : schedule(plan_of(three), 1)) {
+  for (const PlannedReading& reading : schedule(plan_of(three_routings), 1)) {
     EXPECT_EQ(reading.conditions.speed_mm_s, Conditions{}.speed_mm_s);
     EXPECT_EQ(reading.conditions.cycle, Conditions{}.cycle);
     EXPECT_EQ(reading.conditions.temperature_C, Conditions{}.temperature_C);
@@ -155,7 +153,7 @@ TEST(Experiment, IsDecidedByPlanAndSeed) {
 }
 
 TEST(Experiment, ThatCannotBeDoneIsNamed) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.runs = 2;
   EXPECT_EQ(input_error([&] { validate(plan); }),
             "runs = 2: expected at least 3, one for each routing (two are better)");
@@ -165,13 +163,13 @@ TEST(Experiment, ThatCannotBeDoneIsNamed) {
   plan.repeats = 2;
   EXPECT_EQ(input_error([&] { validate(plan); }),
             "runs = 1000, of 1000 rows and 2 repeats: expected 1000000 readings at most");
-  plan = plan_of(three);
+  plan = plan_of(three_routings);
   plan.cycle = Levels{{}, {10, 5}};
   EXPECT_EQ(input_error([&] { validate(plan); }), "cycles: expected a list that rises");
-  plan = plan_of(three);
+  plan = plan_of(three_routings);
   plan.channels.push_back(parse_segment("h1"));
   EXPECT_EQ(input_error([&] { validate(plan); }), "channels: 'h1': no routing has that segment");
-  plan = plan_of(three);
+  plan = plan_of(three_routings);
   plan.routings.push_back(planned_routing("M-F"));
   EXPECT_EQ(input_error([&] { validate(plan); }),
             "channels: none of them is a segment of M-F: expected at least one for each routing");

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "causes/library.hpp"
 #include "diagnosis/comparison.hpp"
@@ -14,14 +13,8 @@
 namespace reeve::testing {
 namespace {
 
-const double tube = std::exp(-0.18 * std::numbers::pi);
-const double sheath = std::exp(-0.36 * std::numbers::pi);
-
-Dataset all_of(const MeasuredData& data) {
-  std::vector<std::size_t> readings(data.readings.size());
-  std::iota(readings.begin(), readings.end(), std::size_t{0});
-  return dataset(data, readings);
-}
+const double beyond_tube = std::exp(-0.18 * std::numbers::pi);
+const double beyond_sheath = std::exp(-0.36 * std::numbers::pi);
 
 TEST(Forecast, OfThePlainModelIsWhatCompareSays) {
   const MeasuredData data = read_data(
@@ -40,7 +33,7 @@ TEST(Forecast, WithoutMotorTensionAddsUpToTheMeasuredTensions) {
   const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,4,2\n");
   const Forecast forecast = reeve::forecast(all_of(data), {});
   EXPECT_NEAR(forecast.reading_N.sum(), 6, 1e-12);
-  EXPECT_NEAR(forecast.reading_N[1] / forecast.reading_N[0], tube, 1e-12);
+  EXPECT_NEAR(forecast.reading_N[1] / forecast.reading_N[0], beyond_tube, 1e-12);
 }
 
 // The scale of such a row comes from the readings, at which the exponent then is taken.
@@ -60,7 +53,7 @@ TEST(Residuals, IgnoreTheScaleOfARowWithoutMotorTension) {
   const Dataset dataset = all_of(small);
   const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.1, 0.1});
   const Eigen::VectorXd left = residuals(problem, forecast(dataset, {}));
-  EXPECT_NEAR(left.dot(Eigen::Vector2d{1, tube}), 0, 1e-9);
+  EXPECT_NEAR(left.dot(Eigen::Vector2d{1, beyond_tube}), 0, 1e-9);
 }
 
 // Half of the normal noise about 0 is cut off: its mean is sd / sqrt(2 pi).
@@ -68,7 +61,7 @@ TEST(Residuals, KnowThatASensorCannotReadBelowZero) {
   const MeasuredData data = read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n");
   const Dataset dataset = all_of(data);
   const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.5, 0.01});
-  Forecast forecast{Eigen::Vector2d{0, 10 * sheath * tube}, Eigen::Vector2d{0, 0}};
+  Forecast forecast{Eigen::Vector2d{0, 10 * beyond_sheath * beyond_tube}, Eigen::Vector2d{0, 0}};
   const Eigen::VectorXd expected = expected_readings(problem, forecast);
   EXPECT_NEAR(expected[0], 0.5 / std::sqrt(2 * std::numbers::pi), 1e-12);
   EXPECT_EQ(expected[1], forecast.reading_N[1]);

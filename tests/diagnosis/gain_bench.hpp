@@ -46,12 +46,6 @@ inline Model with_gain(double gain) {
   return model;
 }
 
-inline Dataset all_of(const MeasuredData& data) {
-  std::vector<std::size_t> chosen(data.readings.size());
-  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i;
-  return dataset(data, chosen);
-}
-
 inline Problem bench_problem(const Dataset& dataset) {
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
   return problem(dataset, Eigen::VectorXd::Constant(cells, bench_deviation_N));

@@ -11,8 +11,8 @@
 namespace reeve::testing {
 namespace {
 
-constexpr double tube = 0.18 * std::numbers::pi;
-constexpr double sheath = 0.36 * std::numbers::pi;
+constexpr double tube_loss = 0.18 * std::numbers::pi;
+constexpr double sheath_loss = 0.36 * std::numbers::pi;
 constexpr double bearing = 0.001 * std::numbers::pi;
 
 // Forecasts as measured, but for a loss that the model thinks twice as large.
@@ -35,7 +35,7 @@ std::vector<ComparedCell> compared(const MeasuredData& data) {
 
 // Of TR1 to TR7 with finger 1 held, whose directions and ratios the paper derives by hand.
 TEST(Losses, AreTheExponentsBetweenNeighbouringSensors) {
-  const double t = std::exp(-tube), s = std::exp(-sheath), b = std::exp(-bearing);
+  const double t = std::exp(-tube_loss), s = std::exp(-sheath_loss), b = std::exp(-bearing);
   const std::string tr4 =
       fmt::format("{},{},{},{}", 50.0, 50 * t, 50 * t * s * s * b, 50 * t * t * s * s * b);
   const MeasuredData data =
@@ -44,14 +44,14 @@ TEST(Losses, AreTheExponentsBetweenNeighbouringSensors) {
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(name(found[0].high), "T1");
   EXPECT_EQ(name(found[0].low), "T2");
-  EXPECT_NEAR(found[0].measured, tube, 1e-12);
-  EXPECT_NEAR(found[1].measured, 2 * sheath + bearing, 1e-12);
+  EXPECT_NEAR(found[0].measured, tube_loss, 1e-12);
+  EXPECT_NEAR(found[1].measured, 2 * sheath_loss + bearing, 1e-12);
   EXPECT_NEAR(found[1].before, 2 * found[1].measured, 1e-12);
   EXPECT_NEAR(found[1].after, found[1].measured, 1e-12);
   EXPECT_NEAR(found[1].deviation, std::hypot(0.01, 0.01), 1e-12);
   EXPECT_EQ(found[1].over, (std::vector<ContactKind>{ContactKind::sheath, ContactKind::bearing,
                                                      ContactKind::sheath}));
-  EXPECT_NEAR(found[2].measured, tube, 1e-12);
+  EXPECT_NEAR(found[2].measured, tube_loss, 1e-12);
 }
 
 // In TR7 the tips hold with less than they could, and the sheaths at P work against each other; in
@@ -87,7 +87,7 @@ TEST(Losses, OneThatIsFarFromTheOthersStandsApart) {
     double strands[4];
     for (double& strand : strands) {
       strand = tension;
-      tension *= std::exp(-tube - (k++ == 6 ? 0.4 : 0.01 * ((7 * k) % 5 - 2)));
+      tension *= std::exp(-tube_loss - (k++ == 6 ? 0.4 : 0.01 * ((7 * k) % 5 - 2)));
     }
     const bool second_first = i >= 2;
     for (int j = 0; j < 4; ++j)
@@ -98,14 +98,14 @@ TEST(Losses, OneThatIsFarFromTheOthersStandsApart) {
   std::vector<ComparedCell> cells = compared(data);
   for (ComparedCell& cell : cells) {
     const auto walk = cell.cell.segment;
-    cell.after_N = 40 * std::exp(-tube * static_cast<double>(walk));
+    cell.after_N = 40 * std::exp(-tube_loss * static_cast<double>(walk));
   }
   const auto found = losses(data, Model{}, cells);
   ASSERT_EQ(found.size(), 12U);
   std::size_t marked = 0;
   for (const Loss& loss : found) {
     marked += loss.stands_apart ? 1 : 0;
-    EXPECT_EQ(loss.stands_apart, loss.measured > tube + 0.2);
+    EXPECT_EQ(loss.stands_apart, loss.measured > tube_loss + 0.2);
   }
   EXPECT_EQ(marked, 1U);
 }

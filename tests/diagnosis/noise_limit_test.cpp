@@ -15,7 +15,7 @@ namespace reeve::testing {
 namespace {
 
 constexpr double sd_N = 0.05;
-constexpr int rows = 30;
+constexpr int row_count = 30;
 
 double truth(double mu, double load, bool beyond_the_tip) {
   return load * std::exp(-0.36 * std::numbers::pi - (beyond_the_tip ? mu * std::numbers::pi : 0));
@@ -25,19 +25,13 @@ double truth(double mu, double load, bool beyond_the_tip) {
 MeasuredData readings(std::mt19937& random) {
   std::normal_distribution<double> noise(0, sd_N);
   std::string text = "run,routing,motor_tension_N,T1_N,T2_N\n";
-  for (int i = 0; i < rows; ++i) {
+  for (int i = 0; i < row_count; ++i) {
     const double load = 10 + i;
     text += fmt::format("{},M-1-F,{},{},{}\n", i < 10 ? "first" : "second", load,
                         truth(0.09, load, false) + noise(random),
                         truth(0.09, load, true) + noise(random));
   }
   return read_data(text);
-}
-
-Dataset all_of(const MeasuredData& data) {
-  std::vector<std::size_t> chosen(data.readings.size());
-  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i;
-  return dataset(data, chosen);
 }
 
 Model true_model() {
@@ -54,7 +48,7 @@ TEST(NoiseLimit, IsWhatTheTrueModelGains) {
   for (int n = 0; n < experiments; ++n) {
     const MeasuredData data = readings(random);
     const Dataset part = all_of(data);
-    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
+    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
     const NoiseLimit limit = noise_limit(held_out, Model{});
     const double gain = (misfit(held_out, Model{}) - misfit(held_out, true_model())) / 2;
     gains += gain;
@@ -75,14 +69,14 @@ TEST(NoiseLimit, CountsOutWhatAFreeScaleTakes) {
   constexpr int experiments = 100;
   for (int n = 0; n < experiments; ++n) {
     std::string text = "run,routing,T1_N,T2_N\n";
-    for (int i = 0; i < rows; ++i) {
+    for (int i = 0; i < row_count; ++i) {
       text += fmt::format("first,M-1-F,{},{}\n", truth(0.18, 10.0 + i, false) + noise(random),
                           truth(0.18, 10.0 + i, true) + noise(random));
     }
     const MeasuredData data = read_data(text);
     const Dataset part = all_of(data);
-    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
-    squares += misfit(held_out, Model{}) * sd_N * sd_N / (2 * rows);
+    const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
+    squares += misfit(held_out, Model{}) * sd_N * sd_N / (2 * row_count);
     const NoiseLimit limit = noise_limit(held_out, Model{});
     limits += limit.rms_N * limit.rms_N;
     EXPECT_NEAR(limit.rms_N, sd_N / std::numbers::sqrt2, 1e-12);
@@ -96,7 +90,7 @@ TEST(RunGains, AreTheResidualsOfEachRun) {
   std::mt19937 random(7);
   const MeasuredData data = readings(random);
   const Dataset part = all_of(data);
-  const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * rows, sd_N));
+  const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
   const auto gains = run_gains(held_out, Model{}, true_model());
   ASSERT_EQ(gains.size(), 2U);
   for (const RunGain& gain : gains) {

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <string>
 
 #include "numerics/random.hpp"
@@ -23,7 +22,7 @@ double noisy(double tension, std::uint64_t index) {
 }
 
 // T1 large and T3 small, so that both parts of the noise show.
-std::string rows(int count, const std::function<double(int)>& motor_tension) {
+std::string rows_of_loads(int count, const std::function<double(int)>& motor_tension) {
   std::string text = "run,routing,motor_tension_N,T1_N,T3_N\n";
   for (int i = 0; i < count; ++i) {
     const double motor = motor_tension(i);
@@ -35,14 +34,9 @@ std::string rows(int count, const std::function<double(int)>& motor_tension) {
   return text;
 }
 
-Dataset all_of(const MeasuredData& data) {
-  std::vector<std::size_t> readings(data.readings.size());
-  std::iota(readings.begin(), readings.end(), std::size_t{0});
-  return dataset(data, readings);
-}
-
 TEST(Noise, IsFoundInRepeats) {
-  const MeasuredData data = read_data(rows(600, [](int i) { return i % 2 == 0 ? 10.0 : 40.0; }));
+  const MeasuredData data =
+      read_data(rows_of_loads(600, [](int i) { return i % 2 == 0 ? 10.0 : 40.0; }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
   EXPECT_EQ(noise->source, NoiseSource::repeats);
@@ -51,8 +45,8 @@ TEST(Noise, IsFoundInRepeats) {
 }
 
 TEST(Noise, IsFoundBesideASmoothLaw) {
-  const MeasuredData data = read_data(
-      rows(600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));
+  const MeasuredData data = read_data(rows_of_loads(
+      600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
   EXPECT_EQ(noise->source, NoiseSource::smoothing);
@@ -61,7 +55,7 @@ TEST(Noise, IsFoundBesideASmoothLaw) {
 }
 
 TEST(Noise, OfTooFewReadingsNeedsAModel) {
-  const MeasuredData data = read_data(rows(8, [](int i) { return 10.0 + i; }));
+  const MeasuredData data = read_data(rows_of_loads(8, [](int i) { return 10.0 + i; }));
   EXPECT_FALSE(noise_without_model(all_of(data)).has_value());
 }
 

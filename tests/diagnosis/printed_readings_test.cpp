@@ -20,7 +20,7 @@ namespace {
 
 const std::filesystem::path catalogue = REEVE_CATALOG_DIR;
 
-MeasuredData read(const std::string& name) {
+MeasuredData readings_of(const std::string& name) {
   return read_measured_data(catalogue / "measured" / name,
                             [](const std::string& word) { return parse_routing(word); });
 }
@@ -32,7 +32,7 @@ void expect_predicted(const Comparison& comparison, std::size_t at, double expec
 }
 
 TEST(PrintedReadings, OfCanyonsAndCragsFollowTheCapstanLaw) {
-  const MeasuredData data = read("canyons_and_crags.csv");
+  const MeasuredData data = readings_of("canyons_and_crags.csv");
   const Comparison comparison = compare(data, rope_bench());
   ASSERT_EQ(data.readings.size(), 4U);
   EXPECT_TRUE(data.notes.empty());
@@ -54,15 +54,15 @@ TEST(PrintedReadings, OfCanyonsAndCragsFollowTheCapstanLaw) {
 TEST(PrintedReadings, OfCanyonsAndCragsAreMetWithTheirOwnCoefficient) {
   Hardware hardware = rope_bench();
   hardware.tube.mu = std::log(23.0 / 11) / std::numbers::pi;
-  const Comparison lifting = compare(read("canyons_and_crags.csv"), hardware);
+  const Comparison lifting = compare(readings_of("canyons_and_crags.csv"), hardware);
   EXPECT_NEAR(lifting.values[2].residual(), 0, 1e-3);
   hardware.tube.mu = std::log(11.0 / 5) / std::numbers::pi;
-  const Comparison lowering = compare(read("canyons_and_crags.csv"), hardware);
+  const Comparison lowering = compare(readings_of("canyons_and_crags.csv"), hardware);
   EXPECT_NEAR(lowering.values[3].residual(), 0, 1e-3);
 }
 
 TEST(PrintedReadings, OfOverTheEdgeRescueFollowTheCapstanLaw) {
-  const MeasuredData data = read("over_the_edge_rescue.csv");
+  const MeasuredData data = readings_of("over_the_edge_rescue.csv");
   const Comparison comparison = compare(data, rope_bench());
   const double pulls[] = {200, 180, 180, 180, 200, 120, 120, 120, 120, 120};
   ASSERT_EQ(data.readings.size(), 10U);
@@ -75,7 +75,7 @@ TEST(PrintedReadings, OfOverTheEdgeRescueFollowTheCapstanLaw) {
 }
 
 TEST(PrintedReadings, OfHwstockAreThePrintedPartsOfThePull) {
-  const MeasuredData data = read("hwstock.csv");
+  const MeasuredData data = readings_of("hwstock.csv");
   const double parts[] = {0.89, 0.60, 0.48};
   ASSERT_EQ(data.readings.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -89,13 +89,13 @@ TEST(PrintedReadings, OfHwstockAreThePrintedPartsOfThePull) {
 TEST(PrintedReadings, OfTwoCarabinersSideBySideTheCapstanLawCannotExplain) {
   Hardware hardware = rope_bench();
   hardware.tube.mu = -std::log(0.60) / std::numbers::pi;
-  const Comparison comparison = compare(read("hwstock.csv"), hardware);
+  const Comparison comparison = compare(readings_of("hwstock.csv"), hardware);
   EXPECT_NEAR(comparison.values[1].residual() / comparison.values[1].measured, 0, 1e-4);
   EXPECT_NEAR(comparison.values[2].predicted / comparison.values[2].measured, 0.60 / 0.48, 1e-4);
 }
 
 TEST(PrintedReadings, OfIgktSlideAtTheCapstanLawsRatio) {
-  const MeasuredData data = read("igkt.csv");
+  const MeasuredData data = readings_of("igkt.csv");
   ASSERT_EQ(data.readings.size(), 1U);
   Hardware hardware = read_hardware(catalogue / "hardware" / "rope_post.toml");
   hardware.tube.mu = std::log(19.0) / (3 * std::numbers::pi);
@@ -104,7 +104,7 @@ TEST(PrintedReadings, OfIgktSlideAtTheCapstanLawsRatio) {
 
 TEST(PrintedReadings, AreMostlyTooFewToDiagnose) {
   for (const char* name : {"hwstock.csv", "igkt.csv", "canyons_and_crags.csv"}) {
-    const DiagnosisResult result = diagnose(read(name), rope_bench());
+    const DiagnosisResult result = diagnose(readings_of(name), rope_bench());
     EXPECT_EQ(result.verdict, Verdict::none) << name;
     EXPECT_TRUE(result.too_few_readings) << name;
   }
@@ -123,7 +123,8 @@ bool names(const std::vector<std::vector<std::string>>& groups, const std::strin
 TEST(PrintedReadings, OfOverTheEdgeRescueDifferFromTheHardwareWithoutSayingWhy) {
   DiagnoseOptions options;
   options.hold_out = 0;
-  const DiagnosisResult result = diagnose(read("over_the_edge_rescue.csv"), rope_bench(), options);
+  const DiagnosisResult result =
+      diagnose(readings_of("over_the_edge_rescue.csv"), rope_bench(), options);
   EXPECT_EQ(result.verdict, Verdict::unexplained);
   EXPECT_TRUE(std::any_of(result.structure.begin(), result.structure.end(), [](const auto& found) {
     return found.about == "load" && found.p_value < 0.005;

@@ -1,9 +1,12 @@
 // Measured data from the text of a CSV file; routings are words, and TR3 and TR5 names.
 #pragma once
 
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "core/notation.hpp"
+#include "diagnosis/dataset.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "tests/support/input_error.hpp"
 
@@ -15,6 +18,12 @@ inline MeasuredData read_data(const std::string& text) {
     if (routing == "TR5") return parse_routing("M-1-P-2-M");
     return parse_routing(routing);
   });
+}
+
+inline Dataset all_of(const MeasuredData& data) {
+  std::vector<std::size_t> readings(data.readings.size());
+  std::iota(readings.begin(), readings.end(), std::size_t{0});
+  return dataset(data, readings);
 }
 
 inline std::string data_error(const std::string& text) {

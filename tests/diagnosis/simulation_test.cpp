@@ -14,7 +14,7 @@
 namespace reeve::testing {
 namespace {
 
-const std::vector<std::string> three{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
+const std::vector<std::string> routings{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
 constexpr AddedNoise no_noise{0, 0};
 
 Model model_with(const ExperimentPlan& plan, const std::vector<NamedEffect>& causes) {
@@ -26,7 +26,7 @@ Model model_with(const ExperimentPlan& plan, const std::vector<NamedEffect>& cau
 }
 
 TEST(Simulation, WithoutNoiseAndCausesReadsThePlainModel) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.directions = {Direction::pull, Direction::release};
   const Simulation simulation = simulate(plan, {}, no_noise, 1);
   ASSERT_EQ(simulation.readings.size(), 240U);
@@ -46,7 +46,7 @@ TEST(Simulation, WithoutNoiseAndCausesReadsThePlainModel) {
 }
 
 TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.cycle = Levels{{0, 3000}, {}};
   const Model model = model_with(plan, {{"load_dependent_friction", {{"exponent", "0.15"}}},
                                         {"wear", {{"change", "-0.4"}, {"cycles", "500"}}},
@@ -90,7 +90,7 @@ struct Statistics {
 };
 
 Statistics statistics(const AddedNoise& noise) {
-  ExperimentPlan plan = plan_of(three);
+  ExperimentPlan plan = plan_of(three_routings);
   plan.runs = 120;
   plan.motor_tension_N = {{20, 60}, {}};
   const Simulation quiet = simulate(plan, {}, no_noise, 4);
@@ -124,7 +124,7 @@ TEST(Simulation, HasNoiseOfTheStandardDeviationsAskedFor) {
 }
 
 TEST(Simulation, CountsWhatItHadToClip) {
-  const ExperimentPlan plan = plan_of(three);
+  const ExperimentPlan plan = plan_of(three_routings);
   const Simulation simulation = simulate(plan, {}, {0, 2}, 1);
   std::size_t zeros = 0;
   for (const auto& tensions : simulation.tension_N) {
@@ -139,7 +139,7 @@ TEST(Simulation, CountsWhatItHadToClip) {
 
 // The diagnosis calibrates itself with noise from the first streams of its seed.
 TEST(Simulation, SharesNoNoiseWithReplicatesOfTheSameSeed) {
-  const ExperimentPlan plan = plan_of(three);
+  const ExperimentPlan plan = plan_of(three_routings);
   const Simulation quiet = simulate(plan, {}, no_noise, 1);
   const Simulation noisy = simulate(plan, {}, {0.01, 0}, 1);
   for (std::uint32_t stream = 0; stream < 1000; ++stream) {
@@ -153,7 +153,7 @@ TEST(Simulation, SharesNoNoiseWithReplicatesOfTheSameSeed) {
 }
 
 TEST(Simulation, IsDecidedByTheSeed) {
-  const ExperimentPlan plan = plan_of(three);
+  const ExperimentPlan plan = plan_of(three_routings);
   EXPECT_EQ(simulate(plan, {}, {}, 7).tension_N, simulate(plan, {}, {}, 7).tension_N);
   EXPECT_NE(simulate(plan, {}, {}, 7).tension_N, simulate(plan, {}, {}, 8).tension_N);
 }

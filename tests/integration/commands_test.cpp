@@ -11,10 +11,6 @@
 namespace reeve::testing {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
-
 TEST(Rank, FindsTr7BestAndExitsWithZero) {
   const ProcessResult result = reeve({"rank", "--catalog", "--format", "json"});
   EXPECT_EQ(result.exit_code, 0);
@@ -60,14 +56,6 @@ TEST(Show, NamesTheCanonicalWordWhereItIsAnother) {
 }
 
 const std::string example_model = std::string(REEVE_CATALOG_DIR) + "/model/example.toml";
-
-std::size_t occurrences(const std::string& text, const std::string& piece) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++count;
-  }
-  return count;
-}
 
 TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
   for (const Arguments& command : {Arguments{"show", "TR5"}, Arguments{"rank", "TR5", "TR7"}}) {

@@ -14,8 +14,6 @@
 namespace reeve::testing {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 TEST(ExploreFiles, AreTheseAndNothingElse) {
   const Explored explored({"--fingers", "2"});
   EXPECT_EQ(explored.result.exit_code, 0);

@@ -1,4 +1,4 @@
-// One run of `reeve explore` into a folder of its own.
+// One run of `reeve explore` into a folder of its own, and what the commands' tests share.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,6 +15,9 @@
 namespace reeve::testing {
 
 using Json = nlohmann::ordered_json;
+using Arguments = std::vector<std::string>;
+
+inline const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 struct Explored {
   TemporaryFolder folder;
@@ -44,6 +47,14 @@ struct Explored {
     return names;
   }
 };
+
+inline std::size_t occurrences(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
+    ++count;
+  }
+  return count;
+}
 
 // The third column of each line after the header. Names with commas are none of ours.
 inline std::vector<std::string> words(const std::string& csv) {

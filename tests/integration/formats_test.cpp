@@ -13,10 +13,6 @@
 namespace reeve::testing {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
-
 std::string output(Arguments arguments, const std::string& format) {
   const TemporaryFolder folder;
   ProcessOptions options;
@@ -26,14 +22,6 @@ std::string output(Arguments arguments, const std::string& format) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   return result.out;
-}
-
-std::size_t occurrences(const std::string& text, const std::string& piece) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++count;
-  }
-  return count;
 }
 
 std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {

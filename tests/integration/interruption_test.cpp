@@ -13,8 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-using Arguments = std::vector<std::string>;
-
 // Hours of work.
 const Arguments long_work{"--fingers", "9", "--parts", "full", "--threads", "2", "--top", "100"};
 // Half a megabyte of designs and more of summary.

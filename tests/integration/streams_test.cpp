@@ -59,7 +59,6 @@ TEST(FullStdout, IsAnError) {
   ProcessOptions options;
   options.directory = folder.path();
   options.stdout_to = "/dev/full";
-  using Arguments = std::vector<std::string>;
   for (const Arguments& arguments :
        {Arguments{"show", "TR1"}, Arguments{"show", "TR1", "--format", "dot"},
         Arguments{"rank", "--catalog"}, Arguments{"count"}, Arguments{"check"},

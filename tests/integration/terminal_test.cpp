@@ -15,10 +15,7 @@
 namespace reeve::testing {
 namespace {
 
-using Arguments = std::vector<std::string>;
 using Environment = std::map<std::string, std::string>;
-
-const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 std::string on_terminal(const Arguments& arguments, unsigned short width,
                         Environment environment = {}) {

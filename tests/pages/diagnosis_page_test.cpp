@@ -22,7 +22,7 @@ using testing::ReadMark;
 using testing::ReadPanel;
 using testing::ReadTick;
 
-const std::string hostile = "x\"y.a[0]</script><img src=x onerror=alert(1)>{{file}}";
+const std::string hostile_name = "x\"y.a[0]</script><img src=x onerror=alert(1)>{{file}}";
 
 // Two routings, readings in two runs of which one is held out.
 DiagnosisReport plain_report(std::size_t readings = 12) {
@@ -234,13 +234,13 @@ TEST(DiagnosisPage, DrawsResidualsOfNoColumnThatTheDataDoNotHave) {
 TEST(DiagnosisPage, TakesAnyNameOfTheUsers) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
-  report.data.file = report.data.runs[1] = hostile;
-  report.data.covariates = {hostile, "a.b[0]"};
+  report.data.file = report.data.runs[1] = hostile_name;
+  report.data.covariates = {hostile_name, "a.b[0]"};
   for (Reading& reading : report.data.readings) {
     reading.covariates = {static_cast<double>(reading.line), -static_cast<double>(reading.line)};
   }
-  report.result.notes = {{NoteKind::covariate, hostile, {2, 3}}};
-  const DiagnosisPage page = diagnosis_page({report, hostile, {}});
+  report.result.notes = {{NoteKind::covariate, hostile_name, {2, 3}}};
+  const DiagnosisPage page = diagnosis_page({report, hostile_name, {}});
   EXPECT_FALSE(has(page.html, "<img"));
   EXPECT_TRUE(has(page.html, "&lt;img"));
   const ReadPanel drawn = chart(page, "residuals-column-1").front();

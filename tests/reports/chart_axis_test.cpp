@@ -22,7 +22,7 @@ LaidAxis lay(const Axis& axis, double low, double high, double length = 400) {
   return lay_numbers(axis, {low, high}, {0, length, {}}, Along::x);
 }
 
-using Texts = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 TEST(ChartScale, GivesBackTheValueOfAPlace) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
@@ -51,12 +51,12 @@ TEST(ChartScale, IsLinearNearZeroAndLogarithmicBeyond) {
 
 TEST(ChartAxis, EndsAtATickThatIsNear) {
   const Axis axis;
-  const Texts to_nine{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
+  const Strings to_nine{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
   EXPECT_EQ(texts(lay(axis, 0.1, 9.4, 480)), to_nine);
   EXPECT_EQ(lay(axis, 0.1, 9.4, 480).scale.high, 9.4);
   EXPECT_EQ(lay(axis, 0.1, 9.6, 480).scale.high, 10);
   EXPECT_EQ(lay(axis, 0.1, 9.6, 480).scale.low, 0);
-  EXPECT_EQ(texts(lay(axis, 0, 68, 270)), (Texts{"0", "20", "40", "60"}));
+  EXPECT_EQ(texts(lay(axis, 0, 68, 270)), (Strings{"0", "20", "40", "60"}));
 }
 
 TEST(ChartAxis, EndsBeforeWhatIsImpossible) {
@@ -72,7 +72,7 @@ TEST(ChartAxis, EndsBeforeWhatIsImpossible) {
   const LaidAxis laid = lay(rank, 1, 37);
   EXPECT_EQ(laid.scale.low, 1);
   EXPECT_EQ(laid.scale.high, 37);
-  EXPECT_EQ(texts(laid), (Texts{"1", "10", "20", "30", "37"}));
+  EXPECT_EQ(texts(laid), (Strings{"1", "10", "20", "30", "37"}));
 }
 
 TEST(ChartAxis, ReachesWhatIsThereEvenIfItShouldBeImpossible) {

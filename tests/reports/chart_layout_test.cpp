@@ -23,7 +23,7 @@ struct Item {
   Box box;
 };
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap_visibly(const Box& a, const Box& b) {
   constexpr double touch = 0.01;
   return a.left < b.right - touch && b.left < a.right - touch && a.top < b.bottom - touch &&
          b.top < a.bottom - touch;
@@ -61,11 +61,12 @@ void expect_tidy(const ChartLayout& layout) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     EXPECT_TRUE(within(items[i].box, picture)) << items[i].text;
     for (std::size_t k = 0; k < i; ++k) {
-      EXPECT_FALSE(overlap(items[i].box, items[k].box)) << items[i].text << " | " << items[k].text;
+      EXPECT_FALSE(overlap_visibly(items[i].box, items[k].box))
+          << items[i].text << " | " << items[k].text;
     }
     for (const LaidPanel& panel : layout.panels) {
       const bool inside = within(items[i].box, panel.frame);
-      EXPECT_TRUE(inside || !overlap(items[i].box, panel.frame)) << items[i].text;
+      EXPECT_TRUE(inside || !overlap_visibly(items[i].box, panel.frame)) << items[i].text;
     }
   }
   for (std::size_t p = 0; p < layout.panels.size(); ++p) {

@@ -18,7 +18,7 @@ namespace {
 using testing::count;
 using testing::expect_well_formed;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 const std::string hostile = "<script>\"a\" & 'b'</script>\x01";
 
 // The group of that class, without what is around it.
@@ -36,10 +36,10 @@ Chart one_of_everything(const std::string& text) {
   style.dash = Dash::dashed;
   panel.layers = {
       {text + "0", style, Bands{{{0, 1, 2, text}}, Along::y}},
-      {text + "1", style, Bars{{{0, 3, text, ""}, {1, -2, "", ""}, {2, none, "", ""}}, {0, 2}}},
-      {text + "2", style, Spans{{{0, 1, 2, text}, {1, none, 3, ""}}, Along::y, {1, 2}}},
+      {text + "1", style, Bars{{{0, 3, text, ""}, {1, -2, "", ""}, {2, missing, "", ""}}, {0, 2}}},
+      {text + "2", style, Spans{{{0, 1, 2, text}, {1, missing, 3, ""}}, Along::y, {1, 2}}},
       {text + "3", style, Paths{{{{{0, 1}, {1, 2}, {2, 3}}, text}}, false}},
-      {text + "4", style, Points{{{0, 1, text, text}, {1, 2, "", ""}, {none, 2, "", "gone"}}}},
+      {text + "4", style, Points{{{0, 1, text, text}, {1, 2, "", ""}, {missing, 2, "", "gone"}}}},
       {text + "5", style, Rules{{{2.5, text, text}}, Along::y}},
       {text + "6", style, Texts{{{2, 1, "", text}}}}};
   Chart chart;
@@ -140,7 +140,8 @@ std::string commands(const Paths& paths) {
 }
 
 TEST(ChartSvg, BreaksALineWhereAValueIsMissing) {
-  const std::string broken = commands({{{{{0, 0}, {1, 1}, {2, none}, {3, 1}, {4, 2}}, ""}}, false});
+  const std::string broken =
+      commands({{{{{0, 0}, {1, 1}, {2, missing}, {3, 1}, {4, 2}}, ""}}, false});
   EXPECT_EQ(count(broken, "M"), 2U);
   EXPECT_EQ(count(broken, "L"), 2U);
 }

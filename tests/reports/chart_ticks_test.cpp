@@ -21,28 +21,28 @@ std::vector<std::string> texts(double low, double high, std::size_t most, bool w
   return result;
 }
 
-using Texts = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 TEST(NiceTicks, AreMultiplesOfOneTwoOrFive) {
-  EXPECT_EQ(texts(0, 1, 6), (Texts{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
-  EXPECT_EQ(texts(0, 1, 5), (Texts{"0.0", "0.5", "1.0"}));
+  EXPECT_EQ(texts(0, 1, 6), (Strings{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+  EXPECT_EQ(texts(0, 1, 5), (Strings{"0.0", "0.5", "1.0"}));
   EXPECT_EQ(texts(0, 1, 11).size(), 11U);
-  EXPECT_EQ(texts(0.02, 0.33, 6), (Texts{"0.0", "0.1", "0.2", "0.3", "0.4"}));
-  EXPECT_EQ(texts(105, 543, 6), (Texts{"100", "200", "300", "400", "500", "600"}));  // Heckbert's
-  EXPECT_EQ(texts(-5200, 26900, 5), (Texts{"−10000", "0", "10000", "20000", "30000"}));
+  EXPECT_EQ(texts(0.02, 0.33, 6), (Strings{"0.0", "0.1", "0.2", "0.3", "0.4"}));
+  EXPECT_EQ(texts(105, 543, 6), (Strings{"100", "200", "300", "400", "500", "600"}));  // Heckbert's
+  EXPECT_EQ(texts(-5200, 26900, 5), (Strings{"−10000", "0", "10000", "20000", "30000"}));
 }
 
 TEST(NiceTicks, TakeTheFinestStepThatFits) {
-  EXPECT_EQ(texts(0, 10, 6), (Texts{"0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(texts(0, 10, 6), (Strings{"0", "2", "4", "6", "8", "10"}));
   EXPECT_EQ(texts(0, 10, 7).size(), 6U);
   EXPECT_EQ(texts(0, 10, 11).size(), 11U);
-  EXPECT_EQ(texts(0.1, 9.9, 3), (Texts{"0", "5", "10"}));
+  EXPECT_EQ(texts(0.1, 9.9, 3), (Strings{"0", "5", "10"}));
 }
 
 TEST(NiceTicks, OfWholeThingsAreWhole) {
-  EXPECT_EQ(texts(3, 4, 9, true), (Texts{"3", "4"}));
-  EXPECT_EQ(texts(1, 7, 9, true), (Texts{"1", "2", "3", "4", "5", "6", "7"}));
-  EXPECT_EQ(texts(1, 40, 6, true), (Texts{"0", "10", "20", "30", "40"}));
+  EXPECT_EQ(texts(3, 4, 9, true), (Strings{"3", "4"}));
+  EXPECT_EQ(texts(1, 7, 9, true), (Strings{"1", "2", "3", "4", "5", "6", "7"}));
+  EXPECT_EQ(texts(1, 40, 6, true), (Strings{"0", "10", "20", "30", "40"}));
 }
 
 TEST(NiceTicks, CoverWhateverTheyAreGiven) {
@@ -51,7 +51,7 @@ TEST(NiceTicks, CoverWhateverTheyAreGiven) {
     const double low = size * normal(seed, 1, 1);
     const double high = low + size * std::pow(10, -6 * uniform(seed, 1, 2));
     const std::size_t most = 3 + static_cast<std::size_t>(9 * uniform(seed, 1, 3));
-    SCOPED_TRACE(testing::Message() << low << " to " << high << " by " << most);
+    SCOPED_TRACE(::testing::Message() << low << " to " << high << " by " << most);
     const Ticks ticks = nice_ticks({low, high}, most);
     ASSERT_GE(ticks.values.size(), 2U);
     EXPECT_LE(ticks.values.size(), most);

@@ -4,27 +4,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "search/checked.hpp"
 #include "tests/support/counting.hpp"
+#include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr FingerIdentity identities[] = {FingerIdentity::identical, FingerIdentity::distinct};
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 const std::string too_many =
     "these parts and fingers make more than 2^63 routings: fewer fingers or parts are needed";
@@ -127,24 +117,28 @@ TEST(Counting, WithoutJoinsEveryFingerHasItsOwnTendon) {
 }
 
 TEST(Counting, NumbersThatDoNotFitAreRefused) {
-  EXPECT_EQ(error_of([] { count_routings(full_parts(), 64, FingerIdentity::identical); }),
-            too_many);
-  EXPECT_EQ(error_of([] { count_routings(paper_parts(), 30, FingerIdentity::distinct); }),
-            too_many);
-  EXPECT_EQ(error_of([] { tendon_counts(full_parts(), 64, FingerIdentity::identical); }), too_many);
+  EXPECT_EQ(
+      testing::input_error([] { count_routings(full_parts(), 64, FingerIdentity::identical); }),
+      too_many);
+  EXPECT_EQ(
+      testing::input_error([] { count_routings(paper_parts(), 30, FingerIdentity::distinct); }),
+      too_many);
+  EXPECT_EQ(
+      testing::input_error([] { tendon_counts(full_parts(), 64, FingerIdentity::identical); }),
+      too_many);
 }
 
 TEST(Counting, CheckedNumbersThrowInsteadOfWrapping) {
   constexpr std::uint64_t half = std::uint64_t{1} << 62;
   EXPECT_EQ(plus(half, half - 1), 2 * half - 1);
-  EXPECT_EQ(error_of([&] { plus(half, half); }), too_many);
+  EXPECT_EQ(testing::input_error([&] { plus(half, half); }), too_many);
   EXPECT_EQ(times(half / 2, 3), half / 2 * 3);
-  EXPECT_EQ(error_of([&] { times(half, 2); }), too_many);
-  EXPECT_EQ(error_of([&] { times(half, half); }), too_many);
+  EXPECT_EQ(testing::input_error([&] { times(half, 2); }), too_many);
+  EXPECT_EQ(testing::input_error([&] { times(half, half); }), too_many);
   EXPECT_EQ(power(2, 62), half);
-  EXPECT_EQ(error_of([] { power(2, 63); }), too_many);
+  EXPECT_EQ(testing::input_error([] { power(2, 63); }), too_many);
   EXPECT_EQ(factorial(20), 2432902008176640000U);
-  EXPECT_EQ(error_of([] { factorial(21); }), too_many);
+  EXPECT_EQ(testing::input_error([] { factorial(21); }), too_many);
 }
 
 TEST(Counting, ChoicesOfThings) {

@@ -2,23 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Parts, PaperPartsAreTheFourOfThePaper) {
   const PartSet parts = paper_parts();
@@ -53,32 +43,32 @@ TEST(Parts, ParsedListsAreSortedAndWithoutRepeats) {
 }
 
 TEST(Parts, UnknownItemsAreNamedWithWhatWasExpected) {
-  EXPECT_EQ(error_of([] { parse_tips("tube,ring"); }),
+  EXPECT_EQ(testing::input_error([] { parse_tips("tube,ring"); }),
             "--tips 'tube,ring': 'ring': expected a comma-separated list of tube, bearing");
-  EXPECT_EQ(error_of([] { parse_joins("T,X,P"); }),
+  EXPECT_EQ(testing::input_error([] { parse_joins("T,X,P"); }),
             "--joins 'T,X,P': 'X': expected a comma-separated list of T, B, P");
-  EXPECT_EQ(error_of([] { parse_ends("m"); }),
+  EXPECT_EQ(testing::input_error([] { parse_ends("m"); }),
             "--ends 'm': 'm': expected a comma-separated list of M, F");
 }
 
 TEST(Parts, EmptyItemsAndBlanksAreErrors) {
-  EXPECT_EQ(error_of([] { parse_joins(","); }),
+  EXPECT_EQ(testing::input_error([] { parse_joins(","); }),
             "--joins ',': '': expected a comma-separated list of T, B, P");
-  EXPECT_EQ(error_of([] { parse_tips("tube,"); }),
+  EXPECT_EQ(testing::input_error([] { parse_tips("tube,"); }),
             "--tips 'tube,': '': expected a comma-separated list of tube, bearing");
-  EXPECT_EQ(error_of([] { parse_ends("M,,F"); }),
+  EXPECT_EQ(testing::input_error([] { parse_ends("M,,F"); }),
             "--ends 'M,,F': '': expected a comma-separated list of M, F");
-  EXPECT_EQ(error_of([] { parse_joins("T, P"); }),
+  EXPECT_EQ(testing::input_error([] { parse_joins("T, P"); }),
             "--joins 'T, P': ' P': expected a comma-separated list of T, B, P");
 }
 
 TEST(Parts, SomeRoutingMustBePossible) {
   const PartSet paper = paper_parts();
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(testing::input_error([&] {
               validate({{}, paper.joins, paper.ends});
             }),
             "--tips '': expected at least one of tube, bearing");
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(testing::input_error([&] {
               validate({paper.tips, {}, {}});
             }),
             "--joins '' --ends '': expected at least one join or one end");

@@ -42,7 +42,7 @@ std::string order(const std::vector<Design>& designs, const std::vector<Objectiv
   return text;
 }
 
-const std::vector<Objective> both{Objective::uniformity_mean, Objective::efficiency_mean};
+const std::vector<Objective> both_means{Objective::uniformity_mean, Objective::efficiency_mean};
 
 // Few values, so that every rule is needed.
 std::vector<Design> random_designs(std::mt19937_64& engine, std::size_t count) {
@@ -69,7 +69,7 @@ TEST(Ranking, Rule2TheGreaterProductOfUniformityAndEfficiencyComesFirst) {
   const std::vector<Design> designs{design("a", {0.9, 0.1, 0, 0, 0}),
                                     design("b", {0.1, 0.8, 0, 0, 0}),
                                     design("c", {0.5, 0.5, 4, 2, 1})};
-  EXPECT_EQ(order(designs, both), "c1 a1 b1");
+  EXPECT_EQ(order(designs, both_means), "c1 a1 b1");
 }
 
 TEST(Ranking, Rule2UsesMeanUniformityAndEfficiencyWhateverTheObjectives) {
@@ -82,14 +82,14 @@ TEST(Ranking, Rule3FewerPartsComeFirstOfWhicheverKind) {
       design("a", {0.5, 0.5, 2, 2, 0}), design("b", {0.5, 0.5, 1, 1, 1}),
       design("c", {0.5, 0.5, 0, 0, 2}), design("d", {0.5, 0.5, 1, 0, 0}),
       design("e", {0.5, 0.5, 5, 0, 0}), design("f", {0.5, 0.5, 0, 6, 0})};
-  EXPECT_EQ(order(designs, both), "d1 c1 b1 a1 e1 f1");
+  EXPECT_EQ(order(designs, both_means), "d1 c1 b1 a1 e1 f1");
 }
 
 TEST(Ranking, Rule4TheWordDecidesByteByByte) {
   const std::vector<Design> designs{design("M-2-F", {}), design("M-10-F", {}),
                                     design("1-P-1", {}), design("M-1-M", {}),
                                     design("M-1-F", {}), design("M-1-F+M-2-F", {})};
-  EXPECT_EQ(order(designs, both), "1-P-11 M-1-F1 M-1-F+M-2-F1 M-1-M1 M-10-F1 M-2-F1");
+  EXPECT_EQ(order(designs, both_means), "1-P-11 M-1-F1 M-1-F+M-2-F1 M-1-M1 M-10-F1 M-2-F1");
 }
 
 TEST(Ranking, ProductBreaksTiesBeforePartsAndPartsBeforeTheWord) {
@@ -100,7 +100,7 @@ TEST(Ranking, ProductBreaksTiesBeforePartsAndPartsBeforeTheWord) {
 
 TEST(Ranking, RanksCountFromOneWithoutGapsAndFrontsNeverFall) {
   std::mt19937_64 engine(3);
-  const std::vector<RankedDesign> ranked = rank(random_designs(engine, 300), both);
+  const std::vector<RankedDesign> ranked = rank(random_designs(engine, 300), both_means);
   ASSERT_EQ(ranked.size(), 300U);
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     EXPECT_EQ(ranked[i].rank, i + 1);
@@ -124,7 +124,7 @@ TEST(Ranking, WithinAFrontEveryTwoDesignsHaveAnOrder) {
 TEST(Ranking, DoesNotDependOnTheOrderOfTheInput) {
   std::mt19937_64 engine(5);
   for (const std::vector<Objective>& objectives :
-       {both, std::vector<Objective>{Objective::travel},
+       {both_means, std::vector<Objective>{Objective::travel},
         std::vector<Objective>{Objective::sheaths, Objective::pulleys, Objective::travel}}) {
     std::vector<Design> designs = random_designs(engine, 150);
     const std::string expected = order(designs, objectives);
@@ -138,7 +138,7 @@ TEST(Ranking, DoesNotDependOnTheOrderOfTheInput) {
 TEST(Ranking, KeepsWordAndValuesTogether) {
   std::mt19937_64 engine(6);
   const std::vector<Design> designs = random_designs(engine, 60);
-  for (const RankedDesign& ranked : rank(designs, both)) {
+  for (const RankedDesign& ranked : rank(designs, both_means)) {
     const auto original = std::find_if(designs.begin(), designs.end(), [&](const Design& design) {
       return design.word == ranked.design.word;
     });
@@ -147,7 +147,7 @@ TEST(Ranking, KeepsWordAndValuesTogether) {
   }
 }
 
-TEST(Ranking, OfNothingIsEmpty) { EXPECT_TRUE(rank({}, both).empty()); }
+TEST(Ranking, OfNothingIsEmpty) { EXPECT_TRUE(rank({}, both_means).empty()); }
 
 }  // namespace
 }  // namespace reeve

@@ -11,19 +11,16 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluation.hpp"
+#include "tests/search/published_words.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::published_words;
+
 std::vector<RankDistribution> drawn(const std::vector<Design>& designs,
                                     const UncertaintyOptions& options) {
   return rank_distributions(designs, options).value();
-}
-
-const std::vector<std::string>& published() {
-  static const std::vector<std::string> words{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
-                                              "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
-  return words;
 }
 
 std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardware& hardware,
@@ -46,7 +43,7 @@ UncertaintyOptions options_for(std::size_t draws) {
 }
 
 std::vector<Design> designs_of(const UncertaintyOptions& options,
-                               const std::vector<std::string>& words = published()) {
+                               const std::vector<std::string>& words = published_words()) {
   return evaluated(words, options.nominal.hardware, options.grasps);
 }
 
@@ -281,7 +278,7 @@ TEST(Uncertainty, Tr7IsFirstInEveryDraw) {
     EXPECT_EQ(distributions.back().first, 1);
     EXPECT_EQ(distributions.back().high, 1);
     for (std::size_t i = 0; i + 1 < distributions.size(); ++i) {
-      EXPECT_EQ(distributions[i].first, 0) << published()[i];
+      EXPECT_EQ(distributions[i].first, 0) << published_words()[i];
     }
   }
 }

@@ -10,22 +10,20 @@
 #include "core/notation.hpp"
 #include "search/evaluation.hpp"
 #include "search/ranking.hpp"
+#include "tests/search/published_words.hpp"
 
 namespace reeve {
 namespace {
 
-const std::vector<std::string>& published() {
-  static const std::vector<std::string> words{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
-                                              "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
-  return words;
-}
-const std::string& tr1() { return published().front(); }
-const std::string& tr7() { return published().back(); }
+using testing::published_words;
+
+const std::string& tr1() { return published_words().front(); }
+const std::string& tr7() { return published_words().back(); }
 
 std::vector<Design> evaluated(const Hardware& hardware, const GraspSet& grasps) {
   DesignEvaluator evaluator(hardware, grasps);
   std::vector<Design> designs;
-  for (const std::string& word : published()) {
+  for (const std::string& word : published_words()) {
     designs.push_back({word, evaluator.evaluate(parse_routing(word))});
   }
   return designs;

@@ -16,7 +16,7 @@
 namespace reeve::testing {
 namespace {
 
-struct Kinds {
+struct PartKinds {
   std::size_t tips;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
@@ -24,16 +24,16 @@ struct Kinds {
   std::size_t motor_ends;
 };
 
-std::size_t checked(int kinds) {
+std::size_t checked_kinds(int kinds) {
   if (kinds < 0) throw std::invalid_argument("number of part kinds is negative");
   return static_cast<std::size_t>(kinds);
 }
 
-Kinds kinds_of(const CountedParts& parts) {
-  const std::size_t passive_joins = checked(parts.passive_joins);
-  const std::size_t motor_ends = checked(parts.motor_ends);
-  return {checked(parts.tube_like_tips), passive_joins + checked(parts.motor_joins), passive_joins,
-          motor_ends + checked(parts.fixed_ends), motor_ends};
+PartKinds kinds_of(const CountedParts& parts) {
+  const std::size_t passive_joins = checked_kinds(parts.passive_joins);
+  const std::size_t motor_ends = checked_kinds(parts.motor_ends);
+  return {checked_kinds(parts.tube_like_tips), passive_joins + checked_kinds(parts.motor_joins),
+          passive_joins, motor_ends + checked_kinds(parts.fixed_ends), motor_ends};
 }
 
 // The definition, literally. Finger f (from 0) has the strands 2f and 2f + 1. A strand that is its
@@ -48,7 +48,7 @@ using Visitor = std::function<void(const Assignment&)>;
 
 class Enumeration {
  public:
-  Enumeration(const Kinds& kinds, std::size_t fingers, const Visitor& visit)
+  Enumeration(const PartKinds& kinds, std::size_t fingers, const Visitor& visit)
       : kinds_(kinds),
         visit_(visit),
         current_{std::vector<std::size_t>(fingers), std::vector<std::size_t>(2 * fingers),
@@ -93,7 +93,7 @@ class Enumeration {
     current_.hand_kind[strand] = kind;
   }
 
-  const Kinds& kinds_;
+  const PartKinds& kinds_;
   const Visitor& visit_;
   Assignment current_;
   std::vector<bool> taken_;  // already joined to an earlier strand
@@ -112,7 +112,7 @@ using Vertex = Graph::vertex_descriptor;
 // differ by the colours of their tips; their two strands stay alike.
 class Palette {
  public:
-  Palette(const Kinds& kinds, std::size_t fingers, bool identical_fingers)
+  Palette(const PartKinds& kinds, std::size_t fingers, bool identical_fingers)
       : kinds_(kinds), fingers_(fingers), identical_fingers_(identical_fingers) {}
 
   static Part strand() { return {0, false}; }
@@ -129,7 +129,7 @@ class Palette {
  private:
   std::size_t first_tip() const { return 1 + kinds_.ends + kinds_.joins; }
 
-  Kinds kinds_;
+  PartKinds kinds_;
   std::size_t fingers_;
   bool identical_fingers_;
 };
@@ -234,7 +234,7 @@ BruteForceCounts brute_force_counts(const CountedParts& parts, int fingers,
                                     bool identical_fingers) {
   if (fingers < 1) throw std::invalid_argument("number of fingers is less than 1");
   const auto n = static_cast<std::size_t>(fingers);
-  const Kinds kinds = kinds_of(parts);
+  const PartKinds kinds = kinds_of(parts);
   const Palette palette(kinds, n, identical_fingers);
 
   BruteForceCounts counts;

@@ -27,4 +27,6 @@ inline ExperimentPlan plan_of(const std::vector<std::string>& words) {
   return plan;
 }
 
+inline const std::vector<std::string> three_routings{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
+
 }  // namespace reeve::testing

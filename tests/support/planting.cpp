@@ -70,13 +70,25 @@ bool is_seized(const Truth& truth, const std::string& word) {
                      [&](const SeizedContact& contact) { return contact.word == word; });
 }
 
+// The truth, and without each of its effects, by which their visibility is judged.
+std::vector<Truth> truths_of(const std::vector<PlantedEffect>& effects) {
+  std::vector<Truth> truths;
+  for (std::size_t i = 0; i <= effects.size(); ++i) truths.push_back(truth_without(effects, i));
+  return truths;
+}
+
 // Nobody would measure what the carriage does not pull tight, or what the sensors cannot tell from
 // 0; but a seized contact may leave anything slack.
-Experiment without_slack_rows(const Experiment& experiment, const Truth& truth,
-                              double least_reading_N) {
+Experiment without_slack_rows(const Experiment& experiment,
+                              const std::vector<PlantedEffect>& effects, double least_reading_N) {
+  const std::vector<Truth> truths = truths_of(effects);
+  const Truth& truth = truths.back();
   Experiment tight;
   for (const ExperimentRow& row : experiment.rows) {
-    if (!goes_slack(truth.nature, row.condition)) tight.rows.push_back(row);
+    const bool slack = std::any_of(truths.begin(), truths.end(), [&](const Truth& of) {
+      return goes_slack(of.nature, row.condition);
+    });
+    if (!slack) tight.rows.push_back(row);
   }
   tight.channels = channels_of(tight.rows);
   const Readings readings = expected_readings(truth, tight);
@@ -134,8 +146,7 @@ Planted plant(const PlantingPlan& plan, std::uint64_t seed) {
       effects.push_back(draw_effect(kind, plan.size, experiment, dice));
     }
   } while (needs_another_experiment(effects));
-  const Truth truth = truth_without(effects, effects.size());
-  return measure(without_slack_rows(experiment, truth, 3 * plan.noise.absolute_N), effects,
+  return measure(without_slack_rows(experiment, effects, 3 * plan.noise.absolute_N), effects,
                  plan.noise, seed);
 }
 

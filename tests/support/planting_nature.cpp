@@ -39,7 +39,7 @@ double condition_factor(const Nature& nature, const Condition& condition) {
 }
 
 // One contact, named by the routing's own segments.
-struct ContactLaw {
+struct PlantedLaw {
   double phi;       // but for the load
   double exponent;  // gamma
   double force_N;
@@ -68,7 +68,7 @@ double sheath_change(const Nature& nature, const ContactName& name) {
   return found == nature.sheath_change_rad.end() ? 0 : found->second;
 }
 
-ContactLaw law_of(const std::string& kind, const ContactName& name, const Nature& nature,
+PlantedLaw law_of(const std::string& kind, const ContactName& name, const Nature& nature,
                   double condition) {
   const double half_turn = std::numbers::pi;
   if (kind == "bearing") return {nature.bearing_mu * half_turn, 0, nature.drag_force_N};
@@ -79,9 +79,9 @@ ContactLaw law_of(const std::string& kind, const ContactName& name, const Nature
 }
 
 // A routing, perhaps cut, in one condition.
-class Problem {
+class NatureProblem {
  public:
-  Problem(const Nature& nature, const Condition& condition, const CutRouting& cut)
+  NatureProblem(const Nature& nature, const Condition& condition, const CutRouting& cut)
       : condition_(condition), cut_(cut) {
     hardware_ = nominal_hardware();
     hardware_.length_override = [this](const std::string& segment, double nominal) {
@@ -103,8 +103,8 @@ class Problem {
     }
   }
 
-  Problem(const Problem&) = delete;
-  Problem& operator=(const Problem&) = delete;
+  NatureProblem(const NatureProblem&) = delete;
+  NatureProblem& operator=(const NatureProblem&) = delete;
 
   const ReferenceResult& fixed_point() {
     for (int step = 0; step < 4000; ++step) {
@@ -153,7 +153,7 @@ class Problem {
   const CutRouting& cut_;
   ReferenceHardware hardware_{};
   ReferenceResult result_{};
-  std::map<ContactName, ContactLaw> laws_;
+  std::map<ContactName, PlantedLaw> laws_;
   Exponents phi_;
 };
 
@@ -193,7 +193,7 @@ std::map<std::string, double> planted_tensions(const Nature& nature, const Condi
     tension.at(cut.blocked) = condition.motor_tension_N;
     return tension;
   }
-  Problem problem(nature, condition, cut);
+  NatureProblem problem(nature, condition, cut);
   const ReferenceResult& result = problem.fixed_point();
   for (const auto& [segment, original] : cut.segment) {
     tension.at(original) = condition.motor_tension_N * result.tension.at(segment);
@@ -208,7 +208,7 @@ bool goes_slack(const Nature& nature, const Condition& recorded) {
   const Condition condition = actual(nature, recorded);
   const CutRouting cut = cut_of(nature, condition.word);
   if (cut.word.empty()) return false;
-  Problem problem(nature, condition, cut);
+  NatureProblem problem(nature, condition, cut);
   try {
     problem.fixed_point();
   } catch (const std::runtime_error&) {

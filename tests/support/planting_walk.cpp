@@ -7,7 +7,7 @@
 namespace reeve::testing {
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
+std::vector<std::string> split_at(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
@@ -47,7 +47,7 @@ void pass(std::size_t token, Names& names, Walk& walk) {
 
 Walk walk_of(const std::string& word, Names& names) {
   Walk walk;
-  walk.tokens = split(word, '-');
+  walk.tokens = split_at(word, '-');
   const auto& tokens = walk.tokens;
   const std::size_t last = tokens.size() - 1;
   walk.loop = finger_of_token(tokens[0]) != 0;
@@ -76,7 +76,7 @@ std::string Walk::link_name(std::size_t k) const {
 std::vector<Walk> walks_of(const std::string& word) {
   std::vector<Walk> walks;
   Names names;
-  for (const std::string& part : split(word, '+')) walks.push_back(walk_of(part, names));
+  for (const std::string& part : split_at(word, '+')) walks.push_back(walk_of(part, names));
   return walks;
 }
 

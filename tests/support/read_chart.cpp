@@ -128,7 +128,7 @@ void sort_in(const Tag& tag, ReadPanel& panel) {
   if (ends && tag.attributes.at("text-anchor") == "middle") panel.x.push_back({x, tag.text});
 }
 
-class Reader {
+class ChartReader {
  public:
   std::vector<ReadPanel> read(const std::string& svg) {
     Tags tags(svg);
@@ -204,7 +204,7 @@ std::vector<ReadMark> ReadPanel::marks(const std::string& kind, const std::strin
 }
 
 std::vector<ReadPanel> read_chart(const std::string& svg) {
-  std::vector<ReadPanel> panels = Reader().read(svg);
+  std::vector<ReadPanel> panels = ChartReader().read(svg);
   for (std::size_t i = 1; i < panels.size(); ++i) {
     if (!panels[i].y.empty()) continue;
     panels[i].y = panels[i - 1].y;
