@@ -1,0 +1,161 @@
+#include "diagnosis/cause_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Changed = std::function<void(Problem&, const Model&)>;
+using Causes = std::vector<const PatternCause*>;
+
+const PatternCause on_T1("on_T1", {1});
+const PatternCause on_T2("on_T2", {0, 1});
+const PatternCause on_T3("on_T3", {0, 0, 1});
+
+CauseSearchResult found(
+    Bench& bench, const Causes& causes, const CauseSearchOptions& options = {},
+    const Changed& changed = [](Problem&, const Model&) {}) {
+  std::vector<Candidate> candidates;
+  for (const PatternCause* cause : causes) candidates.push_back(cause->candidate());
+  Workers workers(1);
+  return *search_causes(bench.problem, {}, candidates, options, workers, changed,
+                        [] { return false; });
+}
+
+std::vector<std::string> names(const CauseSearchResult& result) {
+  std::vector<std::string> names;
+  for (const AcceptedCause& accepted : result.accepted) names.push_back(name(accepted.effect));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(CauseSearch, AcceptsEachCauseThatTheDataHaveAndFitsIt) {
+  Bench bench({1, 0.4});
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3});
+  ASSERT_EQ(names(result), (Names{"on_T1", "on_T2"}));
+  EXPECT_EQ(name(result.accepted[0].effect), "on_T1");
+  ASSERT_EQ(result.model.effects.size(), 2U);
+  // Means of 30 readings.
+  const double sd = bench_noise_N / std::sqrt(30);
+  EXPECT_NEAR(result.model.effects[0].values[0], 1, 4 * sd);
+  EXPECT_NEAR(result.model.effects[1].values[0], 0.4, 4 * sd);
+  EXPECT_GT(result.p_value_of_next, 0.01);
+}
+
+// In noise alone: with alpha 1 whatever is best is accepted, with alpha 0 nothing is.
+TEST(CauseSearch, AcceptsTheFirstCauseAtAlphaAndFurtherOnesAtTheirOwn) {
+  CauseSearchOptions first_only;
+  first_only.alpha = 1;
+  first_only.further_alpha = 0;
+  CauseSearchOptions all = first_only;
+  all.further_alpha = 1;
+  CauseSearchOptions none;
+  none.alpha = 0;
+  none.further_alpha = 1;
+  std::size_t more_than_one = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto accepted = [&](const CauseSearchOptions& options) {
+      Bench bench(Pattern{}, {5, 6, seed});
+      return found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.size();
+    };
+    EXPECT_EQ(accepted(first_only), 1U) << seed;
+    EXPECT_EQ(accepted(none), 0U) << seed;
+    more_than_one += accepted(all) > 1 ? 1 : 0;
+  }
+  EXPECT_GT(more_than_one, 5U);
+}
+
+// Of 200 sets of noise alone: as many alarms as alpha says, within three standard deviations.
+TEST(CauseSearch, IsAlarmedByNoiseAsOftenAsAlphaSays) {
+  constexpr int sets = 200;
+  CauseSearchOptions options;
+  options.alpha = 0.2;
+  options.replicates = 100;
+  options.most_causes = 1;
+  int alarms = 0;
+  for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+    Bench bench(Pattern{}, {5, 4, 1000 + seed});
+    options.seed = seed;
+    alarms += found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.empty() ? 0 : 1;
+  }
+  EXPECT_NEAR(alarms, 0.2 * sets, 3 * std::sqrt(0.2 * 0.8 * sets));
+}
+
+// To first order an offset of 0.3 N explains everything; but the cause cannot be larger than 2 mN.
+TEST(CauseSearch, DoesNotAcceptWhatGainsTooLittleOnceItIsFittedInFull) {
+  const PatternCause small("small", {1}, {0, 0.002});
+  Bench bench({0.3});
+  const CauseSearchResult result = found(bench, {&small});
+  EXPECT_TRUE(result.accepted.empty());
+  EXPECT_TRUE(result.model.effects.empty());
+  EXPECT_LT(result.p_value_of_next, 0.01);
+}
+
+// Alone, the pattern of all three explains more of 1, 1, 0 N than either offset; beside one of
+// them, the other does.
+TEST(CauseSearch, GivesAPlaceToWhatExplainsMoreBesideTheOthers) {
+  const PatternCause all("all", {1, 1, 1});
+  Bench alone({1, 1});
+  CauseSearchOptions options;
+  options.most_causes = 1;
+  EXPECT_EQ(names(found(alone, {&all, &on_T1, &on_T2}, options)), Names{"all"});
+  Bench bench({1, 1});
+  options.most_causes = 2;
+  EXPECT_EQ(names(found(bench, {&all, &on_T1, &on_T2}, options)), (Names{"on_T1", "on_T2"}));
+}
+
+// Once the second cause is known, T1 turns out to scatter by 1.5 N: an offset of 0.3 N is nothing.
+TEST(CauseSearch, DropsACauseThatNoLongerGainsEnough) {
+  Bench bench({0.3, 0.2});
+  const auto scatter = [&](Problem& problem, const Model& model) {
+    if (model.effects.size() < 2) return;
+    for (std::size_t i = 0; i < bench.dataset.cells.size(); ++i) {
+      if (bench.dataset.cells[i].channel == 0)
+        problem.deviation_N[static_cast<Eigen::Index>(i)] = 1.5;
+    }
+  };
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2}, {}, scatter);
+  EXPECT_EQ(names(result), Names{"on_T2"});
+  EXPECT_EQ(result.model.effects.size(), 1U);
+}
+
+// x = 2 on_T1 + on_T2 - 0.8 on_T3, so that x + 1.6 on_T3 is (2, 1, 0.8) N, which the three offsets
+// explain one after the other, each more than x would.
+const PatternCause x("x", {2, 1, -0.8});
+
+TEST(CauseSearch, PrefersTwoCausesThatExplainWhatThreeDo) {
+  Bench bench({2, 1, 0.8});
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3, &x});
+  EXPECT_EQ(names(result), (Names{"on_T3", "x"}));
+  EXPECT_EQ(result.model.effects.size(), 2U);
+}
+
+TEST(CauseSearch, KeepsThreeCausesWhereNoTwoExplainAsMuch) {
+  Bench bench({2, 1.5, 0.8});
+  EXPECT_EQ(found(bench, {&on_T1, &on_T2, &on_T3, &x}).accepted.size(), 3U);
+}
+
+TEST(CauseSearch, AcceptsNoMoreCausesThanItMay) {
+  Bench bench({2, 1.5, 0.8});
+  CauseSearchOptions options;
+  options.most_causes = 2;
+  EXPECT_EQ(names(found(bench, {&on_T1, &on_T2, &on_T3}, options)), (Names{"on_T1", "on_T2"}));
+}
+
+TEST(CauseSearch, GivesNothingOnceItIsStopped) {
+  Bench bench({1});
+  Workers workers(1);
+  const auto result = search_causes(
+      bench.problem, {}, {on_T1.candidate()}, {}, workers, [](Problem&, const Model&) {},
+      [] { return true; });
+  EXPECT_FALSE(result.has_value());
+}
+
+}  // namespace
+}  // namespace reeve::testing
