@@ -123,6 +123,23 @@ TEST(Noise, AllowsForWhatTheRegressionTakes) {
   EXPECT_NEAR(noise->deviation(6), 6 * relative, 0.1 * 6 * relative);
 }
 
+// Noise in proportion alone: a reading of 0 still must not weigh infinitely.
+TEST(Noise, IsNeverLessThanAThousandthOfTheMedianReading) {
+  std::string text = "run,routing,motor_tension_N,T1_N,T3_N\n";
+  for (int i = 0; i < 200; ++i) {
+    const auto index = static_cast<std::uint64_t>(i);
+    text += fmt::format("1,TR3,{},{},{}\n", 20 + i % 2, 5 * (1 + relative * normal(7, 9, index)),
+                        1e-4 * (1 + relative * normal(7, 10, index)));
+  }
+  const MeasuredData data = read_data(text);
+  const auto noise = noise_without_model(all_of(data));
+  ASSERT_TRUE(noise.has_value());
+  // The median of as many readings about 5 N as about 0.1 mN is the least of the former, or so.
+  EXPECT_GT(noise->absolute_N, 1e-3 * 4);
+  EXPECT_LT(noise->absolute_N, 1e-3 * 5);
+  EXPECT_NEAR(noise->relative, relative, 0.15 * relative);
+}
+
 TEST(Noise, OfTooFewReadingsNeedsAModel) {
   const MeasuredData data = read_data(rows(8, [](int i) { return 10.0 + i; }));
   EXPECT_FALSE(noise_without_model(all_of(data)).has_value());
