@@ -97,6 +97,36 @@ TEST(CauseSearch, DoesNotAcceptWhatGainsTooLittleOnceItIsFittedInFull) {
   EXPECT_LT(result.p_value_of_next, 0.01);
 }
 
+// Its first step is a thousandth on T2, its size squared on T1.
+class Late final : public Cause {
+ public:
+  const char* name() const override { return "late"; }
+  Reach reach() const override { return Reach::reading; }
+  const char* meaning() const override { return ""; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"size", "N", 0, {0, 5}, std::nullopt}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
+    const double x = effect.values[0];
+    return tension_N + (segment.number == 1 ? x * x : segment.number == 2 ? 1e-3 * x : 0);
+  }
+};
+
+// Chance is judged by what the screening sees, in the replicates as in the data: a fit that finds
+// more than that has no replicates to be compared with.
+TEST(CauseSearch, DoesNotAcceptWhatTheScreeningTakesForChance) {
+  const Late late;
+  Workers workers(1);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Bench bench({1}, {5, 6, seed});
+    const auto result = search_causes(
+        bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
+        [](Problem&, const Model&) {}, [] { return false; });
+    for (const AcceptedCause& cause : result->accepted) EXPECT_LE(cause.p_value, 0.05) << seed;
+  }
+}
+
 // Alone, the pattern of all three explains more of 1, 1, 0 N than either offset; beside one of
 // them, the other does.
 TEST(CauseSearch, GivesAPlaceToWhatExplainsMoreBesideTheOthers) {

@@ -50,6 +50,18 @@ TEST(Noise, IsFoundInRepeats) {
   EXPECT_NEAR(noise->absolute_N, absolute, 0.15 * absolute);
 }
 
+// Two readings are half a difference from their mean. 400 pairs: 3.5 % of what is found.
+TEST(Noise, IsFoundInPairs) {
+  const MeasuredData data =
+      read_data(rows(400, [](int i) { return 10.0 + 0.1 * static_cast<double>(i / 2); }));
+  const auto noise = noise_without_model(all_of(data));
+  ASSERT_TRUE(noise.has_value());
+  EXPECT_EQ(noise->source, NoiseSource::repeats);
+  EXPECT_NEAR(noise->degrees_of_freedom, 400, 1e-6);
+  EXPECT_NEAR(noise->deviation(20), std::hypot(20 * relative, absolute),
+              0.12 * std::hypot(20 * relative, absolute));
+}
+
 TEST(Noise, IsFoundBesideASmoothLaw) {
   const MeasuredData data = read_data(
       rows(600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));
