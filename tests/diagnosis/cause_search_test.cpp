@@ -97,7 +97,7 @@ TEST(CauseSearch, DoesNotAcceptWhatGainsTooLittleOnceItIsFittedInFull) {
   EXPECT_LT(result.p_value_of_next, 0.01);
 }
 
-// Its first step is a thousandth on T2, its size squared on T1.
+// Its first step is a thousandth on T2; on T1 it is its size cubed.
 class Late final : public Cause {
  public:
   const char* name() const override { return "late"; }
@@ -109,7 +109,7 @@ class Late final : public Cause {
   std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     const double x = effect.values[0];
-    return tension_N + (segment.number == 1 ? x * x : segment.number == 2 ? 1e-3 * x : 0);
+    return tension_N + (segment.number == 1 ? x * x * x : segment.number == 2 ? 1e-3 * x : 0);
   }
 };
 
