@@ -101,7 +101,8 @@ TEST(Projection, MakesNothingOfWhatTheParametersExplain) {
 
 TEST(OrthonormalBasis, LeavesOutWhatOtherColumnsExplain) {
   Eigen::MatrixXd columns(4, 3);
-  columns << 1, 0, 1e6, 1, 1, 3e6, 0, 0, 0, 0, 2, 4e6;  // the third is 1e6 and 2e6 of the others
+  columns << 1, 0, 0, 0.3, 1.7, 0, 0.7, 0.1, 0, 0.2, 2.9, 0;
+  columns.col(2) = 1e6 * (std::numbers::sqrt2 * columns.col(0) + std::numbers::pi * columns.col(1));
   const Eigen::MatrixXd basis = orthonormal_basis(columns);
   ASSERT_EQ(basis.cols(), 2);
   EXPECT_TRUE((basis.transpose() * basis).isApprox(Eigen::Matrix2d::Identity(), 1e-12));

@@ -197,6 +197,22 @@ TEST(Structure, FollowsDriftsAndWavesAlongTheOrderOfTheRows) {
   }
 }
 
+// From the first reading to the last: 20 of them, two strands each.
+TEST(Structure, LooksForADriftAsAWaveOfHalfATurn) {
+  const Setting setting(two_strands(20, [](int) { return "M-1-T-2-F,1,pull,20"; }));
+  const auto tests = setting.tests();
+  const StructureTest* order = test_about(tests, "order of the rows");
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->patterns.cols(), 20);  // ten frequencies
+  Eigen::VectorXd drift(40);
+  for (Eigen::Index i = 0; i < 40; ++i) {
+    drift[i] =
+        setting.at.reading_N[i] * std::cos(std::numbers::pi * static_cast<double>(i / 2) / 20);
+  }
+  drift.normalize();
+  EXPECT_NEAR(order->patterns.col(0).dot(drift), 1, 1e-9);
+}
+
 std::string with_conditions(int rows) {
   std::string csv =
       "run,routing,motor_tension_N,speed_mm_s,cycle,temperature_C,humidity,T1_N,T2_N\n";
