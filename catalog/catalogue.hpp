@@ -4,6 +4,7 @@
 //   title, source, notes
 //   held            fingers held in the grasp of [table] and [closed_form]
 //   [table]         source, tension, share_percent: printed numbers, as strings
+//   [[lines]]       source, mu, share_percent, read_to_percent: what a figure draws of the model
 //   [closed_form]   source, strand, carriage: counts of losses { tube, bearing, sheath }
 //   [[fault]]       kind = "factor" | "repeats" | "proportional" | "reversed_contact"
 //   (published.hpp)
@@ -33,6 +34,7 @@ struct CatalogueEntry {
   std::string notes;
   Grasp grasp;  // of the published numbers
   std::optional<PublishedTable> table;
+  std::vector<PublishedLines> lines;
   std::optional<ClosedForm> closed_form;
   std::vector<Fault> faults;
   std::vector<Misprint> misprints;

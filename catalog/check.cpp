@@ -30,13 +30,13 @@ class EntryCheck {
 
  private:
   void add(CheckItem item);
-  CheckItem table_item(Quantity quantity, std::size_t strand);
+  CheckItem printed_item(const PrintedList& list, const Solution& solution, std::size_t strand);
   void explain(CheckItem& item, const DifferingNumber& number);
   CheckItem table_balance(const std::vector<CheckItem>& tensions) const;
   CheckItem closed_form_item(std::size_t strand, double value) const;
   CheckItem equation_balance(const ReversedContactFault& fault) const;
   CheckItem idle_fault(std::size_t fault) const;
-  void check_table();
+  void check_printed();
   void check_closed_form();
   void check_faults();
 
@@ -66,12 +66,14 @@ void EntryCheck::explain(CheckItem& item, const DifferingNumber& number) {
   }
 }
 
-CheckItem EntryCheck::table_item(Quantity quantity, std::size_t strand) {
-  const DifferingNumber number{catalogue_, entry_, solution_, quantity, strand};
+CheckItem EntryCheck::printed_item(const PrintedList& list, const Solution& solution,
+                                   std::size_t strand) {
+  const DifferingNumber number{catalogue_, entry_, solution, list, strand};
   CheckItem item;
-  item.source = entry_.table->source;
-  item.quantity = quantity == Quantity::tension ? fmt::format("T{}", strand + 1)
-                                                : fmt::format("share of T{}, %", strand + 1);
+  item.source = list.source;
+  item.quantity = {
+      list.kind == PrintedKind::tension ? CheckedKind::strand_tension : CheckedKind::strand_share,
+      static_cast<int>(strand + 1)};
   item.printed = number.printed().digits;
   item.published = number.printed().value;
   item.computed = number.computed();
@@ -91,7 +93,7 @@ CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) cons
   double rounding = 1e-12;
   double repaired = 0;
   double pulled_strands = 0;
-  std::set<std::string> replaced;
+  std::set<int> replaced;
   for (const SheathEnds& sheath : solution_.sheaths) {
     const CheckItem& strand = tensions[sheath.strand];
     const bool explained = strand.status == CheckStatus::explained;
@@ -99,11 +101,11 @@ CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) cons
     rounding += sheath.ratio * entry_.table->tension[sheath.strand].half_unit;
     repaired += sheath.ratio * (explained ? strand.computed : strand.published);
     if (sheath.ratio >= 1) pulled_strands += strand.published;
-    if (explained) replaced.insert(strand.quantity);
+    if (explained) replaced.insert(strand.quantity.number);
   }
   CheckItem item;
   item.source = entry_.table->source;
-  item.quantity = "T_M that the printed tensions ask for";
+  item.quantity = {CheckedKind::motor_tension, 0};
   item.printed = "1";
   item.published = 1;
   item.computed = asked;
@@ -115,8 +117,8 @@ CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) cons
                             asked, rounding);
   if (!replaced.empty() && std::abs(repaired - 1) <= rounding) {
     item.status = CheckStatus::explained;
-    item.reason += fmt::format("; with the computed {} in place of the printed, {:.3f}",
-                               fmt::join(replaced, ", "), repaired);
+    item.reason += fmt::format("; with the computed T{} in place of the printed, {:.3f}",
+                               fmt::join(replaced, ", T"), repaired);
   }
   if (pulled_strands > 1) {
     item.reason += fmt::format(
@@ -127,21 +129,23 @@ CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) cons
   return item;
 }
 
-void EntryCheck::check_table() {
-  if (!entry_.table) return;
-  std::vector<CheckItem> tensions;
-  for (std::size_t i = 0; i < solution_.tension.size(); ++i) {
-    tensions.push_back(table_item(Quantity::tension, i));
+void EntryCheck::check_printed() {
+  std::vector<CheckItem> table_tensions;
+  for (const PrintedList& list : printed_lists(entry_)) {
+    const Solution solution = solve(entry_, list.hardware);
+    for (std::size_t i = 0; i < list.numbers.size(); ++i) {
+      CheckItem item = printed_item(list, solution, i);
+      if (list.kind == PrintedKind::tension) table_tensions.push_back(item);
+      add(std::move(item));
+    }
   }
-  for (const CheckItem& item : tensions) add(item);
-  for (std::size_t i = 0; i < solution_.tension.size(); ++i) add(table_item(Quantity::share, i));
-  if (!solution_.sheaths.empty()) add(table_balance(tensions));
+  if (entry_.table && !solution_.sheaths.empty()) add(table_balance(table_tensions));
 }
 
 CheckItem EntryCheck::closed_form_item(std::size_t strand, double value) const {
   CheckItem item;
   item.source = entry_.closed_form->source;
-  item.quantity = fmt::format("T{}", strand + 1);
+  item.quantity = {CheckedKind::strand_tension, static_cast<int>(strand + 1)};
   item.published = value;
   item.computed = solution_.tension[strand];
   if (std::abs(item.computed - value) <= equation_tolerance * std::abs(value)) {
@@ -163,7 +167,7 @@ CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const 
   const CarriageBalance balance = carriage_balance(fault, *entry_.closed_form);
   CheckItem item;
   item.source = fault.source;
-  item.quantity = "T_M that the equation as printed asks for";
+  item.quantity = {CheckedKind::motor_tension_of_equation, 0};
   item.printed = "1";
   item.published = 1;
   item.computed = balance.as_printed;
@@ -181,8 +185,8 @@ CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const 
 // Such an item counts the numbers that the fault explains: one at least is claimed, none is found.
 CheckItem EntryCheck::idle_fault(std::size_t fault) const {
   CheckItem item;
-  item.source = entry_.table->source;
-  item.quantity = fmt::format("numbers explained by listed fault {}", fault + 1);
+  item.source = entry_.table ? entry_.table->source : entry_.lines.front().source;
+  item.quantity = {CheckedKind::idle_fault, static_cast<int>(fault + 1)};
   item.published = 1;
   item.computed = 0;
   item.reason = fmt::format("the listed fault '{}' ({}:{}:{}) explains no number that differs",
@@ -202,7 +206,7 @@ void EntryCheck::check_faults() {
 }
 
 void EntryCheck::run() {
-  check_table();
+  check_printed();
   check_closed_form();
   check_faults();
 }
@@ -222,7 +226,8 @@ std::size_t CheckReport::count(CheckStatus status) const {
 CheckReport check(const Catalogue& catalogue) {
   CheckReport report;
   for (const CatalogueEntry& entry : catalogue.entries) {
-    if (entry.table || entry.closed_form) EntryCheck(catalogue, entry, report).run();
+    if (entry.table || entry.closed_form || !entry.lines.empty())
+      EntryCheck(catalogue, entry, report).run();
     for (const Misprint& misprint : entry.misprints) {
       report.misprints.push_back({entry.name, misprint.source, misprint.text});
     }

@@ -94,6 +94,21 @@ PublishedTable read_table(const TomlNode& node, std::size_t strands) {
           read_printed(node.require("share_percent", "the printed shares in %"), strands)};
 }
 
+PublishedLines read_lines(const TomlNode& node, std::size_t strands) {
+  constexpr double greatest_mu = 1;
+  node.allow_only({"source", "mu", "share_percent", "read_to_percent"});
+  PublishedLines lines;
+  lines.source = node.require("source", "where the lines are drawn").text();
+  lines.mu = node.require("mu", "the friction coefficient of tubes and sheaths")
+                 .number_between(0, greatest_mu);
+  lines.share_percent =
+      read_printed(node.require("share_percent", "the shares that are drawn, in %"), strands);
+  const double read_to =
+      node.require("read_to_percent", "how closely the figure can be read").number_between(0, 100);
+  for (PrintedNumber& number : lines.share_percent) number.half_unit = read_to;
+  return lines;
+}
+
 Losses read_losses(const TomlNode& node) {
   node.table().allow_only({"tube", "bearing", "sheath"});
   const auto count = [&](std::string_view key) {
@@ -173,7 +188,9 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   const TomlNode& kind = node.require("kind", "factor, repeats, proportional or reversed_contact");
   const std::string& text = kind.text();
   if (text == "reversed_contact") return {read_reversed_contact(node, entry, strands), node.key_at};
-  if (!entry.table) node.fail_at_key("this fault needs a [table] that it is about");
+  if (!entry.table && entry.lines.empty()) {
+    node.fail_at_key("this fault needs a [table] or [[lines]] that it is about");
+  }
   if (text == "factor") return {read_factor(node, strands), node.key_at};
   if (text == "repeats") return {RepeatsFault{read_other_routing(node)}, node.key_at};
   if (text == "proportional") return {ProportionalFault{read_other_routing(node)}, node.key_at};
@@ -197,12 +214,16 @@ void read_published(const TomlNode& file, CatalogueEntry& entry) {
   const auto count = static_cast<std::size_t>(strands);
   const TomlNode* table = file.find("table");
   const TomlNode* closed_form = file.find("closed_form");
-  if (table != nullptr || closed_form != nullptr) {
+  const TomlNode* lines = file.find("lines");
+  if (table != nullptr || closed_form != nullptr || lines != nullptr) {
     if (fingers == 0) file.fail_at_key("published tensions need a routing with fingers");
     file.require("held", "the fingers held in the grasp of the published numbers");
   }
   if (const TomlNode* held = file.find("held")) entry.grasp = read_held(*held, fingers);
   if (table != nullptr) entry.table = read_table(*table, count);
+  if (lines != nullptr) {
+    for (const TomlNode& node : lines->tables()) entry.lines.push_back(read_lines(node, count));
+  }
   if (closed_form != nullptr) entry.closed_form = read_closed_form(*closed_form, entry, count);
   if (const TomlNode* faults = file.find("fault")) {
     for (const TomlNode& node : faults->tables()) {
@@ -234,8 +255,8 @@ const char* name(const Fault& fault) {
 }
 
 CatalogueEntry read_entry(const TomlNode& file) {
-  file.allow_only({"name", "word", "title", "source", "notes", "held", "table", "closed_form",
-                   "fault", "misprint"});
+  file.allow_only({"name", "word", "title", "source", "notes", "held", "table", "lines",
+                   "closed_form", "fault", "misprint"});
   CatalogueEntry entry;
   entry.file = *file.file;
   entry.name = read_name(file.require("name", "the routing's name"));

@@ -4,14 +4,22 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace reeve {
 namespace {
 
-const std::vector<PrintedNumber>& printed_numbers(const PublishedTable& table, Quantity quantity) {
-  return quantity == Quantity::tension ? table.tension : table.share_percent;
+// Of another entry: the one that stands in the same kind of place, and in a figure in the same one.
+std::optional<PrintedList> counterpart(const CatalogueEntry& entry, const PrintedList& list) {
+  for (PrintedList& other : printed_lists(entry)) {
+    if (other.kind != list.kind || other.drawn != list.drawn) continue;
+    if (!list.drawn || other.source == list.source) return std::move(other);
+  }
+  return std::nullopt;
 }
+
+const char* noun(PrintedKind kind) { return kind == PrintedKind::tension ? "tension" : "share"; }
 
 std::string count_of(int count, const char* kind, const char* symbol) {
   if (count == 0) return "";
@@ -29,12 +37,12 @@ std::string describe(const Losses& losses) {
   return text;
 }
 
-std::string describe(const FactorFault& fault) {
+std::string describe(const FactorFault& fault, const Hardware& hardware) {
   const std::string losses = describe(fault.left_out);
   std::string times = fault.times == 1 ? "" : fmt::format("times {:g}", fault.times);
   if (losses.empty()) return times;
   const std::string without =
-      fmt::format("without {} (times {:.4g})", losses, 1 / decay(fault.left_out));
+      fmt::format("without {} (times {:.4g})", losses, 1 / decay(fault.left_out, hardware));
   return times.empty() ? without : times + " and " + without;
 }
 
@@ -49,40 +57,42 @@ std::string names(const std::vector<int>& strands) {
   return text;
 }
 
-std::vector<double> faulty_tensions(const FactorFault& fault, std::vector<double> tension) {
+std::vector<double> faulty_tensions(const FactorFault& fault, const Hardware& hardware,
+                                    std::vector<double> tension) {
   for (std::size_t i = 0; i < tension.size(); ++i) {
-    if (concerns(fault, i)) tension[i] *= fault.times / decay(fault.left_out);
+    if (concerns(fault, i)) tension[i] *= fault.times / decay(fault.left_out, hardware);
   }
   return tension;
 }
 
 std::optional<std::string> explain(const FactorFault& fault, const DifferingNumber& number) {
-  const std::vector<double> tension = faulty_tensions(fault, number.solution.tension);
+  const Hardware& hardware = number.list.hardware;
+  const std::vector<double> tension = faulty_tensions(fault, hardware, number.solution.tension);
   const std::string& digits = number.printed().digits;
-  if (number.quantity == Quantity::tension) {
+  if (number.list.kind == PrintedKind::tension) {
     const double faulty = tension[number.strand];
     if (!rounds_to(faulty, number.printed())) return std::nullopt;
     return fmt::format("{} is the computed {:.4g} {}, which gives {:.4g}", digits,
-                       number.computed(), describe(fault), faulty);
+                       number.computed(), describe(fault, hardware), faulty);
   }
   const double faulty = shares_percent(tension)[number.strand];
   if (!rounds_to(faulty, number.printed())) return std::nullopt;
   return fmt::format("{} % is the share with {} {}, which gives {:.4g} %", digits,
-                     names(fault.strands), describe(fault), faulty);
+                     names(fault.strands), describe(fault, hardware), faulty);
 }
 
 std::optional<std::string> explain(const RepeatsFault& fault, const DifferingNumber& number) {
   const CatalogueEntry* other = number.catalogue.find_name(fault.routing);
-  if (other == nullptr || !other->table) return std::nullopt;
-  const auto& own = printed_numbers(*number.entry.table, number.quantity);
-  const auto& theirs = printed_numbers(*other->table, number.quantity);
+  if (other == nullptr) return std::nullopt;
+  const std::optional<PrintedList> theirs = counterpart(*other, number.list);
+  if (!theirs) return std::nullopt;
+  const auto& own = number.list.numbers;
   const bool same = std::equal(
-      own.begin(), own.end(), theirs.begin(), theirs.end(),
+      own.begin(), own.end(), theirs->numbers.begin(), theirs->numbers.end(),
       [](const PrintedNumber& a, const PrintedNumber& b) { return a.digits == b.digits; });
   if (!same) return std::nullopt;
   return fmt::format("all {} {}s of {} repeat those of {}, for {}, digit by digit", own.size(),
-                     number.quantity == Quantity::tension ? "tension" : "share",
-                     number.entry.table->source, other->table->source, other->name);
+                     noun(number.list.kind), number.list.source, theirs->source, other->name);
 }
 
 struct Range {
@@ -103,8 +113,9 @@ Range scales(const PrintedNumber& printed, double base, double half_unit) {
 
 std::optional<std::string> explain(const ProportionalFault& fault, const DifferingNumber& number) {
   const CatalogueEntry* other = number.catalogue.find_name(fault.routing);
-  if (number.quantity != Quantity::tension || other == nullptr || !other->table)
+  if (number.list.kind != PrintedKind::tension || other == nullptr || !other->table) {
     return std::nullopt;
+  }
   const std::vector<PrintedNumber>& own = number.entry.table->tension;
   Range to_printed;
   Range to_computed;
@@ -128,12 +139,32 @@ std::optional<std::string> explain(const ReversedContactFault&, const DifferingN
 
 }  // namespace
 
-const PrintedNumber& DifferingNumber::printed() const {
-  return printed_numbers(*entry.table, quantity)[strand];
+std::vector<PrintedList> printed_lists(const CatalogueEntry& entry) {
+  std::vector<PrintedList> lists;
+  if (entry.table) {
+    lists.push_back({entry.table->source, PrintedKind::tension, false, entry.table->tension, {}});
+    lists.push_back(
+        {entry.table->source, PrintedKind::share, false, entry.table->share_percent, {}});
+  }
+  for (const PublishedLines& lines : entry.lines) {
+    lists.push_back(
+        {lines.source, PrintedKind::share, true, lines.share_percent, with_friction(lines.mu)});
+  }
+  return lists;
+}
+
+std::vector<double> with_factor_faults(const CatalogueEntry& entry, const Hardware& hardware,
+                                       std::vector<double> tension) {
+  for (const Fault& fault : entry.faults) {
+    const auto* factor = std::get_if<FactorFault>(&fault.what);
+    if (factor != nullptr) tension = faulty_tensions(*factor, hardware, std::move(tension));
+  }
+  return tension;
 }
 
 double DifferingNumber::computed() const {
-  return quantity == Quantity::tension ? solution.tension[strand] : solution.share_percent[strand];
+  return list.kind == PrintedKind::tension ? solution.tension[strand]
+                                           : solution.share_percent[strand];
 }
 
 std::optional<std::string> explain(const Fault& fault, const DifferingNumber& number) {

@@ -6,28 +6,45 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "catalog/solution.hpp"
 
 namespace reeve {
 
-enum class Quantity : std::uint8_t { tension, share };
+enum class PrintedKind : std::uint8_t { tension, share };
 
-// One number of an entry's table that the solver does not give.
+// The strands' numbers as one table or one figure has them.
+struct PrintedList {
+  std::string source;
+  PrintedKind kind = PrintedKind::tension;
+  bool drawn = false;  // in a figure
+  std::vector<PrintedNumber> numbers;
+  Hardware hardware;  // with which they are computed
+};
+
+// Tensions and shares of the table, then the lines.
+std::vector<PrintedList> printed_lists(const CatalogueEntry& entry);
+
+// Tensions of the strands with the factor faults that are listed of an entry.
+std::vector<double> with_factor_faults(const CatalogueEntry& entry, const Hardware& hardware,
+                                       std::vector<double> tension);
+
+// One number that the solver does not give.
 struct DifferingNumber {
   const Catalogue& catalogue;
   const CatalogueEntry& entry;
-  const Solution& solution;
-  Quantity quantity = Quantity::tension;
+  const Solution& solution;  // with the list's hardware
+  const PrintedList& list;
   std::size_t strand = 0;  // from 0
 
-  const PrintedNumber& printed() const;
+  const PrintedNumber& printed() const { return list.numbers[strand]; }
   double computed() const;
 };
 
 // The sentence that explains the number, with the numbers in it; nothing if the fault does not
-// hold. A reversed contact explains no number of a table.
+// hold. A reversed contact explains none.
 std::optional<std::string> explain(const Fault& fault, const DifferingNumber& number);
 
 // The force balance of the carriage, Σ over the motor-side segments at T_M = 1, as the equation

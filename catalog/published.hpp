@@ -27,6 +27,14 @@ struct PublishedTable {
   std::vector<PrintedNumber> share_percent;  // of the sum over the strands
 };
 
+// The model's shares as a figure draws them, with one friction coefficient for tubes and sheaths
+// alike.
+struct PublishedLines {
+  std::string source;  // "Fig. 9 (b)"
+  double mu = 0;
+  std::vector<PrintedNumber> share_percent;  // half_unit: to which the figure can be read
+};
+
 // How often e^{-phi} of each kind of contact is a factor.
 struct Losses {
   int tube = 0;
@@ -43,14 +51,14 @@ struct ClosedForm {
 };
 
 // The table's tensions of these strands are the true ones times `times`, without some losses; its
-// shares may follow from tensions with this fault.
+// shares, and those of lines, may follow from tensions with this fault.
 struct FactorFault {
   std::vector<int> strands;
   double times = 1;
   Losses left_out;
 };
 
-// The table's tensions, or its shares, are those of another routing's table, digit by digit.
+// The table's tensions, or shares, are those of another routing, digit by digit.
 struct RepeatsFault {
   std::string routing;
 };

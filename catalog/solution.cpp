@@ -43,9 +43,9 @@ std::vector<SheathEnds> sheath_ends(const Network& network, const TensionState& 
 
 }  // namespace
 
-Solution solve(const CatalogueEntry& entry) {
+Solution solve(const CatalogueEntry& entry, const Hardware& hardware) {
   const Network network = expand(entry.routing);
-  const TensionState state = tensions(network, mechanics(network, Hardware{}), entry.grasp);
+  const TensionState state = tensions(network, mechanics(network, hardware), entry.grasp);
   Solution solution;
   solution.tension = strand_tensions(network, state);
   solution.share_percent = shares_percent(solution.tension);
@@ -61,11 +61,17 @@ std::vector<double> shares_percent(const std::vector<double>& tension) {
   return shares;
 }
 
-double decay(const Losses& losses) {
-  const Hardware paper;
-  return std::exp(-(losses.tube * paper.tube.exponent() +
-                    losses.bearing * paper.bearing.exponent() +
-                    losses.sheath * paper.sheath.exponent()));
+Hardware with_friction(double mu) {
+  Hardware hardware;
+  hardware.tube.mu = mu;
+  hardware.sheath.mu = mu;
+  return hardware;
+}
+
+double decay(const Losses& losses, const Hardware& hardware) {
+  return std::exp(-(losses.tube * hardware.tube.exponent() +
+                    losses.bearing * hardware.bearing.exponent() +
+                    losses.sheath * hardware.sheath.exponent()));
 }
 
 double gain(const ClosedForm& form) {

@@ -1,11 +1,13 @@
-// A catalogue entry recomputed by the general solver, with the paper's coefficients (the default
-// hardware) and in the grasp of its published numbers. Tensions are at motor tension T_M = 1.
+// A catalogue entry recomputed by the general solver, in the grasp of its published numbers; unless
+// said otherwise with the paper's coefficients (the default hardware). Tensions are at motor
+// tension T_M = 1.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "core/hardware.hpp"
 
 namespace reeve {
 
@@ -22,12 +24,15 @@ struct Solution {
   std::vector<SheathEnds> sheaths;
 };
 
-Solution solve(const CatalogueEntry& entry);
+Solution solve(const CatalogueEntry& entry, const Hardware& hardware = {});
+
+// The default hardware with this friction coefficient at tubes and sheaths.
+Hardware with_friction(double mu);
 
 std::vector<double> shares_percent(const std::vector<double>& tension);
 
-// e^{-phi} of all these losses together, with the paper's coefficients.
-double decay(const Losses& losses);
+// e^{-phi} of all these losses together.
+double decay(const Losses& losses, const Hardware& hardware = {});
 
 // K e^{-strand} for every strand.
 std::vector<double> evaluate(const ClosedForm& form);

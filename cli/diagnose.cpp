@@ -100,6 +100,7 @@ DiagnosisReport report(const DiagnoseFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   report.result = diagnose_supervised(report, flags, catalogue);
   report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  report.published = published_models(catalogue, report.data, report.result);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -53,8 +53,7 @@ std::vector<std::string> order(const Model& model, const Catalogue& catalogue) {
     designs.push_back({entry.word, evaluator.evaluate(entry.routing)});
   }
   std::vector<std::string> names;
-  for (const RankedDesign& ranked :
-       rank(std::move(designs), {Objective::uniformity_mean, Objective::efficiency_mean})) {
+  for (const RankedDesign& ranked : rank(std::move(designs), Order{})) {
     names.push_back(catalogue.find_word(parse_routing(ranked.design.word))->name);
   }
   return names;

@@ -1,5 +1,6 @@
 #include "cli/exploration_files.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "cli/command_line.hpp"
@@ -17,27 +18,30 @@ namespace {
 constexpr std::size_t long_list = 200;
 
 ExplorationView view(const ExploreReport& report, const CLI::App& command,
-                     const Catalogue& catalogue) {
+                     const Catalogue& catalogue, std::optional<std::size_t> details) {
   const ExploreOptions& options = report.options;
   return {report, command_line(command, {"--threads", "--format"}),
-          given_options(command, {"--hardware", "--model"}), [&](const std::string& word) {
+          given_options(command, {"--hardware", "--model"}),
+          [&](const std::string& word) {
             return shown_routing(parse_routing(word), options.model, options.grasps,
                                  Direction::pull, catalogue);
-          }};
+          },
+          details};
 }
 
 }  // namespace
 
 void write_exploration(const ExploreReport& report, const CLI::App& command,
-                       const Catalogue& catalogue, const std::filesystem::path& directory) {
+                       const Catalogue& catalogue, std::optional<std::size_t> details,
+                       const std::filesystem::path& directory) {
   const std::string reason = partial_note(report);
   const std::string note = reason.empty() ? "" : "partial: " + reason;
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
   StageLine stage;
-  if (report.top.size() >= long_list) stage.show("writing the page");
-  const PageFiles page = exploration_page(view(report, command, catalogue));
+  if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
+  const PageFiles page = exploration_page(view(report, command, catalogue, details));
   write_figures(directory, page.figures);
   write_file(directory / "index.html", page.html);
   write_file(directory / "summary.json", explore_summary_json(report));

@@ -4,14 +4,16 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 
 #include "catalog/catalogue.hpp"
 #include "reports/explore_report.hpp"
 
 namespace reeve::cli {
 
-// `command` is the subcommand as it was given.
+// `command` is the subcommand as it was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,
-                       const Catalogue& catalogue, const std::filesystem::path& directory);
+                       const Catalogue& catalogue, std::optional<std::size_t> details,
+                       const std::filesystem::path& directory);
 
 }  // namespace reeve::cli

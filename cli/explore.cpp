@@ -31,6 +31,7 @@ struct ExploreFlags {
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
+  std::optional<std::size_t> details;
   std::string out = "out/explore";
   ModelOption model;
   FormatOption format;
@@ -55,7 +56,8 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   options.shard = parse_shard(flags.shard);
   options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
-  options.objectives = parse_objectives(flags.ranking.objectives);
+  options.order = flags.ranking.read_order();
+  options.score = parse_score(flags.ranking.score);
   for (const std::string& text : flags.constraints) {
     const Constraint constraint = parse_constraint(text);
     for (const Constraint& other : options.constraints) {
@@ -75,8 +77,8 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
 
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
-  return {file.model,          file.uncertainty,   options.grasps,       options.objectives,
-          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads};
+  return {file.model,          file.uncertainty,   options.grasps,        options.order,
+          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score};
 }
 
 ExploreResult explore_supervised(const ExploreOptions& options, const std::atomic<bool>& stop) {
@@ -114,7 +116,7 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
       explore_report(explore_options, std::move(result), distributions, catalogue);
   if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
-  write_exploration(report, command, catalogue, flags.out);
+  write_exploration(report, command, catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   std::cout << announced(
@@ -142,6 +144,12 @@ void add_explore(CLI::App& program, int& exit_code) {
                    "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--details", flags->details,
+          "Of how many of the best designs the page holds schematics and tensions, besides "
+          "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
       ->add_option(
           "--out", flags->out,

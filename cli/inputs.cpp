@@ -181,8 +181,18 @@ void RankingFlags::add_to(CLI::App& command) {
       ->capture_default_str();
   std::string known;
   for (const ObjectiveRow& row : objective_table()) known += std::string(" ") + row.name;
-  command.add_option("--objectives", objectives, "What spans the Pareto front; known are" + known)
-      ->capture_default_str();
+  objectives_given_ =
+      command
+          .add_option("--objectives", objectives, "What spans the Pareto front; known are" + known)
+          ->capture_default_str();
+  score_given_ =
+      command
+          .add_option("--score", score,
+                      "Order designs by a weighted mean of objectives, such as "
+                      "uniformity=2,reliability=0.1; authors: the mean of adaptability, "
+                      "torsional_balance, reliability, authors_efficiency and transmission. Within "
+                      "the fronts of --objectives if these are given, otherwise alone")
+          ->default_str("authors");
   command.add_flag("--uncertainty", uncertainty,
                    "Draw the friction coefficients from their ranges and give each design's rank "
                    "as a distribution");
@@ -195,6 +205,12 @@ void RankingFlags::add_to(CLI::App& command) {
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+}
+
+Order RankingFlags::read_order() const {
+  const bool by_score = score_given_->count() > 0;
+  if (by_score && objectives_given_->count() == 0) return {{Objective::score}, true};
+  return {parse_objectives(objectives), by_score};
 }
 
 GraspSet RankingFlags::read_grasps(int fingers) const {

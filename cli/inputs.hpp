@@ -12,7 +12,8 @@
 #include "catalog/model_file.hpp"
 #include "core/error.hpp"
 #include "search/generator.hpp"
-#include "search/objectives.hpp"
+#include "search/order.hpp"
+#include "search/score.hpp"
 
 namespace reeve::cli {
 
@@ -111,6 +112,7 @@ struct GeneratorFlags {
 struct RankingFlags {
   std::string grasps = "single";
   std::string objectives = "uniformity,efficiency";
+  std::string score = "authors";
   bool uncertainty = false;
   std::size_t draws = 1000;
   std::uint64_t seed = 1;
@@ -118,6 +120,12 @@ struct RankingFlags {
 
   void add_to(CLI::App& command);
   GraspSet read_grasps(int fingers) const;
+  // By the score alone if it is given and the objectives are not.
+  Order read_order() const;
+
+ private:
+  CLI::Option* objectives_given_ = nullptr;
+  CLI::Option* score_given_ = nullptr;
 };
 
 }  // namespace reeve::cli

@@ -84,12 +84,13 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
 }
 
 // Otherwise the first design need not have the greatest product, and a lead says nothing.
-void require_the_two_means(std::vector<Objective> objectives) {
-  std::sort(objectives.begin(), objectives.end());
-  if (objectives == std::vector{Objective::uniformity_mean, Objective::efficiency_mean}) return;
+void require_the_two_means(Order order) {
+  std::sort(order.objectives.begin(), order.objectives.end());
+  const std::vector means{Objective::uniformity_mean, Objective::efficiency_mean};
+  if (order.objectives == means && !order.by_score) return;
   throw InputError(
       "--margin is a lead in mean uniformity x mean efficiency: expected --objectives "
-      "uniformity,efficiency with it");
+      "uniformity,efficiency with it, and no --score");
 }
 
 // Everything that is given, before anything is written or takes long.
@@ -116,20 +117,20 @@ RankInputs read(const RankFlags& flags) {
 }
 
 std::vector<RankedDesign> evaluate(const RankInputs& inputs, RankReport& report) {
-  DesignEvaluator evaluator(inputs.file.model, report.grasps);
+  DesignEvaluator evaluator(inputs.file.model, report.grasps, report.score);
   std::vector<Design> designs;
   for (const Routing& routing : inputs.routings) {
     designs.push_back({to_word(routing), evaluator.evaluate(routing)});
   }
   report.unconverged = evaluator.unconverged();
-  return rank(designs, report.objectives);
+  return rank(designs, report.order);
 }
 
 std::vector<RankDistribution> draw(const RankFlags& flags, const RankInputs& inputs,
                                    const std::vector<RankedDesign>& ranked, RankReport& report) {
   report.uncertainty = UncertaintyOptions{
-      inputs.file.model,   inputs.file.uncertainty, report.grasps,        report.objectives,
-      flags.ranking.draws, flags.ranking.seed,      flags.ranking.threads};
+      inputs.file.model,   inputs.file.uncertainty, report.grasps,         report.order,
+      flags.ranking.draws, flags.ranking.seed,      flags.ranking.threads, report.score};
   ProgressLine progress("drawing");
   const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
                                         {std::ref(progress), &stop_on_interrupt()});
@@ -178,8 +179,9 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
 int run(const RankFlags& flags, const CLI::App& command) {
   const RankInputs inputs = read(flags);
   RankReport report;
-  report.objectives = parse_objectives(flags.ranking.objectives);
-  if (flags.margin) require_the_two_means(report.objectives);
+  report.order = flags.ranking.read_order();
+  report.score = parse_score(flags.ranking.score);
+  if (flags.margin) require_the_two_means(report.order);
   report.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
   report.model = inputs.file.model;
   // First what may still refuse its input: then the folder, then what takes long.

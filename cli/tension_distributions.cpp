@@ -128,9 +128,8 @@ std::vector<Grasp> Distributions::grasps() const {
   return grasps;
 }
 
-// check() names what it compares: "share of T3, %".
 std::string Distributions::fault(const CatalogueEntry& entry, std::size_t strand) const {
-  const std::string quantity = fmt::format("share of T{}, %", strand + 1);
+  const CheckedQuantity quantity{CheckedKind::strand_share, static_cast<int>(strand + 1)};
   for (const CheckItem& item : checked_.items) {
     if (item.routing == entry.name && item.source == entry.table->source &&
         item.quantity == quantity && item.status != CheckStatus::agrees) {

@@ -1,7 +1,8 @@
 # One source per header of ours, including only that header: it must not lean on what
 # others happened to include before it.
 file(GLOB headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
-     numerics/*.hpp core/*.hpp causes/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp reports/*.hpp
+     numerics/*.hpp core/*.hpp causes/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp studies/*.hpp
+     reports/*.hpp
      pages/*.hpp cli/*.hpp)
 set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")
 file(CONFIGURE OUTPUT "${sources}" CONTENT "")

@@ -4,12 +4,36 @@
 
 #include "diagnosis/null_model.hpp"
 #include "diagnosis/outlook.hpp"
+#include "diagnosis/rivals.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
+constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
+
+// A friction coefficient of all contacts of a kind, which the hardware does not say to be none.
+bool is_coefficient(const Effect& effect, const Hardware& hardware) {
+  return effect.cause->reach() == Reach::hardware &&
+         effect.cause->subject_kind() == SubjectKind::rig &&
+         effect.cause->parameters(hardware).front().nominal.value_or(0) > 0;
+}
+
+// From the nominal values, and from parts of them: rigs are mostly smoother than they are thought.
+Fit fit_together(const Problem& problem, const Model& model,
+                 const std::vector<AcceptedCause>& causes) {
+  Fit best;
+  for (const double part : {1.0, 0.3}) {
+    Model start = model;
+    for (const AcceptedCause& cause : causes) {
+      start.effects[place(start, cause.effect)].values.front() *= part;
+    }
+    Fit fitted = fit(problem, start);
+    if (best.model.effects.empty() || fitted.misfit < best.misfit) best = std::move(fitted);
+  }
+  return best;
+}
 
 class Search {
  public:
@@ -47,20 +71,50 @@ class Search {
     null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
       greatest[replicate] = outlook.screening().greatest_gain(drawn);
     });
-    result_.p_value_of_next =
-        p_value(outlook.screening().greatest_gain(outlook.residuals()), greatest);
+    const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
+    std::vector<Fit> fits = outlook.fit_each(which);
+    const double before = misfit(problem_, result_.model);
+    // A coefficient may be so far from the hardware's that the first order sees little of its gain.
+    double observed = outlook.screening().greatest_gain(outlook.residuals());
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if (outlook.candidates()[which[i]].effect.cause->reach() != Reach::hardware) continue;
+      observed = std::max(observed, gain(before, fits[i].misfit));
+    }
+    result_.p_value_of_next = p_value(observed, greatest);
     const double alpha = result_.accepted.empty() ? options_.alpha : options_.further_alpha;
     std::sort(greatest.begin(), greatest.end());
     critical_gain_ =
         greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
     if (result_.p_value_of_next > alpha || stop_()) return false;
-    const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
-    std::vector<Fit> fits = outlook.fit_each(which);
     const std::size_t best = least_misfit(fits);
-    if (gain(misfit(problem_, result_.model), fits[best].misfit) < critical_gain_) return false;
+    if (gain(before, fits[best].misfit) < critical_gain_) return false;
+    if (accept_coefficients(outlook.candidates(), fits[best].misfit)) return true;
     const Effect effect = outlook.candidates()[which[best]].effect;
     result_.model = std::move(fits[best].model);
     result_.accepted.push_back({effect, result_.p_value_of_next});
+    changed_(problem_, result_.model);
+    return true;
+  }
+
+  // Where several coefficients are wrong, each of them alone may explain less than one cause that
+  // stands in for them all. So they are tried together too, and taken if they explain more than
+  // the best single cause by what a further cause has to gain; those that are not needed lose
+  // their places when they defend them.
+  bool accept_coefficients(const std::vector<Candidate>& candidates, double best_misfit) {
+    Model together = result_.model;
+    std::vector<AcceptedCause> added;
+    for (const Candidate& candidate : candidates) {
+      if (!is_coefficient(candidate.effect, result_.model.hardware)) continue;
+      add_effect(together, candidate.effect);
+      added.push_back({candidate.effect, result_.p_value_of_next});
+    }
+    if (added.size() < 2 || result_.accepted.size() + added.size() > options_.most_causes) {
+      return false;
+    }
+    Fit fitted = fit_together(problem_, together, added);
+    if (gain(best_misfit, fitted.misfit) < critical_gain_) return false;
+    result_.model = std::move(fitted.model);
+    result_.accepted.insert(result_.accepted.end(), added.begin(), added.end());
     changed_(problem_, result_.model);
     return true;
   }
@@ -83,7 +137,10 @@ class Search {
 
   // Whether the cause lost its place.
   bool defend_one(std::size_t accepted) {
-    constexpr double clearly = 0.5;
+    // A coefficient is the plainest cause: it makes room only for one that the data tell from it.
+    const double clearly = is_coefficient(result_.accepted[accepted].effect, result_.model.hardware)
+                               ? alias_margin
+                               : least_advantage;
     const double now = misfit(problem_, result_.model);
     const Fit base = fit(
         problem_, without(result_.model, place(result_.model, result_.accepted[accepted].effect)));

@@ -18,7 +18,7 @@
 namespace reeve {
 
 struct CauseSearchOptions {
-  double alpha = 0.05;          // of the first cause
+  double alpha = 0.02;          // of the first cause
   double further_alpha = 0.01;  // of each further one: a second name is a stronger claim
   std::size_t replicates = 400;
   std::size_t most_causes = 3;

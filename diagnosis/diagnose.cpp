@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/error.hpp"
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/cause_search.hpp"
+#include "diagnosis/cross_validation.hpp"
 #include "diagnosis/fit.hpp"
 #include "diagnosis/intervals.hpp"
 #include "diagnosis/null_model.hpp"
@@ -20,9 +22,12 @@ namespace {
 
 // A second name, or the claim that something is left that no cause explains, has to stand against
 // a smaller chance than the first name.
-constexpr double further_share_of_alpha = 0.2;
-constexpr double structure_share_of_alpha = 0.1;
+constexpr double further_share_of_alpha = 0.5;
+constexpr double structure_share_of_alpha = 0.25;
 constexpr double too_few_degrees = 8;
+// Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
+// they say nothing: what they know of it may all stand in one run.
+constexpr double refuted = -2;
 
 class Diagnosis {
  public:
@@ -42,6 +47,7 @@ class Diagnosis {
       note_too_few();
     } else {
       if (!find_causes()) return std::nullopt;
+      if (!drop_unconfirmed()) return std::nullopt;
       if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
@@ -51,7 +57,13 @@ class Diagnosis {
     decide();
     if (stopped("choosing the next measurement")) return std::nullopt;
     plan_measurements();
+    if (stopped("leaving out one run after the other")) return std::nullopt;
+    leave_out_runs();
     compare_cells();
+    result_.share_errors = share_errors(data_, result_.cells);
+    result_.losses = losses(data_, result_.model, result_.cells);
+    result_.without_apart =
+        without_apart(data_, result_.model, result_.noise, result_.cells, result_.losses);
     return std::move(result_);
   }
 
@@ -128,6 +140,32 @@ class Diagnosis {
     return true;
   }
 
+  // Decided by the training runs, each forecast from the others: what the held-out runs say of the
+  // named causes is then no choice of theirs. The weakest goes first, since it may have stood in
+  // the others' way.
+  bool drop_unconfirmed() {
+    while (!result_.causes.empty()) {
+      if (stopped("confirming the causes")) return false;
+      double least = refuted;
+      std::size_t weakest = result_.causes.size();
+      Model kept;
+      for (std::size_t c = 0; c < result_.causes.size(); ++c) {
+        const std::size_t at = place(result_.model, result_.causes[c].effect);
+        const Model before = fit(problem_, without(result_.model, at)).model;
+        const double gain = left_out_gain(problem_, before, result_.model);
+        if (gain >= least) continue;
+        least = gain;
+        weakest = c;
+        kept = before;
+      }
+      if (weakest == result_.causes.size()) return true;
+      result_.not_confirmed.push_back(result_.causes[weakest].name);
+      result_.model = kept;
+      result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(weakest));
+    }
+    return true;
+  }
+
   bool weigh_rivals() {
     for (NamedCause& cause : result_.causes) {
       if (stopped("weighing other causes")) return false;
@@ -162,7 +200,6 @@ class Diagnosis {
       }
     }
     result_.noise_limit = noise_limit(unseen, nominal_);
-    drop_refuted();
     result_.run_gains = run_gains(unseen, nominal_, result_.model);
     if (!result_.causes.empty()) {
       result_.held_out = held_out_gain(unseen, nominal_, result_.model, options_.seed);
@@ -196,20 +233,6 @@ class Diagnosis {
     }
   }
 
-  void drop_refuted() {
-    for (std::size_t c = result_.causes.size(); c-- > 0;) {
-      const NamedCause& cause = result_.causes[c];
-      if (cause.held_out->log_likelihood_gain >= 0) continue;
-      result_.not_confirmed.push_back(cause.name);
-      std::erase_if(indistinguishable_, [&](const Indistinguishable& group) {
-        return group.names.front() == cause.name;
-      });
-      result_.model =
-          fit(problem_, without(result_.model, place(result_.model, cause.effect))).model;
-      result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(c));
-    }
-  }
-
   void check_what_is_left() {
     const Forecast at = forecast(sample_.training, result_.model);
     const Projection projection(problem_, result_.model, at);
@@ -226,7 +249,7 @@ class Diagnosis {
   }
 
   void describe_causes() {
-    const auto intervals = parameter_intervals(problem_, result_.model, options_.seed);
+    const auto intervals = parameter_intervals(problem_, result_.model);
     for (NamedCause& cause : result_.causes) {
       const std::size_t e = place(result_.model, cause.effect);
       cause.effect = result_.model.effects[e];
@@ -282,7 +305,28 @@ class Diagnosis {
     }
   }
 
+  // After every decision: it says what each run contributed to it.
+  void leave_out_runs() {
+    std::vector<std::size_t> readings;
+    for (const Dataset* part : {&sample_.training, &sample_.held_out}) {
+      for (const DatasetRow& row : part->rows) readings.push_back(row.reading);
+    }
+    std::sort(readings.begin(), readings.end());
+    result_.left_out = left_out_runs(data_, readings, result_.model, result_.noise, workers_);
+  }
+
+  std::map<std::pair<std::size_t, std::size_t>, double> left_out_forecasts() const {
+    std::map<std::pair<std::size_t, std::size_t>, double> forecasts;
+    for (const LeftOutRun& run : result_.left_out) {
+      for (std::size_t i = 0; i < run.cells.size(); ++i) {
+        forecasts[{run.cells[i].reading, run.cells[i].channel}] = run.forecast_N[i];
+      }
+    }
+    return forecasts;
+  }
+
   void compare_cells() {
+    const auto left_out = left_out_forecasts();
     for (const bool held_out : {false, true}) {
       const Dataset& part = held_out ? sample_.held_out : sample_.training;
       if (part.cells.empty()) continue;
@@ -294,8 +338,11 @@ class Diagnosis {
       const Eigen::VectorXd residual_after = residuals(seen, after);
       for (std::size_t i = 0; i < part.cells.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
-        result_.cells.push_back({part.cells[i], held_out, before.reading_N[k], after.reading_N[k],
-                                 deviation[k], residual_before[k], residual_after[k]});
+        const auto other = left_out.find({part.cells[i].reading, part.cells[i].channel});
+        result_.cells.push_back(
+            {part.cells[i], held_out, before.reading_N[k], after.reading_N[k], deviation[k],
+             residual_before[k], residual_after[k],
+             other == left_out.end() ? std::nullopt : std::optional(other->second)});
       }
     }
     std::stable_sort(result_.cells.begin(), result_.cells.end(),

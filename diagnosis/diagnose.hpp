@@ -1,12 +1,13 @@
 // What the simulation gets wrong, why, and what mending it gains.
 //
 //   data without repetitions → runs held out → noise → causes accepted on the training runs
-//   (cause_search.hpp) → what else would explain as much → does it hold on the held-out runs, which
-//   are opened once → is anything left (structure.hpp) → verdict
+//   (cause_search.hpp) → do these confirm each other (cross_validation.hpp) → what else would
+//   explain as much → the gain on the held-out runs, which are opened once, and decide nothing → is
+//   anything left (structure.hpp) → verdict
 //
-// A cause is named if it was accepted against chance (family-wise, alpha), if no other cause
-// explains the training runs nearly as well (within `alias_margin` in log-likelihood), and if it
-// does not fail on held-out runs. docs/diagnosis.md tells it for people.
+// A cause is named if it was accepted against chance (family-wise, alpha), if the training runs,
+// each forecast from the others, confirm it, and if no other cause explains them nearly as well
+// (within `alias_margin` in log-likelihood). docs/diagnosis.md tells it for people.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +17,25 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "diagnosis/compared_cell.hpp"
 #include "diagnosis/dataset.hpp"
 #include "diagnosis/held_out.hpp"
+#include "diagnosis/left_out.hpp"
+#include "diagnosis/losses.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "diagnosis/next_measurement.hpp"
 #include "diagnosis/noise.hpp"
 #include "diagnosis/noise_limit.hpp"
 #include "diagnosis/run_gain.hpp"
 #include "diagnosis/sample.hpp"
+#include "diagnosis/share_error.hpp"
 #include "diagnosis/structure.hpp"
+#include "diagnosis/without_apart.hpp"
 
 namespace reeve {
 
 struct DiagnoseOptions {
-  double alpha = 0.05;
+  double alpha = 0.02;
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
@@ -83,18 +89,6 @@ struct Unexplained {
   double p_value = 1;
 };
 
-struct ComparedCell {
-  Cell cell;
-  bool held_out = false;
-  double before_N = 0;  // forecast of the model as it was
-  double after_N = 0;   // of the extended one
-  double deviation_N = 0;
-  // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
-  // would read on average that cannot read below 0, without what a free scale explains.
-  double residual_before = 0;
-  double residual_after = 0;
-};
-
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
   std::vector<NamedCause> causes;
@@ -106,7 +100,7 @@ struct DiagnosisResult {
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
-  std::vector<std::string> not_confirmed;   // accepted in training, failed on held-out runs
+  std::vector<std::string> not_confirmed;   // accepted, but training runs forecast others worse
   std::optional<NoiseLimit> noise_limit;    // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;           // all causes over none, each held-out run
   std::vector<WeighedCause> weighed;
@@ -116,6 +110,10 @@ struct DiagnosisResult {
   Noise noise;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;
+  ShareErrors share_errors;
+  std::vector<LeftOutRun> left_out;  // the named causes fitted without each run
+  std::vector<Loss> losses;
+  std::optional<WithoutApart> without_apart;
   std::size_t rows = 0;  // used, training and held out
   std::size_t runs = 0;
   std::size_t held_out_runs = 0;

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::uint32_t stream = 0x401d;
 
-// Runs by the routings they were measured on, each list in an order drawn by the seed. Of
-// runs that are nothing but repetitions there is nothing to hold out.
+// Runs by the routings they were measured on, each list in an order drawn by the seed; the longest
+// list first, lists of one length in an order drawn by the seed. Of runs that are nothing but
+// repetitions there is nothing to hold out.
 std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
                                              const std::set<std::size_t>& dropped,
                                              std::uint64_t seed) {
@@ -27,15 +28,17 @@ std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
   for (std::size_t run = 0; run < data.runs.size(); ++run) {
     if (!routings[run].empty()) by_routings[routings[run]].push_back(run);
   }
+  const auto drawn = [&](std::size_t run) { return uniform(seed, stream, run); };
   std::vector<std::vector<std::size_t>> result;
   for (auto& [key, runs] : by_routings) {
-    std::stable_sort(runs.begin(), runs.end(), [&](std::size_t a, std::size_t b) {
-      return uniform(seed, stream, a) < uniform(seed, stream, b);
-    });
+    std::stable_sort(runs.begin(), runs.end(),
+                     [&](std::size_t a, std::size_t b) { return drawn(a) < drawn(b); });
     result.push_back(runs);
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+    if (a.size() != b.size()) return a.size() > b.size();
+    return drawn(a.front()) < drawn(b.front());
+  });
   return result;
 }
 

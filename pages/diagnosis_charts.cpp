@@ -3,265 +3,165 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "pages/diagnosis_labels.hpp"
+#include "reports/chart_scale.hpp"
+#include "reports/chart_svg.hpp"
 
 namespace reeve {
 namespace {
 
-// In units of the noise: scales are linear up to here, and 95 % of noise lies within.
-constexpr double linear_to = 2;
-// Of the palette, readable on white and on black.
-constexpr const char* mean_colour = "#d55e00";
+constexpr double linear_to_N = 0.1;  // of the logarithmic scales: a slack strand reads 0
 
-Json axis(const char* field, const char* title, double greatest) {
-  return {{"field", field},
-          {"type", "quantitative"},
-          {"title", title},
-          {"scale", {{"domain", {0, greatest}}, {"nice", true}}}};
+struct Model {
+  const char* title;
+  double ReadingMark::*predicted_N;
+};
+
+std::vector<Model> models(const DiagnosisReport& report) {
+  if (report.result.causes.empty()) return {{"the model as it stands", &ReadingMark::before_N}};
+  return {{"before: the model as it stands", &ReadingMark::before_N},
+          {"after: the extended model", &ReadingMark::after_N}};
 }
 
-// Seven colours and seven shapes are seven pairs, seven and six are 42.
-Json by_routing(const Json& marks, bool shapes) {
-  std::set<std::string> routings;
-  for (const Json& mark : marks) routings.insert(mark["routing"]);
-  Json encoding{{"field", "routing"},
-                {"type", "nominal"},
-                {"legend",
-                 {{"orient", "bottom"},
-                  {"columns", {{"expr", "containerSize()[0] < 600 ? 2 : 4"}}},
-                  {"symbolOpacity", 1}}},
-                {"title", "routing"}};
-  if (shapes && routings.size() > 7) {
-    encoding["scale"] = {
-        {"range", {"circle", "square", "triangle-up", "diamond", "cross", "triangle-down"}}};
-  }
-  return encoding;
-}
-
-Json tooltip() {
-  Json list = Json::array();
-  for (const char* name : {"line", "run", "routing", "grasp", "direction", "strand", "held_out"}) {
-    const std::string field = name;
-    list.push_back({{"field", field},
-                    {"type", "nominal"},
-                    {"title", field == "held_out" ? "run is"
-                              : field == "grasp"  ? "held fingers"
-                                                  : field}});
-  }
-  const std::pair<const char*, const char*> numbers[] = {{"load", "motor tension, N"},
-                                                         {"measured", "measured, N"},
-                                                         {"before", "before, N"},
-                                                         {"after", "after, N"},
-                                                         {"sd", "noise, N"}};
-  for (const auto& [field, title] : numbers) {
-    list.push_back(
-        {{"field", field}, {"type", "quantitative"}, {"title", title}, {"format", ".4~g"}});
-  }
-  return list;
-}
-
-double greatest_tension(const Json& marks) {
-  double greatest = 0;
-  for (const Json& mark : marks) {
-    for (const char* field : {"measured", "before", "after"}) {
-      if (mark[field].is_number()) greatest = std::max(greatest, mark[field].get<double>());
+std::vector<std::string> routings(const std::vector<ReadingMark>& marks) {
+  std::vector<std::string> found;
+  for (const ReadingMark& mark : marks) {
+    if (std::find(found.begin(), found.end(), mark.routing) == found.end()) {
+      found.push_back(mark.routing);
     }
   }
-  return greatest > 0 ? greatest : 1;
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
-Json diagonal(double greatest) {
-  Json ends = Json::array();
-  for (const double t : {0.0, 2 * greatest}) ends.push_back({{"x", t}, {"y", t}});
-  return {{"data", {{"values", ends}}},
-          {"mark",
-           {{"type", "line"},
-            {"strokeDash", {6, 4}},
-            {"strokeWidth", 1.5},
-            {"color", "gray"},
-            {"clip", true}}},
-          {"encoding",
-           {{"x", {{"field", "x"}, {"type", "quantitative"}}},
-            {"y", {{"field", "y"}, {"type", "quantitative"}}}}}};
+std::string title(const ReadingMark& mark, double predicted_N, bool has_held_out) {
+  const Reading& reading = *mark.reading;
+  std::string text =
+      fmt::format("{} {}, run {}, line {}", mark.routing, mark.strand, mark.run, reading.line);
+  if (has_held_out) text += mark.held_out ? ", held out" : ", training";
+  text += fmt::format("\nheld fingers: {}; {}", mark.grasp,
+                      reading.direction == Direction::pull ? "pull" : "release");
+  if (reading.motor_tension_N) text += fmt::format("; motor {:.4g} N", *reading.motor_tension_N);
+  return text +
+         fmt::format("\nmeasured {:.4g} N, predicted {:.4g} N", mark.measured_N, predicted_N);
 }
 
-Json compared_panel(const Json& marks, const char* field, const char* title) {
-  const double greatest = greatest_tension(marks);
-  const Json colour = by_routing(marks, false);
-  const Json filled{{"field", "held_out"},
-                    {"type", "ordinal"},
-                    {"title", "runs"},
-                    {"scale", {{"domain", {"training", "held out"}}, {"range", {0, 0.9}}}},
-                    {"legend",
-                     {{"orient", "bottom"},
-                      {"symbolType", "circle"},
-                      {"symbolFillColor", "gray"},
-                      {"symbolStrokeColor", "gray"}}}};
-  const Json points{{"mark", {{"type", "point"}, {"size", 34}, {"strokeWidth", 1.2}}},
-                    {"encoding",
-                     {{"x", axis(field, "predicted, N", greatest)},
-                      {"y", axis("measured", "measured, N", greatest)},
-                      {"stroke", colour},
-                      {"fill", colour},
-                      {"shape", by_routing(marks, true)},
-                      {"fillOpacity", filled},
-                      {"tooltip", tooltip()}}}};
-  return {{"title", title},
-          {"width", 270},
-          {"height", 270},
-          {"layer", Json::array({diagonal(greatest), points})}};
-}
-
-Json residual_axis() {
-  return {{"field", "residual"},
-          {"type", "quantitative"},
-          {"title", "residual, sd of noise"},
-          {"scale", {{"type", "symlog"}, {"constant", linear_to}}},
-          {"axis",
-           {{"values", {-1000, -100, -30, -10, -3, 0, 3, 10, 30, 100, 1000}},
-            {"format", "d"},
-            {"labelOverlap", "greedy"},
-            {"labelExpr", "(datum.value > 0 ? '+' : '') + datum.label"}}}};
-}
-
-Json noise_band() {
-  Json ends = Json::array();
-  ends.push_back({{"low", -linear_to}, {"high", linear_to}});
-  return {{"data", {{"values", ends}}},
-          {"mark", {{"type", "rect"}, {"opacity", 0.15}, {"color", "gray"}}},
-          {"encoding",
-           {{"y", {{"field", "low"}, {"type", "quantitative"}}}, {"y2", {{"field", "high"}}}}}};
-}
-
-Json along(const MarkColumn& column) {
-  Json encoding{{"field", column.field},
-                {"type", column.categories ? "nominal" : "quantitative"},
-                {"title", nullptr}};
-  if (column.categories) {
-    encoding["axis"] = {{"labelAngle", -90}, {"labelLimit", 90}, {"labelFontSize", 10}};
-  } else {
-    encoding["scale"] = {{"zero", false}};
-    encoding["axis"] = {{"tickCount", 3}};
+chart::Points points(const std::vector<ReadingMark>& marks, const Model& model,
+                     const std::string& routing, bool held_out, bool has_held_out) {
+  chart::Points points;
+  for (const ReadingMark& mark : marks) {
+    if (mark.routing != routing || mark.held_out != held_out) continue;
+    const double predicted_N = mark.*model.predicted_N;
+    points.spots.push_back(
+        {predicted_N, mark.measured_N, title(mark, predicted_N, has_held_out), ""});
   }
-  return encoding;
+  return points;
 }
 
-// Mean, and as far as a standard deviation to both sides, of each category or bin.
-Json means(const MarkColumn& column) {
-  Json transform = Json::array();
-  std::string field = column.field;
-  if (!column.categories) {
-    field = "bin";
-    transform.push_back(
-        {{"bin", {{"maxbins", 8}}}, {"field", column.field}, {"as", {"bin_low", "bin_high"}}});
-    transform.push_back({{"calculate", "(datum.bin_low + datum.bin_high) / 2"}, {"as", field}});
+// Filled what no fit has seen, hollow what was fitted to; of one name, so that the legend has it
+// once, filled where both are.
+std::vector<chart::Layer> layers(const std::vector<ReadingMark>& marks, const Model& model,
+                                 bool has_held_out) {
+  std::vector<chart::Layer> layers;
+  const std::vector<std::string> names = routings(marks);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    chart::Style style{chart::series_colour(i), chart::series_symbol(i), 3.2, 1.2, 0.9};
+    const auto add = [&](bool held_out) {
+      layers.push_back({names[i], style, points(marks, model, names[i], held_out, has_held_out)});
+    };
+    if (has_held_out) add(true);
+    style.fill = 0;
+    add(false);
   }
-  transform.push_back(
-      {{"aggregate", Json::array({{{"op", "mean"}, {"field", "residual"}, {"as", "mean"}},
-                                  {{"op", "stdev"}, {"field", "residual"}, {"as", "spread"}}})},
-       {"groupby", {"model", field}}});
-  transform.push_back({{"calculate", "datum.mean - (datum.spread || 0)"}, {"as", "low"}});
-  transform.push_back({{"calculate", "datum.mean + (datum.spread || 0)"}, {"as", "high"}});
-  Json x = along(column);
-  x["field"] = field;
-  Json mean = residual_axis();
-  mean["field"] = "mean";
-  Json low = mean;
-  low["field"] = "low";
-  const Json spread{{"mark", {{"type", "rule"}, {"strokeWidth", 2}, {"color", mean_colour}}},
-                    {"encoding", {{"x", x}, {"y", low}, {"y2", {{"field", "high"}}}}}};
-  const Json point{{"mark",
-                    {{"type", "point"},
-                     {"shape", "diamond"},
-                     {"filled", true},
-                     {"size", 60},
-                     {"color", mean_colour},
-                     {"opacity", 1}}},
-                   {"encoding", {{"x", x}, {"y", mean}}}};
-  return {{"transform", transform}, {"layer", Json::array({spread, point})}};
+  return layers;
+}
+
+// What hollow and filled symbols mean; without marks, only for the legend.
+void explain_filling(chart::Panel& panel) {
+  chart::Style grey{chart::Colour::grey, chart::Symbol::circle, 3.2, 1.2, 0};
+  panel.layers.push_back({"fitted to", grey, chart::Points{}});
+  grey.fill = 0.9;
+  panel.layers.push_back({"held out", grey, chart::Points{}});
+}
+
+chart::Extent tensions(const std::vector<ReadingMark>& marks) {
+  chart::Extent extent;
+  extent.add(0);
+  for (const ReadingMark& mark : marks) {
+    for (const double tension : {mark.measured_N, mark.before_N, mark.after_N}) extent.add(tension);
+  }
+  return extent;
+}
+
+chart::Panel panel(const std::vector<ReadingMark>& marks, const Model& model, double linear_to,
+                   bool has_held_out) {
+  const chart::Extent extent = tensions(marks);
+  chart::Panel panel;
+  panel.title = model.title;
+  panel.x.title = "predicted, N";
+  panel.y.title = "measured, N";
+  panel.x.reaches = {extent.low, extent.high};
+  panel.x.linear_to = linear_to;
+  panel.one_scale = true;
+  const chart::Style line{chart::Colour::grey, chart::Symbol::circle, 0, 1.5, 1, 1,
+                          chart::Dash::dashed};
+  panel.layers.push_back(
+      {"", line,
+       chart::Paths{{{{{extent.low, extent.low}, {extent.high, extent.high}}, ""}}, false}});
+  for (chart::Layer& layer : layers(marks, model, has_held_out)) {
+    panel.layers.push_back(std::move(layer));
+  }
+  return panel;
+}
+
+std::string drawn(const DiagnosisReport& report, const std::vector<ReadingMark>& marks,
+                  double linear_to) {
+  chart::Chart chart;
+  const bool has_held_out = report.result.held_out_runs > 0;
+  for (const Model& model : models(report)) {
+    chart.panels.push_back(panel(marks, model, linear_to, has_held_out));
+  }
+  if (has_held_out) explain_filling(chart.panels.front());
+  chart.alt = compared_alt(report);
+  chart.width = chart.height = 270;
+  chart.columns = chart.panels.size();
+  return chart_svg(chart);
 }
 
 }  // namespace
 
-Figure compared_figure(const DiagnosisReport& report, const Json& marks) {
-  const bool extended = !report.result.causes.empty();
-  Json panels = Json::array({compared_panel(
-      marks, "before", extended ? "before: the model as it stands" : "the model as it stands")});
-  if (extended) panels.push_back(compared_panel(marks, "after", "after: the extended model"));
-  Figure figure;
-  figure.id = "compared";
-  figure.title = "Measured against predicted tension.";
-  figure.caption = simulated_label(report) +
-                   "Each point is one sensor in one reading; on the dashed line both agree." +
-                   (report.result.held_out_runs == 0
-                        ? ""
-                        : " Hollow points were fitted to, filled ones are of runs that no fit has "
-                          "seen.") +
-                   thinned_text(report, marks);
-  figure.alt = compared_alt(report);
-  figure.spec = {{"data", {{"values", marks}}},
-                 {"usermeta", {{"columns", panels.size()}, {"greatest_px", 420}}},
-                 {"columns", panels.size()},
-                 {"spacing", 24},
-                 {"concat", panels}};
-  return reeve::figure(std::move(figure));
+Figure compared_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks) {
+  return {"compared", "Measured against predicted tension.",
+          simulated_label(report) +
+              "Each point is one sensor in one reading; on the dashed line both agree." +
+              (report.result.held_out_runs == 0
+                   ? ""
+                   : " Hollow points were fitted to, filled ones are of runs that no fit has "
+                     "seen.") +
+              thinned_text(report, marks.size()),
+          drawn(report, marks, 0)};
 }
 
-Figure residual_figure(const DiagnosisReport& report, const Json& marks, const MarkColumn& column) {
-  const bool extended = !report.result.causes.empty();
-  std::vector<std::string> fields{"residual_before", "residual_after", "line", "run",
-                                  "strand",          "routing",        "grasp"};
-  if (std::find(fields.begin(), fields.end(), column.field) == fields.end()) {
-    fields.push_back(column.field);
-  }
-  const Json points{
-      {"mark", {{"type", "point"}, {"filled", true}, {"size", 12}, {"opacity", 0.45}}},
-      {"encoding",
-       {{"x", along(column)},
-        {"y", residual_axis()},
-        {"tooltip",
-         Json::array({{{"field", "line"}},
-                      {{"field", "run"}},
-                      {{"field", "routing"}},
-                      {{"field", "strand"}},
-                      {{"field", "residual"}, {"type", "quantitative"}, {"format", ".3~g"}}})}}}};
-  const Json layers = Json::array({noise_band(), points, means(column)});
-  Figure figure;
-  figure.id = column.id;
-  figure.title = fmt::format("By {}.", column.title);
-  figure.caption = simulated_label(report);
-  figure.alt = fmt::format(
-      "Residuals in standard deviations of the noise over {}{}; in grey what 95 % of noise "
-      "does.",
-      column.title, extended ? ", before and after the model is extended" : "");
-  Json before_after = Json::array({"residual_before"});
-  if (extended) before_after.push_back("residual_after");
-  figure.spec = {
-      {"title", {{"text", fmt::format("by {}", column.title)}, {"limit", 330}}},
-      {"data", {{"values", fields_of(marks, fields)}}},
-      {"transform", Json::array({{{"fold", before_after}, {"as", {"model", "residual"}}}})},
-      {"facet",
-       {{"column",
-         {{"field", "model"},
-          {"sort", before_after},
-          {"title", nullptr},
-          {"header",
-           {{"labelExpr",
-             extended ? "datum.value == 'residual_before' ? 'before' : 'after'" : "''"}}}}}}},
-      {"spacing", 10},
-      {"spec", {{"width", extended ? 126 : 260}, {"height", 150}, {"layer", layers}}}};
-  return reeve::figure(std::move(figure));
+Figure compared_logarithmic_figure(const DiagnosisReport& report,
+                                   const std::vector<ReadingMark>& marks) {
+  return {"compared-logarithmic", "Measured against predicted tension, logarithmic.",
+          simulated_label(report) +
+              fmt::format("The same points; the scales are linear below {:g} N, so that 0 has a "
+                          "place.",
+                          linear_to_N) +
+              thinned_text(report, marks.size()),
+          drawn(report, marks, linear_to_N)};
 }
 
-std::string thinned_text(const DiagnosisReport& report, const Json& marks) {
+std::string thinned_text(const DiagnosisReport& report, std::size_t drawn) {
   const std::size_t all = report.result.cells.size();
-  if (marks.size() == all) return "";
+  if (drawn == all) return "";
   return fmt::format(
       " Drawn are {} of {} values, chosen evenly by a fixed rule; residuals.csv has "
       "all.",
-      marks.size(), all);
+      drawn, all);
 }
 
 }  // namespace reeve

@@ -10,10 +10,15 @@
 namespace reeve {
 
 // Measured over predicted tension, before and after, on the same scales.
-Figure compared_figure(const DiagnosisReport& report, const Json& marks);
+Figure compared_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks);
+
+// The same on logarithmic scales, where the small tensions are not one spot in the corner.
+Figure compared_logarithmic_figure(const DiagnosisReport& report,
+                                   const std::vector<ReadingMark>& marks);
 
 // Residuals in standard deviations of the noise, along one column.
-Figure residual_figure(const DiagnosisReport& report, const Json& marks, const MarkColumn& column);
+Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks,
+                       const MarkColumn& column);
 
 // Each weighed model's gain on held-out runs, beside what the noise allows; on the training runs
 // where none were held out.
@@ -26,6 +31,6 @@ Figure runs_figure(const DiagnosisReport& report);
 Figure parameters_figure(const DiagnosisReport& report);
 
 // Of a figure whose points may be a part of all.
-std::string thinned_text(const DiagnosisReport& report, const Json& marks);
+std::string thinned_text(const DiagnosisReport& report, std::size_t drawn);
 
 }  // namespace reeve

@@ -18,24 +18,24 @@ constexpr std::uint32_t stream = 0x3a9;
 
 using Value = std::function<std::optional<double>(const Reading&)>;
 
-struct NumberColumn {
-  MarkColumn column;
-  Value value;
-};
-
-std::vector<NumberColumn> number_columns(const DiagnosisReport& report) {
-  std::vector<NumberColumn> columns{
-      {{"load", "residuals-load", "load: motor tension, N"},
+// Those that the file's format names, then the user's own.
+std::vector<MarkColumn> known_columns() {
+  return {
+      {"residuals-load", "load: motor tension, N", nullptr,
        [](const Reading& r) { return r.motor_tension_N; }},
-      {{"speed", "residuals-speed", "speed, mm/s"}, [](const Reading& r) { return r.speed_mm_s; }},
-      {{"cycle", "residuals-cycle", "cycle"}, [](const Reading& r) { return r.cycle; }},
-      {{"temperature", "residuals-temperature", "temperature, °C"},
+      {"residuals-speed", "speed, mm/s", nullptr, [](const Reading& r) { return r.speed_mm_s; }},
+      {"residuals-cycle", "cycle", nullptr, [](const Reading& r) { return r.cycle; }},
+      {"residuals-temperature", "temperature, °C", nullptr,
        [](const Reading& r) { return r.temperature_C; }},
-      {{"sheath_angle", "residuals-sheath-angle", "sheath angle, rad"},
+      {"residuals-sheath-angle", "sheath angle, rad", nullptr,
        [](const Reading& r) { return r.sheath_angle_rad; }}};
+}
+
+std::vector<MarkColumn> unknown_columns(const DiagnosisReport& report) {
+  std::vector<MarkColumn> columns;
   for (std::size_t k = 0; k < report.data.covariates.size(); ++k) {
-    columns.push_back({{fmt::format("c{}", k), fmt::format("residuals-column-{}", k + 1),
-                        fmt::format("column “{}”", report.data.covariates[k])},
+    columns.push_back({fmt::format("residuals-column-{}", k + 1),
+                       fmt::format("column “{}”", report.data.covariates[k]), nullptr,
                        [k](const Reading& r) { return r.covariates[k]; }});
   }
   return columns;
@@ -80,77 +80,64 @@ std::string grasp_text(Grasp grasp) {
   return held.empty() ? "none" : fmt::format("{}", fmt::join(held, ", "));
 }
 
-Json mark(const DiagnosisReport& report, const ComparedCell& compared) {
+ReadingMark mark(const DiagnosisReport& report, const ComparedCell& compared) {
   const Reading& reading = report.data.readings[compared.cell.reading];
-  return {{"measured", compared.cell.measured_N},
-          {"before", number(compared.before_N)},
-          {"after", number(compared.after_N)},
-          {"residual_before", number(compared.residual_before)},
-          {"residual_after", number(compared.residual_after)},
-          {"held_out", compared.held_out ? "held out" : "training"},
-          {"routing", routing_label(report, report.data.routings[reading.routing].word)},
-          {"strand", report.data.channels[compared.cell.channel].name},
-          {"grasp", grasp_text(reading.grasp)},
-          {"direction", reading.direction == Direction::pull ? "pull" : "release"},
-          {"run", report.data.runs[reading.run]},
-          {"line", reading.line},
-          {"load", reading.motor_tension_N ? Json(*reading.motor_tension_N) : Json()}};
+  return {&reading,
+          compared.cell.measured_N,
+          compared.before_N,
+          compared.after_N,
+          compared.residual_before,
+          compared.residual_after,
+          compared.held_out,
+          routing_label(report, report.data.routings[reading.routing].word),
+          report.data.channels[compared.cell.channel].name,
+          grasp_text(reading.grasp),
+          report.data.runs[reading.run]};
+}
+
+// Into the list that it belongs to.
+void sort_in(const MarkColumn& column, const std::set<double>& seen, MarkColumns& columns) {
+  const std::string name = column.title.substr(0, column.title.find(','));
+  if (seen.empty()) {
+    columns.missing.push_back(name);
+  } else if (seen.size() == 1) {
+    columns.constant.push_back(fmt::format("{} ({:.6g})", column.title, *seen.begin()));
+  } else {
+    columns.shown.push_back(column);
+  }
 }
 
 }  // namespace
 
 MarkColumns mark_columns(const DiagnosisReport& report) {
-  MarkColumns columns{{{"routing", "residuals-routing", "routing", true},
-                       {"strand", "residuals-strand", "strand", true},
-                       {"grasp", "residuals-grasp", "grasp: held fingers", true}},
+  MarkColumns columns{{{"residuals-routing", "routing", &ReadingMark::routing, {}},
+                       {"residuals-strand", "strand", &ReadingMark::strand, {}},
+                       {"residuals-grasp", "grasp: held fingers", &ReadingMark::grasp, {}}},
                       {},
                       {},
                       0};
   const std::vector<const Reading*> readings = compared_readings(report);
-  std::size_t unknown = 0;
-  for (const auto& [column, value] : number_columns(report)) {
-    const std::set<double> seen = values(readings, value);
-    const std::string name = column.title.substr(0, column.title.find(','));
-    if (seen.empty()) {
-      columns.missing.push_back(name);
-    } else if (seen.size() == 1) {
-      columns.constant.push_back(fmt::format("{} ({:.6g})", column.title, *seen.begin()));
-    } else if (column.field.starts_with('c') && column.field != "cycle" &&
-               ++unknown > most_unknown_columns) {
+  for (const MarkColumn& column : known_columns()) {
+    sort_in(column, values(readings, column.number), columns);
+  }
+  const std::size_t known = columns.shown.size();
+  for (const MarkColumn& column : unknown_columns(report)) {
+    const std::set<double> seen = values(readings, column.number);
+    if (seen.size() > 1 && columns.shown.size() == known + most_unknown_columns) {
       ++columns.not_drawn;
     } else {
-      columns.shown.push_back(column);
+      sort_in(column, seen, columns);
     }
   }
-  columns.shown.push_back({"line", "residuals-order", "order: line of the file"});
+  columns.shown.push_back({"residuals-order", "order: line of the file", nullptr,
+                           [](const Reading& r) { return static_cast<double>(r.line); }});
   return columns;
 }
 
-Json marks(const DiagnosisReport& report, const std::vector<MarkColumn>& columns,
-           std::size_t most) {
-  const std::vector<ComparedCell>& cells = report.result.cells;
-  Json list = Json::array();
-  for (const std::size_t i : chosen(cells.size(), most)) {
-    Json datum = mark(report, cells[i]);
-    const Reading& reading = report.data.readings[cells[i].cell.reading];
-    for (const NumberColumn& known : number_columns(report)) {
-      const bool shown = std::any_of(columns.begin(), columns.end(), [&](const MarkColumn& other) {
-        return other.field == known.column.field;
-      });
-      const std::optional<double> given = known.value(reading);
-      if (shown) datum[known.column.field] = given ? number(*given) : Json();
-    }
-    list.push_back(std::move(datum));
-  }
-  return list;
-}
-
-Json fields_of(const Json& marks, const std::vector<std::string>& fields) {
-  Json list = Json::array();
-  for (const Json& mark : marks) {
-    Json datum = Json::object();
-    for (const std::string& field : fields) datum[field] = mark[field];
-    list.push_back(std::move(datum));
+std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most) {
+  std::vector<ReadingMark> list;
+  for (const std::size_t i : chosen(report.result.cells.size(), most)) {
+    list.push_back(mark(report, report.result.cells[i]));
   }
   return list;
 }

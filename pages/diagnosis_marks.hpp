@@ -1,24 +1,36 @@
-// The compared readings as charts take them: one datum for each measured tension, a part of them
+// The compared readings as charts take them: one mark for each measured tension, a part of them
 // where they are many.
-//
-// Names of columns are the user's, and Vega reads dots and brackets in the name of a field as a
-// path: columns of the file are c0, c1, … here, and their names only titles.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/diagnosis_report.hpp"
-#include "reports/json.hpp"
 
 namespace reeve {
 
-// Something that residuals can follow.
+struct ReadingMark {
+  const Reading* reading = nullptr;
+  double measured_N = 0;
+  double before_N = 0;         // by the model as it stands
+  double after_N = 0;          // by the extended one
+  double residual_before = 0;  // sd of the noise
+  double residual_after = 0;
+  bool held_out = false;
+  std::string routing;
+  std::string strand;
+  std::string grasp;
+  std::string run;
+};
+
+// Something that residuals can follow: one of the mark's texts, or a number of its reading.
 struct MarkColumn {
-  std::string field;  // in the data
-  std::string id;     // for the figure
+  std::string id;  // for the figure
   std::string title;
-  bool categories = false;
+  std::string ReadingMark::*category = nullptr;
+  std::function<std::optional<double>(const Reading&)> number;
 };
 
 struct MarkColumns {
@@ -30,13 +42,9 @@ struct MarkColumns {
 
 MarkColumns mark_columns(const DiagnosisReport& report);
 
-// measured, before, after (N); residual_before, residual_after (sd of the noise); held_out,
-// routing, strand, grasp, direction, run, line; and the columns' fields. At most this many, drawn
-// by a fixed rule from all; all where they are fewer.
-Json marks(const DiagnosisReport& report, const std::vector<MarkColumn>& columns, std::size_t most);
-
-// Of those marks only these fields.
-Json fields_of(const Json& marks, const std::vector<std::string>& fields);
+// At most this many, drawn by a fixed rule from all; all where they are fewer. They point into the
+// report.
+std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most);
 
 // The catalogue's name of a routing, or its word.
 std::string routing_label(const DiagnosisReport& report, const std::string& word);

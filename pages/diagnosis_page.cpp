@@ -34,8 +34,8 @@ class Figures {
   std::vector<FigureFile> files_;
 };
 
-Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns, const Json& drawn,
-                      Figures& figures) {
+Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
+                      const std::vector<ReadingMark>& drawn, Figures& figures) {
   Json list = Json::array();
   for (const MarkColumn& column : columns.shown) {
     list.push_back({{"html", figures.add(residual_figure(report, drawn, column))}});
@@ -81,15 +81,17 @@ void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& 
 DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
   const DiagnosisReport& report = input.report;
   const MarkColumns columns = mark_columns(report);
-  const Json few = marks(report, columns.shown, most_residuals);
+  const std::vector<ReadingMark> few = marks(report, most_residuals);
+  const std::vector<ReadingMark> many = marks(report, most_compared);
   Figures figures;
   Json values;
   values["answer"] = answer_values(report);
   values["data"] = data_values(input);
-  values["compared"] = figures.add(compared_figure(report, marks(report, {}, most_compared)));
+  values["compared"] = figures.add(compared_figure(report, many));
+  values["compared_logarithmic"] = figures.add(compared_logarithmic_figure(report, many));
   values["residuals"] = residual_figures(report, columns, few, figures);
   values["structure"] = structure_values(report, columns);
-  values["structure"]["thinned"] = thinned_text(report, few);
+  values["structure"]["thinned"] = thinned_text(report, few.size());
   values["causes"] = cause_values(report);
   add_evidence_figures(report, values, figures);
   values["separation"] = report.result.separating_measurement.has_value();
@@ -101,7 +103,6 @@ DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
   page.title = fmt::format("Diagnosis of {}{}", report.data.file,
                            report.data.simulated ? " (simulated)" : "");
   page.body = render("diagnosis.mustache", values);
-  page.script = "diagnosis.js";
   page.data = Json::object();
   return {page_html(page), std::move(figures).files()};
 }

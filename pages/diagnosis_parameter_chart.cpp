@@ -1,81 +1,73 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "pages/diagnosis_charts.hpp"
 #include "pages/diagnosis_labels.hpp"
+#include "reports/chart_svg.hpp"
 
 namespace reeve {
 namespace {
 
-Json position(const char* field, const std::string& title) {
-  return {
-      {"field", field}, {"type", "quantitative"}, {"title", title}, {"scale", {{"zero", false}}}};
+constexpr double row_px = 26;
+
+std::string interval(const EstimatedParameter& parameter) {
+  return fmt::format("{:.4g} ({:.4g} to {:.4g})", parameter.value, parameter.low, parameter.high);
 }
 
-Json row(const char* name) { return {{"datum", name}, {"type", "nominal"}}; }
-
-Json one(const Json& datum, const Json& mark, const Json& encoding) {
-  return {{"data", {{"values", Json::array({datum})}}}, {"mark", mark}, {"encoding", encoding}};
-}
-
-Json y(const char* name) {
-  Json encoding = row(name);
-  encoding["title"] = nullptr;
-  encoding["sort"] = {"estimate", "nominal", "literature"};
-  return encoding;
-}
-
-Json panel(const NamedCause& cause, const EstimatedParameter& parameter) {
-  const std::string title = parameter.unit == "1"
-                                ? parameter.name
-                                : fmt::format("{}, {}", parameter.name, parameter.unit);
-  Json layers = Json::array();
-  layers.push_back(
-      one({{"x", number(parameter.low)}, {"to", number(parameter.high)}},
-          {{"type", "rule"}, {"strokeWidth", 3}},
-          {{"x", position("x", title)}, {"x2", {{"field", "to"}}}, {"y", y("estimate")}}));
-  layers.push_back(one(
-      {{"x", number(parameter.value)}},
-      {{"type", "point"}, {"shape", "diamond"}, {"filled", true}, {"size", 110}, {"opacity", 1}},
-      {{"x", position("x", title)}, {"y", y("estimate")}}));
+// A row for each thing that is known of the parameter.
+chart::Panel panel(const NamedCause& cause, const EstimatedParameter& parameter) {
+  chart::Panel panel;
+  panel.title = cause.name;
+  panel.x.title = parameter.unit == "1" ? parameter.name
+                                        : fmt::format("{}, {}", parameter.name, parameter.unit);
+  panel.y.categories = {"estimate", "nominal", "literature"};
+  panel.y.grid = false;
+  const std::string title = fmt::format("{} {}", parameter.name, interval(parameter));
+  chart::Style ink{chart::Colour::ink, chart::Symbol::diamond, 5, 3};
+  panel.layers = {
+      {"", ink, chart::Spans{{{0, parameter.low, parameter.high, title}}, chart::Along::x, {}}},
+      {"",
+       {chart::Colour::blue, chart::Symbol::diamond, 5},
+       chart::Points{{{parameter.value, 0, title, ""}}}}};
   if (parameter.nominal) {
-    layers.push_back(one({{"x", number(*parameter.nominal)}},
-                         {{"type", "point"}, {"shape", "circle"}, {"size", 90}, {"strokeWidth", 2}},
-                         {{"x", position("x", title)}, {"y", y("nominal")}}));
+    const chart::Style hollow{chart::Colour::blue, chart::Symbol::circle, 5, 2, 0};
+    panel.layers.push_back(
+        {"", hollow,
+         chart::Points{
+             {{*parameter.nominal, 1, fmt::format("nominal {:.4g}", *parameter.nominal), ""}}}});
   }
   if (parameter.literature) {
-    layers.push_back(
-        one({{"x", parameter.literature->low}, {"to", parameter.literature->high}},
-            {{"type", "bar"}, {"height", 10}, {"opacity", 0.45}, {"color", "gray"}},
-            {{"x", position("x", title)}, {"x2", {{"field", "to"}}}, {"y", y("literature")}}));
+    const auto [low, high] = *parameter.literature;
+    const chart::Style broad{chart::Colour::grey, chart::Symbol::circle, 5, 10, 1, 0.5};
+    panel.layers.push_back(
+        {"", broad,
+         chart::Spans{{{2, low, high, fmt::format("literature {:.4g} to {:.4g}", low, high)}},
+                      chart::Along::x,
+                      {}}});
   }
-  return {{"title", cause.name}, {"width", 250}, {"height", {{"step", 24}}}, {"layer", layers}};
+  return panel;
 }
 
 }  // namespace
 
 Figure parameters_figure(const DiagnosisReport& report) {
-  Json panels = Json::array();
-  std::string alt = "Estimates with 95 % intervals:";
+  chart::Chart chart;
+  chart.alt = "Estimates with 95 % intervals:";
   for (const NamedCause& cause : report.result.causes) {
     for (const EstimatedParameter& parameter : cause.parameters) {
-      panels.push_back(panel(cause, parameter));
-      alt += fmt::format(" {} of {} {:.4g} ({:.4g} to {:.4g});", parameter.name, cause.name,
-                         parameter.value, parameter.low, parameter.high);
+      chart.panels.push_back(panel(cause, parameter));
+      chart.alt += fmt::format(" {} of {} {};", parameter.name, cause.name, interval(parameter));
     }
   }
-  Figure figure;
-  figure.id = "parameters";
-  figure.title = "Sizes of the causes.";
-  figure.caption =
-      simulated_label(report) +
-      "Diamond with bar: estimate and its 95 % interval. Circle: the nominal value, at "
-      "which nothing would be wrong. Grey: the literature's range.";
-  figure.alt = alt;
-  figure.spec = {{"usermeta", {{"columns", 2}, {"greatest_px", 400}}},
-                 {"columns", 2},
-                 {"spacing", 24},
-                 {"concat", panels}};
-  return reeve::figure(std::move(figure));
+  chart.width = 250;
+  chart.height = 3 * row_px;
+  chart.columns = 2;
+  return {"parameters", "Sizes of the causes.",
+          simulated_label(report) +
+              "Diamond with bar: estimate and its 95 % interval. Circle: the nominal value, at "
+              "which nothing would be wrong. Grey: the literature's range.",
+          chart_svg(chart)};
 }
 
 }  // namespace reeve

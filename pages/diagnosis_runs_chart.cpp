@@ -1,115 +1,76 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "pages/diagnosis_charts.hpp"
 #include "pages/diagnosis_labels.hpp"
+#include "reports/chart_svg.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::size_t most_runs = 40;
+constexpr double row_px = 26;
 
-Json runs_axis() {
-  return {{"field", "run"},
-          {"type", "nominal"},
-          {"sort", nullptr},
-          {"title", "run"},
-          {"axis", {{"labelLimit", 120}, {"grid", true}}}};
+std::string title(const std::string& run, const RunGain& gain, bool extended) {
+  std::string text = fmt::format("run {}: {} measured values\nbefore {:.3g} N", run, gain.cells,
+                                 gain.rms_before_N);
+  if (extended) text += fmt::format(", after {:.3g} N", gain.rms_after_N);
+  return text + fmt::format("\nnoise alone {:.3g} N", gain.rms_noise_N);
 }
 
-Json rms(const char* field) {
-  return {{"field", field},
-          {"type", "quantitative"},
-          {"title", "root mean square residual, N"},
-          {"scale", {{"zero", true}}}};
-}
-
-Json model_encoding(bool extended, bool shapes) {
-  Json domain = Json::array({"before"});
-  if (extended) domain.push_back("after");
-  Json encoding{{"field", "model"},
-                {"type", "nominal"},
-                {"title", nullptr},
-                {"scale", {{"domain", domain}}},
-                {"legend", {{"orient", "bottom"}}}};
-  if (shapes) encoding["scale"]["range"] = {"circle", "diamond"};
-  return encoding;
-}
-
-Json tooltip() {
-  return Json::array(
-      {{{"field", "run"}, {"type", "nominal"}},
-       {{"field", "model"}, {"type", "nominal"}},
-       {{"field", "rms"}, {"title", "rms, N"}, {"type", "quantitative"}, {"format", ".3~g"}},
-       {{"field", "noise"},
-        {"title", "noise alone, N"},
-        {"type", "quantitative"},
-        {"format", ".3~g"}},
-       {{"field", "values"}, {"title", "measured values"}, {"type", "quantitative"}}});
-}
-
-// One datum for each run and model, and all of the run beside it.
-Json run_values(const DiagnosisReport& report, bool extended) {
-  Json values = Json::array();
-  const std::vector<RunGain>& gains = report.result.run_gains;
-  for (std::size_t i = 0; i < gains.size() && i < most_runs; ++i) {
-    Json datum{{"run", report.data.runs[gains[i].run]}, {"values", gains[i].cells},
-               {"from", number(gains[i].rms_before_N)}, {"to", number(gains[i].rms_after_N)},
-               {"noise", number(gains[i].rms_noise_N)}, {"model", "before"},
-               {"rms", number(gains[i].rms_before_N)}};
-    values.push_back(datum);
-    if (!extended) continue;
-    datum["model"] = "after";
-    datum["rms"] = datum["to"];
-    values.push_back(std::move(datum));
+chart::Panel panel(const DiagnosisReport& report, std::size_t runs, bool extended) {
+  chart::Panel panel;
+  panel.x.title = "root mean square residual, N";
+  panel.x.least = 0;
+  panel.x.reaches = {0};
+  panel.y.title = "run";
+  chart::Spans gains{{}, chart::Along::x, {}};
+  chart::Points noise;
+  chart::Points before;
+  chart::Points after;
+  for (std::size_t i = 0; i < runs; ++i) {
+    const RunGain& gain = report.result.run_gains[i];
+    const std::string& run = report.data.runs[gain.run];
+    const std::string text = title(run, gain, extended);
+    const auto at = static_cast<double>(i);
+    panel.y.categories.push_back(run);
+    gains.spans.push_back({at, gain.rms_before_N, gain.rms_after_N, text});
+    noise.spots.push_back({gain.rms_noise_N, at, text, ""});
+    before.spots.push_back({gain.rms_before_N, at, text, ""});
+    after.spots.push_back({gain.rms_after_N, at, text, ""});
   }
-  return values;
-}
-
-Json layers(bool extended) {
-  const Json span{
-      {"mark", {{"type", "rule"}, {"strokeWidth", 1.5}}},
-      {"encoding", {{"y", runs_axis()}, {"x", rms("from")}, {"x2", {{"field", "to"}}}}}};
-  const Json noise{{"mark",
-                    {{"type", "tick"},
-                     {"orient", "vertical"},
-                     {"thickness", 3},
-                     {"size", 20},
-                     {"color", "gray"}}},
-                   {"encoding", {{"y", runs_axis()}, {"x", rms("noise")}}}};
-  const Json points{{"mark", {{"type", "point"}, {"filled", true}, {"size", 100}, {"opacity", 1}}},
-                    {"encoding",
-                     {{"y", runs_axis()},
-                      {"x", rms("rms")},
-                      {"color", model_encoding(extended, false)},
-                      {"shape", model_encoding(extended, true)},
-                      {"tooltip", tooltip()}}}};
-  return Json::array({span, noise, points});
+  chart::Style ink{chart::Colour::ink};
+  if (extended) panel.layers.push_back({"", ink, gains});
+  panel.layers.push_back({"noise alone", {chart::Colour::grey, chart::Symbol::tick, 6}, noise});
+  panel.layers.push_back({"before", {chart::Colour::blue, chart::Symbol::circle, 5}, before});
+  if (extended) {
+    panel.layers.push_back({"after", {chart::Colour::orange, chart::Symbol::diamond, 5}, after});
+  }
+  return panel;
 }
 
 }  // namespace
 
 Figure runs_figure(const DiagnosisReport& report) {
-  const std::size_t runs = report.result.run_gains.size();
+  const std::size_t all = report.result.run_gains.size();
+  const std::size_t drawn = std::min(all, most_runs);
   const bool extended = !report.result.causes.empty();
-  Figure figure;
-  figure.id = "held-out-runs";
-  figure.title = "Each held-out run by itself.";
-  figure.caption = simulated_label(report) +
-                   (extended ? "From the model as it stands to the extended one. " : "") +
-                   "Grey ticks: what noise alone leaves on average.";
-  if (runs > most_runs) {
-    figure.caption +=
-        fmt::format(" Drawn are the first {} of {} runs; diagnosis.json has all.", most_runs, runs);
+  std::string caption = simulated_label(report) +
+                        (extended ? "From the model as it stands to the extended one. " : "") +
+                        "Grey ticks: what noise alone leaves on average.";
+  if (all > drawn) {
+    caption +=
+        fmt::format(" Drawn are the first {} of {} runs; diagnosis.json has all.", drawn, all);
   }
-  figure.alt = fmt::format("Root mean square residuals of {} held-out runs{}, and of noise alone.",
-                           runs, extended ? ", before and after" : "");
-  figure.spec = {{"data", {{"values", run_values(report, extended)}}},
-                 {"width", "container"},
-                 {"height", 26 * std::min(runs, most_runs)},
-                 {"layer", layers(extended)}};
-  return reeve::figure(std::move(figure));
+  chart::Chart chart;
+  chart.alt = fmt::format("Root mean square residuals of {} held-out runs{}, and of noise alone.",
+                          all, extended ? ", before and after" : "");
+  chart.width = 480;
+  chart.height = row_px * static_cast<double>(drawn);
+  chart.panels.push_back(panel(report, drawn, extended));
+  return {"held-out-runs", "Each held-out run by itself.", caption, chart_svg(chart)};
 }
 
 }  // namespace reeve

@@ -1,97 +1,82 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "pages/diagnosis_charts.hpp"
 #include "pages/diagnosis_labels.hpp"
-#include "reports/diagnosis_words.hpp"
+#include "reports/chart_svg.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::size_t most_models = 15;
-constexpr std::size_t row_px = 26;
+constexpr double row_px = 26;
 
-Json quantitative(const char* field, const std::string& title = "") {
-  Json encoding{{"field", field}, {"type", "quantitative"}};
-  if (!title.empty()) encoding["title"] = title;
-  return encoding;
+// Shapes and colours keep their meaning, whichever of them a diagnosis has.
+struct StandingStyle {
+  const char* standing;
+  chart::Style style;
+};
+
+const std::array<StandingStyle, 4> standings{
+    {{"weighed", {chart::Colour::blue, chart::Symbol::circle, 5.5}},
+     {"named", {chart::Colour::orange, chart::Symbol::diamond, 5.5}},
+     {"cannot be told from it", {chart::Colour::green, chart::Symbol::square, 5.5}},
+     {"not confirmed", {chart::Colour::pink, chart::Symbol::cross, 5.5}}}};
+
+std::string title(const WeighedCause& weighed, const std::string& place) {
+  std::string text =
+      fmt::format("{}: {}\ntraining runs: {:.4g}", weighed.name, place, weighed.gain);
+  if (weighed.held_out) {
+    text += fmt::format("\nheld-out runs: {:.4g} ({:.4g} to {:.4g})",
+                        weighed.held_out->log_likelihood_gain, weighed.held_out->gain_low,
+                        weighed.held_out->gain_high);
+  }
+  return text;
 }
 
-// In the order of the data.
-Json rows_axis() {
-  return {{"field", "name"},
-          {"type", "nominal"},
-          {"sort", nullptr},
-          {"title", nullptr},
-          {"axis",
-           {{"labelExpr", "split(datum.label, ' + ')"},
-            {"labelLimit", {{"expr", "containerSize()[0] < 600 ? 130 : 320"}}},
-            {"grid", true}}}};
+// A line for what the noise allows, and the band in which noise puts it.
+void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
+  chart::Style grey{chart::Colour::grey};
+  grey.fill = 0.2;
+  chart::Style dashed{chart::Colour::ink};
+  dashed.dash = chart::Dash::dashed;
+  panel.layers.push_back({"where noise puts that, 95 %", grey,
+                          chart::Bands{{{0, limit.low, limit.high, ""}}, chart::Along::x}});
+  panel.layers.push_back({"as good as noise allows", dashed,
+                          chart::Rules{{{limit.log_likelihood_gain, "as good as noise allows", ""}},
+                                       chart::Along::x}});
 }
 
-Json weighed_values(const DiagnosisResult& result) {
-  Json values = Json::array();
+// The intervals of all, and the points of each standing.
+void add_models(const DiagnosisResult& result, chart::Panel& panel) {
   const std::vector<WeighedCause> models = by_training_gain(result.weighed);
+  std::array<chart::Points, standings.size()> points;
+  chart::Spans intervals{{}, chart::Along::x, {}};
   for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
     const WeighedCause& weighed = models[i];
     const std::string place = standing(result, weighed.name);
-    Json datum{{"name", (place == "named" ? "◆ " : "") + weighed.name},
-               {"standing", place},
-               {"training", number(weighed.gain)}};
+    const std::string text = title(weighed, place);
+    const auto at = static_cast<double>(i);
+    panel.y.categories.push_back((place == "named" ? "◆ " : "") + weighed.name);
+    const double gain = weighed.held_out ? weighed.held_out->log_likelihood_gain : weighed.gain;
     if (weighed.held_out) {
-      datum["gain"] = number(weighed.held_out->log_likelihood_gain);
-      datum["low"] = number(weighed.held_out->gain_low);
-      datum["high"] = number(weighed.held_out->gain_high);
+      intervals.spans.push_back(
+          {at, weighed.held_out->gain_low, weighed.held_out->gain_high, text});
     }
-    values.push_back(std::move(datum));
+    for (std::size_t k = 0; k < standings.size(); ++k) {
+      if (standings[k].standing == place) points[k].spots.push_back({gain, at, text, ""});
+    }
   }
-  return values;
-}
-
-// Shapes and colours keep their meaning, whichever of them a diagnosis has.
-Json standing_encoding(const Json& values, bool shapes) {
-  const Json known{"weighed", "named", "cannot be told from it", "not confirmed"};
-  Json present = Json::array();
-  for (const Json& one : known) {
-    const bool met = std::any_of(values.begin(), values.end(),
-                                 [&](const Json& datum) { return datum["standing"] == one; });
-    if (met) present.push_back(one);
+  chart::Style ink{chart::Colour::ink};
+  ink.line = 2;
+  panel.layers.push_back({"", ink, intervals});
+  for (std::size_t k = 0; k < standings.size(); ++k) {
+    if (points[k].spots.empty()) continue;
+    panel.layers.push_back({standings[k].standing, standings[k].style, points[k]});
   }
-  Json encoding{{"field", "standing"},
-                {"type", "nominal"},
-                {"title", nullptr},
-                {"scale", {{"domain", known}}},
-                {"legend", {{"orient", "bottom"}, {"columns", 2}, {"values", present}}}};
-  if (shapes) encoding["scale"]["range"] = {"circle", "diamond", "square", "cross"};
-  return encoding;
-}
-
-Json upright(const Json& values, const char* dash_of, const std::string& text) {
-  Json layer{{"data", {{"values", values}}},
-             {"mark", {{"type", "rule"}, {"strokeWidth", 1.5}, {"tooltip", text}}},
-             {"encoding", {{"x", quantitative("x")}}}};
-  if (std::string(dash_of) == "dashed") layer["mark"]["strokeDash"] = {6, 3};
-  return layer;
-}
-
-Json at(double x) { return Json::array({{{"x", x}}}); }
-
-// A line for what the noise allows, and the band in which noise puts it.
-void add_noise_limit(const NoiseLimit& limit, Json& layers) {
-  const Json band = Json::array({{{"x", limit.low}, {"to", limit.high}}});
-  layers.push_back({{"data", {{"values", band}}},
-                    {"mark", {{"type", "rect"}, {"opacity", 0.2}, {"color", "gray"}}},
-                    {"encoding", {{"x", quantitative("x")}, {"x2", {{"field", "to"}}}}}});
-  layers.push_back(upright(at(limit.log_likelihood_gain), "dashed", "as good as noise allows"));
-  layers.push_back({{"data", {{"values", at(limit.log_likelihood_gain)}}},
-                    {"mark",
-                     {{"type", "text"},
-                      {"text", "as good as noise allows"},
-                      {"align", "right"},
-                      {"dx", -4},
-                      {"y", -8}}},
-                    {"encoding", {{"x", quantitative("x")}}}});
 }
 
 std::string weighed_caption(const DiagnosisReport& report) {
@@ -120,47 +105,24 @@ std::string weighed_caption(const DiagnosisReport& report) {
 
 Figure weighed_figure(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  const Json values = weighed_values(result);
-  const bool held_out = result.noise_limit.has_value();
-  const std::string title =
-      fmt::format("gain in log-likelihood on {} runs", held_out ? "held-out" : "training");
-  const char* field = held_out ? "gain" : "training";
-  Json layers = Json::array({upright(at(0), "solid", "the model as it stands")});
-  if (held_out) {
-    add_noise_limit(*result.noise_limit, layers);
-    layers.push_back(
-        {{"mark", {{"type", "rule"}, {"strokeWidth", 2}}},
-         {"encoding",
-          {{"y", rows_axis()}, {"x", quantitative("low", title)}, {"x2", {{"field", "high"}}}}}});
-  }
-  Json tooltips =
-      Json::array({{{"field", "name"}, {"title", "model"}},
-                   {{"field", "training"}, {"type", "quantitative"}, {"format", ".4~g"}}});
-  if (held_out) {
-    for (const char* name : {"gain", "low", "high"}) {
-      tooltips.push_back({{"field", name}, {"type", "quantitative"}, {"format", ".4~g"}});
-    }
-  }
-  layers.push_back({{"mark", {{"type", "point"}, {"filled", true}, {"size", 130}, {"opacity", 1}}},
-                    {"encoding",
-                     {{"y", rows_axis()},
-                      {"x", quantitative(field, title)},
-                      {"color", standing_encoding(values, false)},
-                      {"shape", standing_encoding(values, true)},
-                      {"tooltip", tooltips}}}});
-  Figure figure;
-  figure.id = "weighed";
-  figure.title = "The causes, weighed.";
-  figure.caption = weighed_caption(report);
-  figure.alt = fmt::format(
+  chart::Panel panel;
+  panel.x.title = fmt::format("gain in log-likelihood on {} runs",
+                              result.noise_limit ? "held-out" : "training");
+  if (result.noise_limit) add_noise_limit(*result.noise_limit, panel);
+  const chart::Style ink{chart::Colour::ink};
+  panel.layers.push_back(
+      {"", ink, chart::Rules{{{0, "the model as it stands", ""}}, chart::Along::x}});
+  add_models(result, panel);
+  const std::vector<std::string>& names = panel.y.categories;
+  chart::Chart chart;
+  chart.alt = fmt::format(
       "Gain in log-likelihood of {} models, best {}; the table below has the "
       "numbers.",
-      values.size(), values.empty() ? Json("none") : values[0]["name"]);
-  figure.spec = {{"data", {{"values", values}}},
-                 {"width", "container"},
-                 {"height", row_px * values.size()},
-                 {"layer", layers}};
-  return reeve::figure(std::move(figure));
+      names.size(), names.empty() ? "none" : names.front());
+  chart.width = 480;
+  chart.height = row_px * static_cast<double>(names.size());
+  chart.panels.push_back(std::move(panel));
+  return {"weighed", "The causes, weighed.", weighed_caption(report), chart_svg(chart)};
 }
 
 }  // namespace reeve

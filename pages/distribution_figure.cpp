@@ -8,6 +8,7 @@
 #include "pages/routing_parts.hpp"
 #include "pages/template.hpp"
 #include "pages/tension_charts.hpp"
+#include "reports/chart_svg.hpp"
 #include "reports/data_text.hpp"
 #include "reports/text_table.hpp"
 
@@ -15,7 +16,6 @@ namespace reeve {
 namespace {
 
 constexpr const char* model = "model";
-constexpr const char* published = "published";
 
 using Rows = std::vector<const TensionDistribution*>;
 
@@ -45,155 +45,117 @@ std::vector<std::string> headings(const TensionDistribution& row) {
   return labels(routings);
 }
 
-void add_values(Json& values, const std::string& panel, const RoutingShares& routing,
-                const std::string& measured) {
-  for (const StrandShare& strand : routing.strands) {
-    const Json place{{"panel", panel}, {"strand", strand.strand}};
-    const auto add = [&](const std::string& source, double share) -> Json& {
-      values.push_back(place);
-      values.back()["source"] = source;
-      values.back()["share"] = number(share);
-      return values.back();
-    };
-    add(model, strand.model);
-    if (strand.published) {
-      Json& bar = add(published, strand.published->share);
-      bar["printed in"] = routing.published_source;
-      bar["at fault"] = is_faulty(strand);
-    }
-    if (!strand.measured) continue;
-    Json& bar = add(measured, strand.measured->mean);
-    bar["readings"] = routing.readings;
-    if (!strand.measured->deviation) continue;
-    bar["low"] = strand.measured->mean - *strand.measured->deviation;
-    bar["high"] = strand.measured->mean + *strand.measured->deviation;
+std::string share_text(double share) { return fixed(100 * share, 1) + " %"; }
+
+// Which sources stand beside each other over a strand.
+struct Sources {
+  std::string measured;  // its name; "" if nothing was
+  bool published = false;
+};
+
+// Bars of what is published differ in opacity from those of what was measured too, for readers and
+// printers without colours.
+const chart::Style model_style{chart::Colour::blue, chart::Symbol::circle, 4, 2};
+const chart::Style published_style{chart::Colour::orange, chart::Symbol::circle, 4, 1.2, 0.2};
+const chart::Style measured_style{chart::Colour::green, chart::Symbol::circle, 4, 1.2, 0.5};
+
+chart::Layer published_bars(const RoutingShares& routing, const Sources& sources, bool faulty) {
+  chart::Bars bars;
+  bars.beside = {0, sources.measured.empty() ? 1U : 2U};
+  for (std::size_t i = 0; i < routing.strands.size(); ++i) {
+    const StrandShare& strand = routing.strands[i];
+    if (!strand.published || is_faulty(strand) != faulty) continue;
+    const std::string why = faulty ? "\n" + strand.published->fault : "";
+    bars.bars.push_back({static_cast<double>(i), strand.published->share,
+                         fmt::format("{}, {}: {}{}", strand.strand, routing.published_source,
+                                     share_text(strand.published->share), why),
+                         ""});
   }
+  chart::Style style = published_style;
+  if (faulty) style.dash = chart::Dash::dashed;
+  return {faulty ? "published, not found by the check" : "published", style, bars};
 }
 
-// What all layers of a panel share. The sources take the categorical colours in a fixed order, and
-// bars of theirs differ in opacity too, for readers and printers without colours.
-class Layers {
- public:
-  Layers(const Rows& rows, const std::string& measured) : measured_(measured) {
-    if (any(rows, is_published)) bars_.push_back(published);
-    if (any(rows, is_measured)) bars_.push_back(measured);
-    domain_ = {model, published, measured};
+// The means, and as far as a standard deviation to both sides.
+std::vector<chart::Layer> measured_layers(const RoutingShares& routing, const Sources& sources) {
+  chart::Bars bars;
+  chart::Spans deviations;
+  bars.beside = deviations.beside = {sources.published ? 1U : 0U, sources.published ? 2U : 1U};
+  for (std::size_t i = 0; i < routing.strands.size(); ++i) {
+    const StrandShare& strand = routing.strands[i];
+    if (!strand.measured) continue;
+    const double mean = strand.measured->mean;
+    const auto at = static_cast<double>(i);
+    bars.bars.push_back({at, mean,
+                         fmt::format("{}, {}: {}, mean of {} readings", strand.strand,
+                                     sources.measured, share_text(mean), routing.readings),
+                         ""});
+    if (!strand.measured->deviation) continue;
+    const double deviation = *strand.measured->deviation;
+    deviations.spans.push_back({at, mean - deviation, mean + deviation, ""});
   }
+  chart::Style ink;
+  ink.colour = chart::Colour::ink;
+  return {{sources.measured, measured_style, bars}, {"", ink, deviations}};
+}
 
-  Json all() const {
-    Json layers = Json::array();
-    if (!bars_.empty()) layers.push_back(bars());
-    layers.push_back(line());
-    if (bars_.size() == 2 || (bars_.size() == 1 && bars_[0] == measured_)) {
-      layers.push_back(error_bars());
+std::vector<chart::Layer> model_layers(const RoutingShares& routing) {
+  chart::Polyline line;
+  chart::Points points;
+  for (std::size_t i = 0; i < routing.strands.size(); ++i) {
+    const StrandShare& strand = routing.strands[i];
+    const auto at = static_cast<double>(i);
+    line.through.push_back({at, strand.model});
+    points.spots.push_back(
+        {at, strand.model,
+         fmt::format("{}, {}: {}", strand.strand, model, share_text(strand.model)), ""});
+  }
+  return {{model, model_style, chart::Paths{{line}, false}}, {model, model_style, points}};
+}
+
+chart::Panel panel(const RoutingShares& routing, const std::string& title, const Sources& sources) {
+  chart::Panel panel;
+  panel.title = title;
+  for (const StrandShare& strand : routing.strands) panel.x.categories.push_back(strand.strand);
+  panel.x.grid = false;
+  panel.y.title = "share of the sum";
+  panel.y.format = chart::Format::percent;
+  panel.y.least = 0;
+  panel.y.greatest = 1;
+  panel.y.reaches = {0};
+  const auto add = [&](chart::Layer layer) { panel.layers.push_back(std::move(layer)); };
+  if (sources.published) {
+    add(published_bars(routing, sources, false));
+    if (std::any_of(routing.strands.begin(), routing.strands.end(), is_faulty)) {
+      add(published_bars(routing, sources, true));
     }
-    return layers;
   }
-
- private:
-  Json x() const {
-    return {{"field", "strand"},
-            {"type", "nominal"},
-            {"sort", nullptr},
-            {"title", nullptr},
-            {"axis", {{"labelAngle", 0}, {"labelOverlap", true}, {"grid", false}}}};
+  if (!sources.measured.empty()) {
+    for (chart::Layer& layer : measured_layers(routing, sources)) add(std::move(layer));
   }
-
-  Json y(const char* field) const {
-    return {{"field", field},
-            {"type", "quantitative"},
-            {"title", "share of the sum"},
-            {"axis", {{"format", "%"}, {"tickCount", 5}}}};
-  }
-
-  void put_beside_each_other(Json& encoding) const {
-    if (bars_.size() < 2) return;
-    encoding["xOffset"] = {{"field", "source"}, {"scale", {{"domain", bars_}}}};
-  }
-
-  static Json only(const std::string& condition) { return Json::array({{{"filter", condition}}}); }
-
-  static Json legend(const Json& values) {
-    return {
-        {"title", nullptr}, {"orient", "bottom"}, {"direction", "vertical"}, {"values", values}};
-  }
-
-  Json bars() const {
-    Json encoding{{"x", x()}, {"y", y("share")}};
-    put_beside_each_other(encoding);
-    const std::string light = fmt::format("=== '{}' ? 0.2 : 0.5", published);
-    encoding["fill"] = {{"field", "source"}, {"type", "nominal"}, {"scale", {{"domain", domain_}}}};
-    encoding["fill"]["legend"] = legend(bars_);
-    encoding["fill"]["legend"]["symbolStrokeWidth"] = 1.2;
-    encoding["fill"]["legend"]["encode"] = {
-        {"symbols", {{"update", {{"fillOpacity", {{"signal", "datum.value " + light}}}}}}}};
-    encoding["stroke"] = encoding["fill"];
-    encoding["fillOpacity"] = {
-        {"condition", {{"test", fmt::format("datum.source === '{}'", published)}, {"value", 0.2}}},
-        {"value", 0.5}};
-    encoding["strokeDash"] = {{"condition", {{"test", "datum['at fault']"}, {"value", {3, 2}}}},
-                              {"value", {1, 0}}};
-    return {{"transform", only("datum.source !== 'model'")},
-            {"mark", {{"type", "bar"}, {"strokeWidth", 1.2}, {"tooltip", {{"content", "data"}}}}},
-            {"encoding", encoding}};
-  }
-
-  Json line() const {
-    Json encoding{{"x", x()}, {"y", y("share")}};
-    encoding["color"] = {{"datum", model}, {"type", "nominal"}, {"scale", {{"domain", domain_}}}};
-    encoding["color"]["legend"] = legend(Json::array({model}));
-    encoding["color"]["legend"]["symbolType"] = "circle";
-    return {{"transform", only("datum.source === 'model'")},
-            {"mark",
-             {{"type", "line"},
-              {"strokeWidth", 2},
-              {"point", {{"filled", true}, {"size", 55}}},
-              {"tooltip", {{"content", "data"}}}}},
-            {"encoding", encoding}};
-  }
-
-  Json error_bars() const {
-    Json encoding{{"x", x()}, {"y", y("low")}, {"y2", {{"field", "high"}}}};
-    put_beside_each_other(encoding);
-    return {{"transform", only("isValid(datum.low)")},
-            {"mark", {{"type", "rule"}, {"strokeWidth", 1.2}}},
-            {"encoding", encoding}};
-  }
-
-  std::string measured_;
-  Json bars_ = Json::array();
-  Json domain_;
-};
+  for (chart::Layer& layer : model_layers(routing)) add(std::move(layer));
+  return panel;
+}
 
 std::string row_title(std::size_t row, double mu) {
   return fmt::format("({}) μ of tubes and sheaths {:g}", static_cast<char>('a' + row), mu);
 }
 
-Json row_spec(const TensionDistribution& row, const std::string& title, const Layers& layers,
-              const std::string& measured) {
-  Json values = Json::array();
-  const std::vector<std::string> panels = headings(row);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    add_values(values, panels[i], row.routings[i], measured);
-  }
-  const double width = panel_width(row.routings.front().strands.size());
-  Json spec{{"title", {{"text", title}, {"anchor", "start"}}}, {"data", {{"values", values}}}};
-  spec["facet"] = {{"field", "panel"},
-                   {"type", "nominal"},
-                   {"sort", panels},
-                   {"title", nullptr},
-                   {"header", {{"labelLimit", width}, {"labelPadding", 4}}}};
-  spec["spec"] = {{"width", width}, {"height", 150}, {"layer", layers.all()}};
-  return in_rows(spec, width, panels.size());
-}
-
-Json spec(const Rows& rows, const std::string& measured) {
-  const Layers layers(rows, measured);
-  Json concat = Json::array();
+chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
+  const Sources sources{any(rows, is_measured) ? measured(all) : "", any(rows, is_published)};
+  chart::Chart chart;
+  chart.shared_y = true;
+  chart.height = 150;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    concat.push_back(row_spec(*rows[i], row_title(i, rows[i]->mu), layers, measured));
+    const std::vector<std::string> titles = headings(*rows[i]);
+    for (std::size_t k = 0; k < titles.size(); ++k) {
+      chart.panels.push_back(panel(rows[i]->routings[k], titles[k], sources));
+      if (k == 0) chart.panels.back().heading = row_title(i, rows[i]->mu);
+    }
+    chart.width = panel_width(rows[i]->routings.front().strands.size());
+    chart.columns = columns(chart.width, titles.size());
   }
-  return {{"vconcat", concat}, {"spacing", 10}, {"resolve", {{"scale", {{"y", "shared"}}}}}};
+  return chart;
 }
 
 std::string alt(const Rows& rows) {
@@ -253,9 +215,10 @@ std::vector<Figure> distribution_figures(const TensionDistributions& distributio
   for (const Rows& rows : by_grasp(distributions)) {
     const std::string id =
         figures.empty() ? "figure-9" : "figure-9-" + grasp_id(rows.front()->grasp);
-    figures.push_back(
-        figure({id, "Tension distributions, " + grasp_words(rows.front()->grasp) + ".",
-                caption(rows, distributions), alt(rows), spec(rows, measured(distributions)), ""}));
+    chart::Chart chart = drawn(rows, distributions);
+    chart.alt = alt(rows);
+    figures.push_back({id, "Tension distributions, " + grasp_words(rows.front()->grasp) + ".",
+                       caption(rows, distributions), chart_svg(chart)});
   }
   return figures;
 }

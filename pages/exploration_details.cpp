@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <sstream>
+#include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include "numerics/parallel.hpp"
@@ -22,14 +22,17 @@ class Lines {
  public:
   // The numbers of its lines, neighbours as ranges: "0-7 12 8-9".
   std::string add(const std::string& text) {
-    std::istringstream in(text);
     std::string runs;
     std::size_t first = 0;
     std::size_t last = 0;
     bool open = false;
-    for (std::string line; std::getline(in, line);) {
-      const std::size_t number = numbers_.try_emplace(line, numbers_.size()).first->second;
-      if (number == lines_.size()) lines_.push_back(line);
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string line = text.substr(begin, end - begin);
+      begin = end + 1;
+      const auto [found, is_new] = numbers_.try_emplace(line, numbers_.size());
+      const std::size_t number = found->second;
+      if (is_new) text_ += line + "\n";
       if (open && number == last + 1) {
         last = number;
         continue;
@@ -41,18 +44,19 @@ class Lines {
     return runs + run(first, last);
   }
 
-  const Json& json() const { return lines_; }
+  // All of them, each with its end.
+  const std::string& text() const { return text_; }
 
  private:
   static std::string run(std::size_t first, std::size_t last) {
     return first == last ? std::to_string(first) : fmt::format("{}-{}", first, last);
   }
 
-  std::map<std::string, std::size_t> numbers_;
-  Json lines_ = Json::array();
+  std::unordered_map<std::string, std::size_t> numbers_;
+  std::string text_;
 };
 
-double three_decimals(double value) { return std::stod(fmt::format("{:.3f}", value)); }
+double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
 Json grasp_json(const ShowReport& report, std::size_t grasp, Lines& lines) {
   const ShownGrasp& shown = report.grasps[grasp];
@@ -87,9 +91,8 @@ Json chunk(const std::vector<std::string>& words, const SolveDesign& solve) {
   Lines lines;
   Json designs = Json::array();
   for (const std::string& word : words) designs.push_back(design_json(solve(word), lines));
-  const Json pack{{"lines", lines.json()}, {"designs", designs}};
-  return {{"words", words},
-          {"pack", compressed(pack.dump(-1, ' ', false, Json::error_handler_t::replace))}};
+  const std::string values = designs.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return {{"words", words}, {"pack", compressed(values + "\n" + lines.text())}};
 }
 
 std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words) {
@@ -100,6 +103,12 @@ std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words)
         begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, words.size() - at)));
   }
   return chunks;
+}
+
+// What {"words": …, "pack": …} takes there; nothing in a pack has to be escaped.
+std::size_t size_in_page(const Json& chunk) {
+  constexpr std::size_t around = 24;
+  return around + chunk["words"].dump().size() + chunk["pack"].get_ref<const std::string&>().size();
 }
 
 }  // namespace
@@ -115,7 +124,7 @@ DesignDetails design_details(const std::vector<std::string>& words, const SolveD
       for (std::size_t i = block.begin; i < block.end; ++i) made[i] = chunk(pending[at + i], solve);
     });
     for (std::size_t i = 0; i < made.size(); ++i) {
-      const std::size_t more = made[i].dump().size() + 1;
+      const std::size_t more = size_in_page(made[i]);
       if (details.bytes + more > bytes) return details;
       details.bytes += more;
       details.designs += pending[at + i].size();

@@ -19,7 +19,8 @@ namespace reeve {
 using SolveDesign = std::function<ShowReport(const std::string& word)>;
 
 struct DesignDetails {
-  // [{"words", "pack"}]; a pack is {"lines", "designs": [{"segments", "grasps", "contacts"}]}
+  // [{"words", "pack"}]; a pack has [{"segments", "strands", "grasps", "contacts"}], a design each,
+  // in its first line, and the lines of their schematics in the others.
   Json chunks = Json::array();
   std::size_t designs = 0;
   std::size_t bytes = 0;

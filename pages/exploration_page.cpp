@@ -6,93 +6,80 @@
 #include <set>
 #include <utility>
 
-#include "pages/chart_engine.hpp"
+#include "pages/asset_table.hpp"
 #include "pages/compressed.hpp"
 #include "pages/exploration_designs.hpp"
+#include "pages/exploration_pictures.hpp"
 #include "pages/exploration_tables.hpp"
 #include "pages/exploration_words.hpp"
-#include "pages/objective_title.hpp"
 #include "pages/template.hpp"
 #include "reports/schematic_svg.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
 
-constexpr const char* charts = "exploration_charts.js";
 constexpr std::size_t column_bytes = 2'000'000;
 constexpr std::size_t schematics_of_the_front = 3;
 
 struct HeldDesigns {
-  Json data;           // of charts
-  std::string packed;  // its columns
+  std::vector<PageDesign> designs;
+  std::string packed;  // their columns
   std::size_t listed = 0;
 };
+
+std::vector<Objective> shown(const ExploreReport& report) {
+  return shown_objectives(report.options.order, report.options.score);
+}
 
 // As many as fit.
 HeldDesigns held_designs(const ExploreReport& report) {
   std::size_t most = listed_designs(report).size();
   for (;;) {
-    Json columns = design_columns(report, most);
-    std::string packed = compressed(columns.dump());
-    if (packed.size() <= column_bytes) {
-      return {chart_data(report, std::move(columns)), std::move(packed), most};
-    }
+    std::vector<PageDesign> designs = page_designs(report, most);
+    std::string packed = compressed(design_columns(designs, shown(report)).dump());
+    if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
     const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
     most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
   }
 }
 
-Json axes(const std::vector<Objective>& ranking) {
-  const auto first = static_cast<std::size_t>(ranking.front());
-  if (ranking.size() > 1) return {first, static_cast<std::size_t>(ranking[1])};
-  const auto other = ranking.front() == Objective::efficiency_mean ? Objective::uniformity_mean
-                                                                   : Objective::efficiency_mean;
-  return {first, static_cast<std::size_t>(other)};
+// Places of what is ranked by among the objectives that are shown.
+Json ranking_json(const ExploreReport& report) {
+  const std::vector<Objective> objectives = shown(report);
+  Json list = Json::array();
+  for (const Objective objective : report.options.order.objectives) {
+    list.push_back(std::find(objectives.begin(), objectives.end(), objective) - objectives.begin());
+  }
+  return list;
 }
 
-Figure chart(Figure figure, const Json& drawn) {
-  return reeve::figure(std::move(figure), drawn["spec"]);
+// What the page's script fills with data.
+Json specifications() {
+  Json all = Json::object();
+  for (const char* chart : {"pareto", "parallel", "tensions", "ranks"}) {
+    all[chart] = Json::parse(asset(std::string(chart) + ".json"));
+  }
+  return all;
 }
 
-Figure pareto_figure(const Json& data, const ExploreReport& report) {
-  const Json drawn = script_value(charts, "explorationCharts.pareto",
-                                  {{"data", data},
-                                   {"axes", axes(report.options.objectives)},
-                                   {"grid", {{"columns", 90}, {"lines", 60}}}});
-  return chart({"pareto", "Designs by two objectives.",
-                "The dashed line is the edge of the Pareto front, drawn where both axes are what "
-                "the ranking counts. Where several designs share a spot, the first is drawn.",
-                fmt::format("Scatter plot of the designs over {}; {} marks stand for {} designs.",
-                            objective_titles(report.options.objectives), drawn["drawn"].dump(),
-                            drawn["of"].dump()),
-                Json(), ""},
-               drawn);
-}
-
-Figure parallel_figure(const Json& data) {
-  const Json drawn =
-      script_value(charts, "explorationCharts.parallel", {{"data", data}, {"most", 250}});
-  return chart(
-      {"parallel", "Designs by all objectives.",
-       "A line for each design. Up is better on every axis: where less is better (↓) the "
-       "axis is turned round. The numbers are the best and the worst value.",
-       fmt::format("Parallel coordinates of all objectives; {} lines stand for {} designs.",
-                   drawn["drawn"].dump(), drawn["of"].dump()),
-       Json(), ""},
-      drawn);
-}
-
-// Known routings, then in the order of the ranking, which the front begins.
-std::vector<std::string> in_order_of_details(const ExploreReport& report) {
+// Known routings, then the best in the order of the ranking, which the front begins.
+std::vector<std::string> in_order_of_details(const ExploreReport& report, std::size_t best) {
   std::vector<std::string> words;
   for (const ReferenceStanding& reference : report.result.references) {
     words.push_back(reference.design.word);
   }
   const std::set<std::string> known(words.begin(), words.end());
-  for (const ListedDesign& design : listed_designs(report)) {
-    if (!known.contains(design.ranked.design.word)) words.push_back(design.ranked.design.word);
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) {
+    const std::string& word = listed[i].ranked.design.word;
+    if (!known.contains(word)) words.push_back(word);
   }
   return words;
+}
+
+std::size_t details_of(const ExplorationView& view) {
+  return view.details.value_or(usual_schematics / view.report.options.grasps.size());
 }
 
 std::vector<std::string> drawn_words(const ExploreReport& report) {
@@ -186,28 +173,32 @@ Json standings(const ExploreReport& report) {
 
 Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
           Json body) {
-  const std::size_t wanted = in_order_of_details(view.report).size();
+  const std::size_t listed = listed_designs(view.report).size();
+  const std::size_t all = in_order_of_details(view.report, listed).size();
   body["details_text"] =
-      details.designs >= wanted
+      details.designs >= all
           ? fmt::format(
                 "All {} listed designs and known routings have schematics, tensions and "
                 "contacts here.",
-                wanted)
+                all)
           : fmt::format(
                 "{} of {} listed designs and known routings have schematics, tensions and "
                 "contacts here: known routings first, then by rank. For the others the "
-                "page gives the values and the command that shows the rest.",
-                details.designs, wanted);
+                "page gives the values and the command that shows the rest; with --details {} it "
+                "has all, as far as there is room.",
+                details.designs, all, listed);
   return {title(view.report),
           render("exploration.mustache", body),
           "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "
           "exploration.js",
-          {{"objectives", held.data["objectives"]},
-           {"ranking", held.data["ranking"]},
+          {{"objectives", objectives_json(shown(view.report))},
+           {"ranking", ranking_json(view.report)},
+           {"specifications", specifications()},
            {"columns", held.packed},
            {"commands", commands(view)},
            {"standings", standings(view.report)},
-           {"chunks", details.chunks}}};
+           {"chunks", details.chunks}},
+          true};
 }
 
 Json words_json(const ExploreReport& report) {
@@ -224,18 +215,19 @@ Json words_json(const ExploreReport& report) {
 PageFiles exploration_page(const ExplorationView& view) {
   const ExploreReport& report = view.report;
   const HeldDesigns held = held_designs(report);
-  const Figure pareto = pareto_figure(held.data, report);
-  const Figure parallel = parallel_figure(held.data);
+  const ExplorationPicture pareto = pareto_picture(held.designs, report.options.order.objectives);
+  const ExplorationPicture parallel = parallel_picture(held.designs, shown(report));
   std::vector<FigureFile> figures = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));
-  const Json& kinds = held.data["designs"]["kind"];
-  const auto sampled = std::count(kinds.begin(), kinds.end(), Json(static_cast<int>(Kind::sample)));
+  const auto sampled =
+      std::count_if(held.designs.begin(), held.designs.end(),
+                    [](const PageDesign& design) { return design.kind == Kind::sample; });
   body["has_sample"] = sampled > 0;
   body["title"] = title(report);
   body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);
-  body["pareto"] = figure_html(pareto);
-  body["parallel"] = figure_html(parallel);
+  body["pareto"] = live_figure_html(pareto.figure, pareto.alt);
+  body["parallel"] = live_figure_html(parallel.figure, parallel.alt);
   body["command"] = view.command;
   body["legend"] = schematic_html("schematic-legend", schematic_legend(640, "schematic-legend"));
   body["first_grasp"] = "held: " + to_text(report.options.grasps.front().grasp);
@@ -245,10 +237,11 @@ PageFiles exploration_page(const ExplorationView& view) {
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =
-      design_details(in_order_of_details(report), view.solve,
+      design_details(in_order_of_details(report, details_of(view)), view.solve,
                      without < page_bytes ? page_bytes - without : 0, report.options.threads);
-  figures.push_back({pareto.id, pareto.svg});
-  figures.push_back({parallel.id, parallel.svg});
+  for (const Figure& figure : {pareto.figure, parallel.figure}) {
+    figures.push_back({figure.id, figure.svg});
+  }
   return {page_html(page(view, held, details, body)), std::move(figures)};
 }
 

@@ -10,6 +10,7 @@
 #include "pages/exploration_designs.hpp"
 #include "pages/exploration_words.hpp"
 #include "pages/objective_title.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -25,14 +26,14 @@ std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
   return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : text(v);
 }
 
-Json design_row(const ListedDesign& design) {
+Json design_row(const ListedDesign& design, const std::vector<Objective>& shown) {
   Json row{{"rank", design.ranked.rank},
            {"front", design.ranked.front},
            {"name", design.name.empty() ? "–" : design.name},
            {"word", design.ranked.design.word},
            {"cells", Json::array()}};
-  for (const ObjectiveRow& objective : objective_table()) {
-    row["cells"].push_back(cell(objective, design));
+  for (const Objective objective : shown) {
+    row["cells"].push_back(cell(reeve::row(objective), design));
   }
   if (design.distribution) {
     const RankDistribution& drawn = *design.distribution;
@@ -46,8 +47,7 @@ Json design_row(const ListedDesign& design) {
 Json objective_json(const ObjectiveRow& row) {
   return {{"title", objective_title(row)},
           {"meaning", row.meaning},
-          {"better", row.better == Better::higher ? "higher" : "lower"},
-          {"column", static_cast<int>(row.objective)}};
+          {"better", row.better == Better::higher ? "higher" : "lower"}};
 }
 
 Json best_json(const SingleBest& best, const ListedDesign& first) {
@@ -67,9 +67,15 @@ Json static_tables(const ExploreReport& report) {
   const std::size_t shown = std::min(
       listed.size(), std::max(first_designs, std::min(front_designs, report.front.size())));
   Json json{{"objectives", Json::array()}, {"rows", Json::array()}, {"bests", Json::array()}};
-  for (const ObjectiveRow& row : objective_table())
-    json["objectives"].push_back(objective_json(row));
-  for (std::size_t i = 0; i < shown; ++i) json["rows"].push_back(design_row(listed[i]));
+  const std::vector<Objective> objectives =
+      shown_objectives(report.options.order, report.options.score);
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    json["objectives"].push_back(objective_json(row(objectives[i])));
+    json["objectives"].back()["column"] = i;
+  }
+  for (std::size_t i = 0; i < shown; ++i) {
+    json["rows"].push_back(design_row(listed[i], objectives));
+  }
   for (const SingleBest& best : single_bests(report)) {
     json["bests"].push_back(best_json(best, listed.front()));
   }

@@ -9,6 +9,7 @@
 #include "pages/exploration_designs.hpp"
 #include "pages/objective_title.hpp"
 #include "reports/model_text.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -92,7 +93,7 @@ std::string tie_text(const ListedDesign& first, const ListedDesign& second) {
 }
 
 std::string why(const ExploreReport& report, const std::vector<ListedDesign>& listed) {
-  const std::string objectives = titles(report.options.objectives);
+  const std::string objectives = titles(report.options.order.objectives);
   const std::uint64_t size = report.front.size() + report.result.front_equals_left_out;
   if (size == 1) {
     return fmt::format(
@@ -110,7 +111,7 @@ std::string why(const ExploreReport& report, const std::vector<ListedDesign>& li
 std::string next_text(const ExploreReport& report, const ListedDesign& first,
                       const ListedDesign& second) {
   std::vector<std::string> differences;
-  for (const Objective objective : report.options.objectives) {
+  for (const Objective objective : report.options.order.objectives) {
     if (get(first, objective) == get(second, objective)) continue;
     differences.push_back(fmt::format("{} {} instead of {}", objective_title(row(objective)),
                                       number_text(get(second, objective)),
@@ -119,10 +120,10 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
   const std::string text = "Next comes " + design_label(second);
   if (differences.empty()) {
     return fmt::format("{}, which equals it in these{}.", text,
-                       with_parts(second, report.options.objectives));
+                       with_parts(second, report.options.order.objectives));
   }
   return fmt::format("{}: {}{}.", text, enumeration(differences),
-                     with_parts(second, report.options.objectives));
+                     with_parts(second, report.options.order.objectives));
 }
 
 // The known routing with the best rank behind `rank`, by its place in the report.
@@ -152,7 +153,7 @@ std::string known_text(const ExploreReport& report) {
       won ? "It is a known routing; the next of these" : "The best of the known routings",
       report.reference_names[*best], known.rank, plural(known.dominated_by, "design"),
       known.dominated_by == 1 ? "s" : "",
-      values_text({{known.design, 0, 0}, "", std::nullopt}, report.options.objectives));
+      values_text({{known.design, 0, 0}, "", std::nullopt}, report.options.order.objectives));
 }
 
 std::vector<std::string> won(const ExploreReport& report) {
@@ -160,8 +161,8 @@ std::vector<std::string> won(const ExploreReport& report) {
   if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
   std::vector<std::string> text{fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
                                             plural(ranked_designs(report), "design"),
-                                            values_text(listed[0], report.options.objectives),
-                                            with_parts(listed[0], report.options.objectives)),
+                                            values_text(listed[0], report.options.order.objectives),
+                                            with_parts(listed[0], report.options.order.objectives)),
                                 why(report, listed)};
   text.push_back(known_text(report));
   if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
@@ -197,7 +198,7 @@ std::vector<std::string> explored(const ExploreReport& report) {
   text.push_back(fmt::format(
       "Each was judged over the grasps {} (which fingers are held) and ranked over {}, front by "
       "front.",
-      to_text(options.grasps), titles(options.objectives)));
+      to_text(options.grasps), titles(options.order.objectives)));
   text.push_back(friction_text(effective_hardware(options.model)));
   for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
     text.push_back(line.text);
@@ -315,6 +316,7 @@ ExplorationWords exploration_words(const ExploreReport& report) {
 std::vector<SingleBest> single_bests(const ExploreReport& report) {
   std::vector<SingleBest> bests;
   for (const BestDesigns& best : report.result.best) {
+    if (!is_shown(best.objective, report.options.order, report.options.score)) continue;
     for (const ListedDesign& design : listed_designs(report)) {
       if (design.ranked.design.word != best.words.front()) continue;
       bests.push_back({row(best.objective), design, best.count - 1});

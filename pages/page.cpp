@@ -1,33 +1,28 @@
 #include "pages/page.hpp"
 
 #include <sstream>
-#include <utility>
 
 #include "core/version.hpp"
 #include "pages/asset_table.hpp"
-#include "pages/chart_engine.hpp"
 #include "pages/template.hpp"
 #include "reports/files.hpp"
 
 namespace reeve {
+namespace {
 
-Figure figure(Figure without_picture, const Json& static_spec) {
-  without_picture.svg = chart_svg(static_spec, without_picture.id);
-  return without_picture;
+Json values(const Figure& figure) {
+  return {
+      {"id", figure.id}, {"title", figure.title}, {"caption", figure.caption}, {"svg", figure.svg}};
 }
 
-Figure figure(Figure without_picture) {
-  const Json spec = without_picture.spec;
-  return figure(std::move(without_picture), spec);
-}
+}  // namespace
 
-std::string figure_html(const Figure& figure) {
-  return render("figure.mustache", {{"id", figure.id},
-                                    {"title", figure.title},
-                                    {"caption", figure.caption},
-                                    {"alt", figure.alt},
-                                    {"svg", figure.svg},
-                                    {"spec", script_json(figure.spec)}});
+std::string figure_html(const Figure& figure) { return render("figure.mustache", values(figure)); }
+
+std::string live_figure_html(const Figure& figure, const std::string& alt) {
+  Json all = values(figure);
+  all["alt"] = alt;
+  return render("live_figure.mustache", all);
 }
 
 std::string schematic_html(const std::string& id, const std::string& svg) {
@@ -46,17 +41,18 @@ Json scripts(const std::string& names) {
 }  // namespace
 
 std::string page_html(const Page& page) {
-  return render("page.mustache", {{"title", page.title},
-                                  {"body", page.body},
-                                  {"style", asset("page.css")},
-                                  {"theme", script_json(Json::parse(asset("chart_theme.json")))},
-                                  {"data", script_json(page.data)},
-                                  {"license", asset("vega-license.txt")},
-                                  {"vega", asset("vega.js")},
-                                  {"vega_lite", asset("vega-lite.js")},
-                                  {"common", asset("page.js")},
-                                  {"scripts", scripts(page.script)},
-                                  {"version", version_json()}});
+  Json values{{"title", page.title},        {"body", page.body},
+              {"style", asset("page.css")}, {"data", script_json(page.data)},
+              {"common", asset("page.js")}, {"scripts", scripts(page.script)},
+              {"version", version_json()},  {"live", false}};
+  if (page.live) {
+    values["live"] = {{"theme", script_json(Json::parse(asset("theme.json")))},
+                      {"license", asset("vega-license.txt")},
+                      {"vega", asset("vega.js")},
+                      {"vega_lite", asset("vega-lite.js")},
+                      {"charts", asset("live_charts.js")}};
+  }
+  return render("page.mustache", values);
 }
 
 }  // namespace reeve

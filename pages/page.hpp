@@ -1,8 +1,8 @@
 // What all pages have in common: one file of HTML that needs no other and no network.
 //
-// A page is readable without JavaScript: texts, tables, schematics, and every chart as a static
-// picture (chart_engine.hpp), which is also what is printed. With JavaScript the charts come alive
-// and can be saved (assets/page.js).
+// A page is readable without JavaScript: texts, tables, schematics and charts, which are pictures.
+// With JavaScript they can be saved (assets/page.js), and those of an exploration come alive
+// (assets/live_charts.js).
 #pragma once
 
 #include <string>
@@ -17,17 +17,15 @@ struct Figure {
   std::string id;
   std::string title;
   std::string caption;
-  std::string alt;  // what the picture shows, in words
-  // Vega-Lite, without config and background; its data inline. null: the page's script draws it.
-  Json spec;
-  std::string svg;  // the static picture
+  std::string svg;  // says in words what it shows
 };
 
-// Draws the static picture too: of `spec`, or of what stands for it where that would be too much.
-Figure figure(Figure without_picture);
-Figure figure(Figure without_picture, const Json& static_spec);
-
+// With buttons to save it.
 std::string figure_html(const Figure& figure);
+
+// With room for the chart that the page's script draws in the picture's place; `alt` is what that
+// shows, in words.
+std::string live_figure_html(const Figure& figure, const std::string& alt);
 
 // A schematic with buttons to save it.
 std::string schematic_html(const std::string& id, const std::string& svg);
@@ -37,6 +35,7 @@ struct Page {
   std::string body;    // HTML
   std::string script;  // assets that the page runs after page.js, names separated by blanks
   Json data;           // what that script finds as reeve.data
+  bool live = false;   // whether it draws charts: the page then bears Vega and Vega-Lite
 };
 
 std::string page_html(const Page& page);

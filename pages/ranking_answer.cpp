@@ -9,6 +9,7 @@
 #include "pages/objective_title.hpp"
 #include "reports/data_text.hpp"
 #include "reports/text_table.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -35,7 +36,7 @@ std::string compared(const RankReport& report) {
       "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.",
       plural(report.designs.size(), "routing"),
       plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
-      to_text(report.grasps), objective_titles(report.objectives), hardware.tube.mu,
+      to_text(report.grasps), objective_titles(report.order.objectives), hardware.tube.mu,
       hardware.sheath.mu, hardware.bearing.mu,
       with_own ? "; some fingers or contacts have their own" : "");
 }
@@ -70,6 +71,7 @@ Json others(const RankReport& report, const Labels& labels) {
   const std::string& first = report.designs.front().ranked.design.word;
   Json list = Json::array();
   for (const BestDesigns& best : report.details->best) {
+    if (!is_shown(best.objective, report.order, report.score)) continue;
     if (std::find(best.words.begin(), best.words.end(), first) != best.words.end()) continue;
     std::vector<std::string> names;
     for (const std::string& word : best.words) names.push_back(label_of(report, labels, word));

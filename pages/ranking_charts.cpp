@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "pages/objective_axis.hpp"
 #include "pages/objective_title.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
+#include "reports/chart_svg.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
@@ -27,20 +29,20 @@ Axes axes(const std::vector<Objective>& objectives) {
 }
 
 // Designs that lie on one point.
-struct Point {
+struct SharedSpot {
   double x = 0;
   double y = 0;
   bool on_front = false;
   std::vector<std::string> names;
 };
 
-std::vector<Point> points(const RankReport& report, const Labels& labels, const Axes& axes) {
-  std::vector<Point> result;
+std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, const Axes& axes) {
+  std::vector<SharedSpot> result;
   for (std::size_t i = 0; i < report.designs.size(); ++i) {
     const RankedDesign& ranked = report.designs[i].ranked;
     const double x = value(ranked.design.values, axes.first);
     const double y = value(ranked.design.values, axes.second);
-    auto found = std::find_if(result.begin(), result.end(), [&](const Point& point) {
+    auto found = std::find_if(result.begin(), result.end(), [&](const SharedSpot& point) {
       return fixed(point.x) == fixed(x) && fixed(point.y) == fixed(y);
     });
     if (found == result.end()) found = result.insert(found, {x, y, false, {}});
@@ -59,37 +61,13 @@ std::string shortened(const std::vector<std::string>& names) {
   return text;
 }
 
-Json axis(const char* field, Objective objective) {
-  const ObjectiveRow& about = row(objective);
-  return {{"field", field},
-          {"type", "quantitative"},
-          {"title", fmt::format("{} ({} is better)", objective_title(about),
-                                about.better == Better::higher ? "higher" : "lower")},
-          {"scale", {{"zero", false}, {"padding", 18}}}};
-}
-
-Json point_layer() {
-  const Json front{{"field", "front"}, {"type", "nominal"}, {"title", nullptr}};
-  const Json domain{{"domain", {"on the Pareto front", "dominated"}}};
-  Json encoding{{"color", front}, {"shape", front}};
-  encoding["color"]["scale"] = domain;
-  encoding["shape"]["scale"] = domain;
-  encoding["color"]["legend"] = {{"orient", "top"}};
-  encoding["shape"]["legend"] = {{"orient", "top"}};
-  return {{"mark",
-           {{"type", "point"},
-            {"filled", true},
-            {"size", 80},
-            {"opacity", 1},
-            {"tooltip", {{"content", "data"}}}}},
-          {"encoding", encoding}};
-}
-
-Json label_layer() {
-  return {
-      {"mark",
-       {{"type", "text"}, {"align", "left"}, {"baseline", "middle"}, {"dx", 9}, {"fontSize", 12}}},
-      {"encoding", {{"text", {{"field", "label"}}}}}};
+chart::Spot spot(const SharedSpot& point, const Axes& on, bool labelled) {
+  const std::string names = shortened(point.names);
+  const auto line = [](Objective objective, double value) {
+    return fmt::format("\n{} {}", objective_title(row(objective)), fixed(value));
+  };
+  return {point.x, point.y, names + line(on.first, point.x) + line(on.second, point.y),
+          labelled ? names : ""};
 }
 
 std::string rank_alt(const RankReport& report, const Labels& labels) {
@@ -105,74 +83,67 @@ std::string rank_alt(const RankReport& report, const Labels& labels) {
 }  // namespace
 
 Figure pareto_figure(const RankReport& report, const Labels& labels) {
-  const Axes on = axes(report.objectives);
+  const Axes on = axes(report.order.objectives);
   const bool all_named = labels.size() <= most_labels;
-  Json values = Json::array();
   std::string alt = fmt::format("{} against {}.", objective_title(row(on.second)),
                                 objective_title(row(on.first)));
-  for (const Point& point : points(report, labels, on)) {
-    const std::string names = shortened(point.names);
-    values.push_back({{"routings", names},
-                      {"label", all_named || point.on_front ? names : ""},
-                      {"front", point.on_front ? "on the Pareto front" : "dominated"},
-                      {"x", number(point.x)},
-                      {"y", number(point.y)}});
-    alt += fmt::format(" {}: {}, {}.", names, fixed(point.x), fixed(point.y));
+  chart::Points front;
+  chart::Points dominated;
+  for (const SharedSpot& point : points(report, labels, on)) {
+    (point.on_front ? front : dominated)
+        .spots.push_back(spot(point, on, all_named || point.on_front));
+    alt += fmt::format(" {}: {}, {}.", shortened(point.names), fixed(point.x), fixed(point.y));
   }
   std::string caption = "Routings on one point share its label.";
   if (!all_named) caption += " Only those on the Pareto front are labelled.";
-  if (report.objectives.size() > 2) {
-    caption += " The front is over " + objective_titles(report.objectives) +
+  if (report.order.objectives.size() > 2) {
+    caption += " The front is over " + objective_titles(report.order.objectives) +
                "; the first two of them are drawn.";
   }
-  const Json spec{{"width", "container"},
-                  {"height", 340},
-                  {"data", {{"values", values}}},
-                  {"encoding", {{"x", axis("x", on.first)}, {"y", axis("y", on.second)}}},
-                  {"layer", {point_layer(), label_layer()}}};
-  return figure({"pareto", "The routings over two objectives.", caption, alt, spec, ""});
+  chart::Panel panel;
+  panel.x = objective_axis(on.first);
+  panel.y = objective_axis(on.second);
+  const chart::Style best{chart::Colour::blue, chart::Symbol::circle, 5};
+  const chart::Style other{chart::Colour::orange, chart::Symbol::square, 5};
+  panel.layers = {{"on the Pareto front", best, front}, {"dominated", other, dominated}};
+  chart::Chart chart;
+  chart.alt = alt;
+  chart.panels.push_back(std::move(panel));
+  return {"pareto", "The routings over two objectives.", caption, chart_svg(chart)};
 }
 
 Figure rank_figure(const RankReport& report, const Labels& labels) {
-  Json values = Json::array();
+  chart::Panel panel;
+  panel.x.title = "rank";
+  panel.x.least = 1;
+  panel.x.greatest = static_cast<double>(labels.size());
+  panel.x.reaches = {1, *panel.x.greatest};
+  panel.x.whole = true;
+  panel.y.categories = labels;
+  panel.y.grid = false;
+  chart::Spans ranges{{}, chart::Along::x, {}};
+  chart::Points medians;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const RankDistribution& drawn = *report.designs[i].distribution;
-    values.push_back({{"routing", labels[i]},
-                      {"first share", drawn.first},
-                      {"median", drawn.median},
-                      {"p5", drawn.low},
-                      {"p95", drawn.high}});
+    const auto at = static_cast<double>(i);
+    const std::string title =
+        fmt::format("{}\nmedian rank {:g}\n5 % to 95 %: {:g} to {:g}\nfirst in {} % of the draws",
+                    labels[i], drawn.median, drawn.low, drawn.high, fixed(100 * drawn.first, 1));
+    ranges.spans.push_back({at, drawn.low, drawn.high, title});
+    medians.spots.push_back({drawn.median, at, title, ""});
   }
-  const Json last = labels.size();
-  const Json x{{"field", "p5"},
-               {"type", "quantitative"},
-               {"title", "rank"},
-               {"axis", {{"tickMinStep", 1}, {"format", "d"}}},
-               {"scale", {{"domain", {1, last}}, {"padding", 10}}}};
-  Json median = x;
-  median["field"] = "median";
-  const Json y{{"field", "routing"},
-               {"type", "nominal"},
-               {"sort", labels},
-               {"title", nullptr},
-               {"axis", {{"labelLimit", 120}}}};
-  const Json mark_tooltip{{"content", "data"}};
-  const Json range{{"mark", {{"type", "rule"}, {"strokeWidth", 4}, {"tooltip", mark_tooltip}}},
-                   {"encoding", {{"x", x}, {"x2", {{"field", "p95"}}}, {"y", y}}}};
-  const Json point{{"mark",
-                    {{"type", "point"},
-                     {"filled", true},
-                     {"size", 90},
-                     {"opacity", 1},
-                     {"tooltip", mark_tooltip}}},
-                   {"encoding", {{"x", median}, {"y", y}}}};
-  const Json spec{{"width", "container"},
-                  {"height", 24 * labels.size()},
-                  {"data", {{"values", values}}},
-                  {"layer", {range, point}}};
-  return figure({"ranks", "Rank where the coefficients are drawn from their ranges.",
-                 "Point: median; line: 5 % to 95 % of the draws.", rank_alt(report, labels), spec,
-                 ""});
+  chart::Style line;
+  line.line = 4;
+  line.opacity = 0.6;
+  panel.layers = {{"5 % to 95 % of the draws", line, ranges},
+                  {"median", {chart::Colour::blue, chart::Symbol::circle, 5}, medians}};
+  chart::Chart chart;
+  chart.alt = rank_alt(report, labels);
+  chart.width = 480;
+  chart.height = 24 * static_cast<double>(labels.size());
+  chart.panels.push_back(std::move(panel));
+  return {"ranks", "Rank where the coefficients are drawn from their ranges.",
+          "Point: median; line: 5 % to 95 % of the draws.", chart_svg(chart)};
 }
 
 Figure tensions_figure(const std::vector<ShowReport>& routings, const Labels& labels,
@@ -189,9 +160,10 @@ Figure tensions_figure(const std::vector<ShowReport>& routings, const Labels& la
     }
     alt += ".";
   }
-  return figure({"tensions-" + grasp_id(held), "Strand tensions, " + grasp_words(held) + ".",
-                 "At a motor tension of 1; colours tell the fingers apart.", alt,
-                 tension_spec(panels), ""});
+  chart::Chart chart = tension_chart(panels);
+  chart.alt = alt;
+  return {"tensions-" + grasp_id(held), "Strand tensions, " + grasp_words(held) + ".",
+          "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }
 
 }  // namespace reeve

@@ -13,6 +13,7 @@
 #include "pages/settings.hpp"
 #include "pages/template.hpp"
 #include "reports/text_table.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -30,11 +31,14 @@ Labels design_labels(const RankReport& report) {
 
 HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
   HtmlTable table{"ranking-table",
-                  "All objectives; the headings sort",
+                  "Objectives; the headings sort",
                   {"rank", "front", "<routing", "<word"},
                   {},
                   true};
-  for (const ObjectiveRow& row : objective_table()) table.headings.push_back(objective_title(row));
+  const std::vector<Objective> shown = shown_objectives(report.order, report.score);
+  for (const Objective objective : shown) {
+    table.headings.push_back(objective_title(row(objective)));
+  }
   if (report.uncertainty) {
     for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {
       table.headings.emplace_back(heading);
@@ -45,8 +49,8 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
     std::vector<std::string> cells{std::to_string(design.ranked.rank),
                                    std::to_string(design.ranked.front), labels[i],
                                    design.ranked.design.word};
-    for (const ObjectiveRow& row : objective_table()) {
-      cells.push_back(objective_text(row, design.ranked.design.values));
+    for (const Objective objective : shown) {
+      cells.push_back(objective_text(row(objective), design.ranked.design.values));
     }
     if (design.distribution) {
       const RankDistribution& drawn = *design.distribution;

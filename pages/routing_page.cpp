@@ -6,6 +6,7 @@
 #include "pages/settings.hpp"
 #include "pages/template.hpp"
 #include "pages/tension_charts.hpp"
+#include "reports/chart_svg.hpp"
 #include "reports/text_table.hpp"
 
 namespace reeve {
@@ -24,9 +25,10 @@ Figure tension_figure(const ShowReport& report) {
     }
     alt += ".";
   }
-  return figure({"tensions", "Strand tensions in each grasp",
-                 "At a motor tension of 1; colours tell the fingers apart.", alt,
-                 tension_spec(report), ""});
+  chart::Chart chart = tension_chart(report);
+  chart.alt = alt;
+  return {"tensions", "Strand tensions in each grasp",
+          "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }
 
 // Of what the page rests on, the sentence that people look for first.

@@ -1,8 +1,12 @@
 #include "pages/tension_charts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 
 #include "pages/routing_parts.hpp"
+#include "reports/text_table.hpp"
 
 namespace reeve {
 namespace {
@@ -10,8 +14,21 @@ namespace {
 constexpr double figure_width = 900;
 constexpr double panel_gap = 24;
 
-std::size_t strand_count(const TensionPanel& panel) {
-  return 2 * static_cast<std::size_t>(panel.network->fingers);
+// A layer for each finger, in the colour that it has in each panel.
+std::vector<chart::Layer> layers(const std::vector<std::pair<Segment, double>>& tensions) {
+  std::map<int, chart::Bars> bars;
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    const auto& [segment, tension] = tensions[i];
+    bars[segment.finger].bars.push_back(
+        {static_cast<double>(i), tension, name(segment) + ": " + fixed(tension), ""});
+  }
+  std::vector<chart::Layer> result;
+  for (const auto& [finger, of_finger] : bars) {
+    chart::Style style;
+    style.colour = chart::series_colour(static_cast<std::size_t>(std::max(finger - 1, 0)));
+    result.push_back({fmt::format("finger {}", finger), style, of_finger});
+  }
+  return result;
 }
 
 }  // namespace
@@ -20,48 +37,37 @@ double panel_width(std::size_t bars) {
   return std::clamp(26 * static_cast<double>(bars), 60.0, 600.0);
 }
 
-Json in_rows(Json spec, double panel_width, std::size_t panels) {
-  const double room = panel_width + panel_gap;
-  const auto in_figure = static_cast<std::size_t>(figure_width / room);
-  spec["columns"] = std::clamp<std::size_t>(panels, 1, std::max<std::size_t>(1, in_figure));
-  spec["usermeta"] = {{"panel_px", room}};
-  return spec;
+std::size_t columns(double panel_width, std::size_t panels) {
+  const auto in_figure = static_cast<std::size_t>(figure_width / (panel_width + panel_gap));
+  return std::clamp<std::size_t>(panels, 1, std::max<std::size_t>(1, in_figure));
 }
 
-Json tension_spec(const std::vector<TensionPanel>& panels) {
-  Json values = Json::array();
-  Json titles = Json::array();
-  for (const TensionPanel& panel : panels) {
-    titles.push_back(panel.title);
-    for (const auto& [segment, tension] : strands(*panel.network, *panel.state)) {
-      values.push_back({{"panel", panel.title},
-                        {"strand", name(segment)},
-                        {"finger", std::to_string(segment.finger)},
-                        {"tension", number(tension)}});
-    }
+chart::Chart tension_chart(const std::vector<TensionPanel>& panels) {
+  chart::Chart result;
+  for (const TensionPanel& given : panels) {
+    const auto tensions = strands(*given.network, *given.state);
+    chart::Panel panel;
+    panel.title = given.title;
+    for (const auto& [segment, tension] : tensions) panel.x.categories.push_back(name(segment));
+    panel.x.grid = false;
+    panel.y.title = "tension over motor tension";
+    panel.y.least = 0;
+    panel.layers = layers(tensions);
+    result.panels.push_back(std::move(panel));
   }
-  const double width = panels.empty() ? 0 : panel_width(strand_count(panels.front()));
-  Json x{{"field", "strand"}, {"type", "nominal"}, {"sort", nullptr}, {"title", nullptr}};
-  x["axis"] = {{"labelAngle", 0}, {"labelOverlap", true}};
-  const Json y{
-      {"field", "tension"}, {"type", "quantitative"}, {"title", {"tension over", "motor tension"}}};
-  const Json color{{"field", "finger"}, {"type", "nominal"}, {"sort", nullptr}};
-  Json spec{{"data", {{"values", values}}}};
-  spec["facet"] = {{"field", "panel"}, {"type", "nominal"}, {"sort", titles}, {"title", nullptr}};
-  spec["facet"]["header"] = {{"labelLimit", width + panel_gap}};
-  spec["spec"] = {{"width", width},
-                  {"height", 120},
-                  {"mark", {{"type", "bar"}, {"tooltip", true}}},
-                  {"encoding", {{"x", x}, {"y", y}, {"color", color}}}};
-  return in_rows(spec, width, panels.size());
+  result.width = panels.empty() ? 0 : panel_width(result.panels.front().x.categories.size());
+  result.height = 120;
+  result.columns = columns(result.width, panels.size());
+  result.shared_y = true;
+  return result;
 }
 
-Json tension_spec(const ShowReport& report) {
+chart::Chart tension_chart(const ShowReport& report) {
   std::vector<TensionPanel> panels;
   for (const ShownGrasp& shown : report.grasps) {
     panels.push_back({grasp_words(shown.grasp), &report.network, &shown.state});
   }
-  return tension_spec(panels);
+  return tension_chart(panels);
 }
 
 }  // namespace reeve

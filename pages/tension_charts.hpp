@@ -7,7 +7,7 @@
 
 #include "core/network.hpp"
 #include "core/tension.hpp"
-#include "reports/json.hpp"
+#include "reports/chart.hpp"
 #include "reports/show_report.hpp"
 
 namespace reeve {
@@ -18,15 +18,15 @@ struct TensionPanel {
   const TensionState* state = nullptr;
 };
 
-// Panels of equal scale, over the motor tension. The networks have strands.
-Json tension_spec(const std::vector<TensionPanel>& panels);
+// Panels of equal scale, over the motor tension, without a text that describes them. The networks
+// have strands.
+chart::Chart tension_chart(const std::vector<TensionPanel>& panels);
 
 // A panel for each grasp.
-Json tension_spec(const ShowReport& report);
+chart::Chart tension_chart(const ShowReport& report);
 
-// Facets in rows as long as the window is wide (page.js, `fitted`), and in `spec` as it stands in
-// rows of as many panels as a figure of a paper takes.
-Json in_rows(Json spec, double panel_width, std::size_t panels);
+// As many panels in a row as a figure of a paper takes.
+std::size_t columns(double panel_width, std::size_t panels);
 
 // The wish of a panel for its bars.
 double panel_width(std::size_t bars);

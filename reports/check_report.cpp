@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/check_words.hpp"
 #include "reports/json.hpp"
 
 namespace reeve {
@@ -18,7 +19,8 @@ Section reasons(const CheckReport& report) {
   for (const CheckItem& item : report.items) {
     if (item.reason.empty()) continue;
     section.lines.push_back(
-        {fmt::format("{} {}, {}: {}", item.routing, item.source, item.quantity, item.reason)});
+        {fmt::format("{}{}, {}: {}", item.routing.empty() ? "" : item.routing + " ", item.source,
+                     quantity_text(item.quantity), item.reason)});
   }
   return section;
 }
@@ -51,8 +53,8 @@ Sheet check_sheet(const CheckReport& report) {
                number_column("published"), number_column("computed"), text_column("status")},
               {}};
   for (const CheckItem& item : report.items) {
-    table.add({item.routing, item.source, item.quantity, published_text(item),
-               number_text(item.computed), name(item.status)},
+    table.add({item.routing.empty() ? "-" : item.routing, item.source, quantity_text(item.quantity),
+               published_text(item), number_text(item.computed), name(item.status)},
               tint(item.status));
   }
   Sheet sheet{{{"", table, {}}}};
@@ -70,13 +72,14 @@ std::string check_json(const CheckReport& report) {
   Json json;
   json["checks"] = Json::array();
   for (const CheckItem& item : report.items) {
-    json["checks"].push_back({{"routing", item.routing},
-                              {"source", item.source},
-                              {"quantity", item.quantity},
-                              {"published", number(item.published)},
-                              {"computed", number(item.computed)},
-                              {"status", name(item.status)},
-                              {"reason", item.reason.empty() ? Json(nullptr) : Json(item.reason)}});
+    json["checks"].push_back(
+        {{"routing", item.routing.empty() ? Json(nullptr) : Json(item.routing)},
+         {"source", item.source},
+         {"quantity", quantity_text(item.quantity)},
+         {"published", number(item.published)},
+         {"computed", number(item.computed)},
+         {"status", name(item.status)},
+         {"reason", item.reason.empty() ? Json(nullptr) : Json(item.reason)}});
   }
   json["misprints"] = Json::array();
   for (const CheckedMisprint& misprint : report.misprints) {

@@ -7,6 +7,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/names.hpp"
+#include "search/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -22,21 +23,39 @@ std::string range(const RankDistribution& distribution) {
   return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
 }
 
-// Least missed in a narrow window are the counts of parts.
-std::vector<TableColumn> columns(bool uncertain) {
-  std::vector<TableColumn> columns{number_column("rank"),
-                                   number_column("front", "", 2),
-                                   text_column("name"),
-                                   text_column("routing"),
-                                   number_column("uniformity"),
-                                   number_column("efficiency"),
-                                   number_column("force", "", 3),
-                                   number_column("jams", "", 5),
-                                   number_column("sheaths", "", 6),
-                                   number_column("pulleys", "", 8),
-                                   number_column("knots", "", 9),
-                                   number_column("travel", "mm/mm", 4),
-                                   number_column("return", "", 7)};
+// Objectives that make one column: the parts of one family.
+using ColumnRows = std::vector<const ObjectiveRow*>;
+
+std::vector<ColumnRows> objective_columns(const Order& order, const Score& score) {
+  std::vector<ColumnRows> columns;
+  for (const Objective objective : shown_objectives(order, score)) {
+    const ObjectiveRow& about = row(objective);
+    const bool joins =
+        !columns.empty() && std::string_view(columns.back().front()->family) == about.family;
+    if (!joins) columns.emplace_back();
+    columns.back().push_back(&about);
+  }
+  return columns;
+}
+
+TableColumn objective_column(const ObjectiveRow& row) {
+  const std::string_view unit = row.unit;
+  const bool is_told = unit != "1" && !row.is_count();
+  return number_column(row.heading, is_told ? row.unit : "", row.dispensable);
+}
+
+std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values) {
+  std::string cell;
+  for (const ObjectiveRow* row : rows) {
+    cell += (cell.empty() ? "" : "/") + fixed(value(values, row->objective), row->decimals);
+  }
+  return cell;
+}
+
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool uncertain) {
+  std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
+                                   text_column("name"), text_column("routing")};
+  for (const ColumnRows& rows : objectives) columns.push_back(objective_column(*rows.front()));
   if (!uncertain) return columns;
   for (const char* heading : {"first", "median", "5–95 %"}) {
     columns.push_back(number_column(heading, "", 1));
@@ -57,28 +76,18 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
   return designs;
 }
 
-Table design_table(const std::vector<ListedDesign>& designs) {
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
+                   const Score& score) {
   const bool uncertain = with_distributions(designs);
-  Table table{columns(uncertain), {}};
+  const std::vector<ColumnRows> objectives = objective_columns(order, score);
+  Table table{columns(objectives, uncertain), {}};
   for (const ListedDesign& design : designs) {
-    const ObjectiveValues& values = design.ranked.design.values;
-    const auto cell = [&](Objective objective, int decimals) {
-      return fixed(value(values, objective), decimals);
-    };
     std::vector<std::string> cells{
-        std::to_string(design.ranked.rank),
-        std::to_string(design.ranked.front),
-        design.name.empty() ? "-" : design.name,
-        design.ranked.design.word,
-        cell(Objective::uniformity_mean, 3) + "/" + cell(Objective::uniformity_worst, 3),
-        cell(Objective::efficiency_mean, 3) + "/" + cell(Objective::efficiency_worst, 3),
-        cell(Objective::force_transmission, 3),
-        cell(Objective::jams, 0),
-        cell(Objective::sheaths, 0),
-        cell(Objective::pulleys, 0),
-        cell(Objective::knots, 0),
-        cell(Objective::travel, 2),
-        cell(Objective::return_friction, 3)};
+        std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
+        design.name.empty() ? "-" : design.name, design.ranked.design.word};
+    for (const ColumnRows& rows : objectives) {
+      cells.push_back(objective_cell(rows, design.ranked.design.values));
+    }
     if (design.distribution) {
       cells.push_back(percent(design.distribution->first));
       cells.push_back(fixed(design.distribution->median, 0));

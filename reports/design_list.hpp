@@ -25,8 +25,10 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<RankDistribution>& distributions,
                                        const Catalogue& catalogue);
 
-// Uniformity and efficiency as mean/worst over the grasps.
-Table design_table(const std::vector<ListedDesign>& designs);
+// Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
+// objectives that the order asks for, and what the score is made of where it orders.
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order = {},
+                   const Score& score = authors_score());
 
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");

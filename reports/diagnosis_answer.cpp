@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/data_text.hpp"
+#include "reports/diagnosis_evidence.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/diagnosis_words.hpp"
 
@@ -101,21 +102,27 @@ std::string none_answer(const DiagnosisReport& report) {
                         chance_text(result.p_value, report.settings.replicates));
   } else {
     text += fmt::format(
-        "No cause is named: {} looked likely on the training runs and failed on the held-out "
-        "ones.\n",
+        "No cause is named: {} looked likely, but the training runs do not confirm it when each is "
+        "forecast from the others.\n",
         names_text(result.not_confirmed));
   }
   return text + rest_text(report) + ".\n";
 }
 
+std::string apart_lines(const DiagnosisReport& report) {
+  std::string text;
+  for (const std::string& sentence : without_apart_sentences(report)) text += sentence + "\n";
+  return text;
+}
+
 std::string cause_answer(const DiagnosisReport& report) {
   return cause_lines(report.result) + gain_line(report) + rest_text(report) + "; " +
-         chance_sentence(report);
+         chance_sentence(report) + apart_lines(report);
 }
 
 std::string indistinguishable_answer(const DiagnosisReport& report) {
   return indistinguishable_lines(report) + cause_lines(report.result) + gain_line(report) +
-         separation_line(report);
+         separation_line(report) + apart_lines(report);
 }
 
 std::string unexplained_answer(const DiagnosisReport& report) {
@@ -130,7 +137,8 @@ std::string unexplained_answer(const DiagnosisReport& report) {
     return text;
   }
   text += "Part of it is explained, so take the sizes with care:\n";
-  return text + indistinguishable_lines(report) + cause_lines(result) + gain_line(report);
+  return text + indistinguishable_lines(report) + cause_lines(result) + gain_line(report) +
+         apart_lines(report);
 }
 
 }  // namespace

@@ -124,6 +124,89 @@ Json noise_limit_json(const NoiseLimit& limit) {
           {"rms", number(limit.rms_N)}};
 }
 
+Json share_errors_json(const DiagnosisReport& report) {
+  const ShareErrors& errors = report.result.share_errors;
+  if (errors.groups.empty()) return nullptr;
+  return {{"before", number(errors.before)},
+          {"after", number(errors.after)},
+          {"left_out", value_or_null(errors.left_out, number)},
+          {"routings", list(errors.groups, [&](const ShareError& group) {
+             return Json{{"routing", report.data.routings[group.routing].word},
+                         {"held", held_fingers(group.grasp)},
+                         {"rows", group.rows},
+                         {"held_out_rows", group.held_out_rows},
+                         {"before", number(group.before)},
+                         {"after", number(group.after)},
+                         {"left_out", value_or_null(group.left_out, number)}};
+           })}};
+}
+
+// [{"name", "parameters": {"mu": 0.05}}]
+Json effects_json(const Model& model) {
+  return list(model.effects, [&](const Effect& effect) {
+    Json values = Json::object();
+    const auto parameters = effect.cause->parameters(model.hardware);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      values[parameters[p].name] = number(effect.values[p]);
+    }
+    return Json{{"name", name(effect)}, {"parameters", values}};
+  });
+}
+
+Json loss_json(const Loss& loss, const MeasuredData& data) {
+  return {{"routing", data.routings[loss.routing].word},
+          {"held", held_fingers(loss.grasp)},
+          {"direction", direction_field(loss.direction)},
+          {"from", name(loss.high)},
+          {"to", name(loss.low)},
+          {"over", list(loss.over, [](ContactKind kind) { return Json(name(kind)); })},
+          {"rows", loss.rows},
+          {"measured", number(loss.measured)},
+          {"deviation", number(loss.deviation)},
+          {"before", number(loss.before)},
+          {"after", number(loss.after)},
+          {"stands_apart", loss.stands_apart}};
+}
+
+Json without_apart_json(const WithoutApart& without, const MeasuredData& data) {
+  Json causes = effects_json(without.model);
+  for (std::size_t e = 0; e < without.intervals.size(); ++e) {
+    causes[e]["intervals"] = list(without.intervals[e], [](const ParameterInterval& interval) {
+      return Json::array({number(interval.low), number(interval.high)});
+    });
+  }
+  return {{"left_out", list(without.left_out,
+                            [&](const Cell& cell) {
+                              return Json{{"line", data.readings[cell.reading].line},
+                                          {"channel", data.channels[cell.channel].name}};
+                            })},
+          {"causes", causes},
+          {"share_error", number(without.share_error)}};
+}
+
+Json published_json(const PublishedModel& model, const std::vector<Loss>& losses) {
+  return {{"name", model.name},
+          {"mu", model.mu},
+          {"error", number(model.error)},
+          {"equations_error", number(model.equations)},
+          {"lines", list(model.lines,
+                         [](const PublishedLine& line) {
+                           return Json{{"source", line.source},
+                                       {"shares", line.shares},
+                                       {"error", number(line.error)},
+                                       {"equations_error", number(line.equations)}};
+                         })},
+          {"other_losses", list(model.losses, [&](const PublishedLoss& loss) {
+             return Json{{"from", name(losses[loss.loss].high)},
+                         {"to", name(losses[loss.loss].low)},
+                         {"loss", loss.loss},
+                         {"printed", number(loss.printed)},
+                         {"equations", number(loss.equations)},
+                         {"sheaths", loss.sheaths},
+                         {"sheaths_drawn", loss.sheaths_drawn}};
+           })}};
+}
+
 void add_evidence(Json& json, const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   json["held_out_by_run"] = list(result.run_gains, [&](const RunGain& gain) {
@@ -144,6 +227,18 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
     return Json{{"about", finding.about},
                 {"statistic", number(finding.statistic)},
                 {"p_value", finding.p_value}};
+  });
+  json["share_errors"] = share_errors_json(report);
+  json["left_out_runs"] = list(result.left_out, [&](const LeftOutRun& run) {
+    return Json{{"run", report.data.runs[run.run]}, {"causes", effects_json(run.model)}};
+  });
+  json["losses"] =
+      list(result.losses, [&](const Loss& loss) { return loss_json(loss, report.data); });
+  json["without_apart"] = value_or_null(
+      report.result.without_apart,
+      [&](const WithoutApart& without) { return without_apart_json(without, report.data); });
+  json["published"] = list(report.published, [&](const PublishedModel& model) {
+    return published_json(model, report.result.losses);
   });
   json["noise"] = noise_json(result.noise);
   json["ranking"] = value_or_null(report.ranking, [](const CatalogueRanking& ranking) {
@@ -183,15 +278,17 @@ std::string diagnosis_residuals_csv(const DiagnosisReport& report) {
   std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
   csv +=
       "line,run,routing,held,direction,channel,held_out,measured_N,before_N,after_N,deviation_N,"
-      "residual_before,residual_after\n";
+      "residual_before,residual_after,left_out_N\n";
   for (const ComparedCell& compared : report.result.cells) {
     const Reading& reading = data.readings[compared.cell.reading];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
+    const std::string left_out = compared.left_out_N ? fmt::format("{}", *compared.left_out_N) : "";
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
                        held_field(reading.grasp), direction_field(reading.direction),
                        data.channels[compared.cell.channel].name, compared.held_out,
                        compared.cell.measured_N, compared.before_N, compared.after_N,
-                       compared.deviation_N, compared.residual_before, compared.residual_after);
+                       compared.deviation_N, compared.residual_before, compared.residual_after,
+                       left_out);
   }
   return csv;
 }

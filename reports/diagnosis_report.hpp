@@ -11,6 +11,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "reports/sheet.hpp"
+#include "studies/published_models.hpp"
 
 namespace reeve {
 
@@ -37,6 +38,7 @@ struct DiagnosisReport {
   DiagnosisResult result;
   std::map<std::string, std::string> names;  // of the catalogue, by word
   std::optional<CatalogueRanking> ranking;   // only where a cause extends the model
+  std::vector<PublishedModel> published;     // of the data's routings in their grasps
   double seconds = 0;
 };
 

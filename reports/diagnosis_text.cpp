@@ -4,6 +4,7 @@
 
 #include "diagnosis/rivals.hpp"
 #include "reports/data_text.hpp"
+#include "reports/diagnosis_evidence.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/diagnosis_words.hpp"
 
@@ -120,7 +121,7 @@ Section weighed_section(const DiagnosisReport& report) {
   }
   for (const std::string& name : report.result.not_confirmed) {
     section.lines.push_back(
-        {fmt::format("{} failed on the held-out runs, and is not named.", name)});
+        {fmt::format("{} is not named: the training runs do not confirm it.", name)});
   }
   return section;
 }
@@ -155,6 +156,42 @@ Section left_section(const DiagnosisReport& report) {
           {}};
 }
 
+// Than that it is right.
+bool says_more_than_the_model(const DiagnosisReport& report) {
+  const std::vector<Loss>& losses = report.result.losses;
+  return !report.result.model.effects.empty() || !report.published.empty() ||
+         std::any_of(losses.begin(), losses.end(),
+                     [](const Loss& loss) { return loss.stands_apart; });
+}
+
+void add_sentences(Section& section, const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) section.lines.push_back({sentence});
+}
+
+Section shares_section(const DiagnosisReport& report) {
+  if (report.result.share_errors.groups.empty() || !says_more_than_the_model(report)) return {};
+  Section section{
+      "Error of the tension distribution, root of the summed squared differences of the shares",
+      share_error_table(report),
+      {}};
+  add_sentences(section, published_sentences(report));
+  add_sentences(section, influence_sentences(report));
+  return section;
+}
+
+Section losses_section(const DiagnosisReport& report) {
+  constexpr std::size_t most_losses = 24;
+  Table table = loss_table(report);
+  if (table.rows.empty() || !says_more_than_the_model(report)) return {};
+  const std::size_t all = table.rows.size();
+  if (all > most_losses) table.rows.resize(most_losses);
+  Section section{
+      "What is left of the tension from sensor to sensor, stretch by stretch", table, {}};
+  if (all > most_losses) section.lines.push_back({fmt::format("… {} more", all - most_losses)});
+  add_sentences(section, loss_sentences(report));
+  return section;
+}
+
 Section next_section(const DiagnosisReport& report) {
   const std::optional<PlannedMeasurement>& next = report.result.next_measurement;
   if (!next) return {};
@@ -184,8 +221,9 @@ Sheet diagnosis_sheet(const DiagnosisReport& report) {
   Section answer;
   add_lines(answer.lines, diagnosis_answer(report));
   Sheet sheet{{answer}};
-  for (const auto part : {causes_section, gains_section, weighed_section, indistinguishable_section,
-                          left_section, next_section, ranking_section, data_section}) {
+  for (const auto part :
+       {causes_section, gains_section, weighed_section, indistinguishable_section, left_section,
+        shares_section, losses_section, next_section, ranking_section, data_section}) {
     sheet.add(part(report));
   }
   sheet.add(notes_section(report.result.notes));

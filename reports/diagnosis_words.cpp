@@ -75,6 +75,16 @@ std::string cause_text(const NamedCause& cause) {
   return cause.detail.empty() ? text : text + ", " + cause.detail;
 }
 
+std::string size_with_interval(const NamedCause& cause) {
+  std::string text = cause.name;
+  for (const EstimatedParameter& parameter : cause.parameters) {
+    text += fmt::format(", {} = {}{} ({} to {})", parameter.name,
+                        estimate(parameter, parameter.value), unit_text(parameter),
+                        estimate(parameter, parameter.low), estimate(parameter, parameter.high));
+  }
+  return text;
+}
+
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {
   const bool rises = held_out.reduction < 0;
   return fmt::format("on {} {} by {} ({} to {}): from {} to {}", plural(runs, "held-out run"),

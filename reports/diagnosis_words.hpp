@@ -13,6 +13,9 @@ std::string estimate(const EstimatedParameter& parameter, double value);
 // "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"
 std::string cause_text(const NamedCause& cause);
 
+// "tube_friction, mu = 0.090 (0.087 to 0.093)"
+std::string size_with_interval(const NamedCause& cause);
+
 // "on 2 held-out runs fall by 72 % (66 % to 77 %): from 0.41 N to 0.11 N"
 std::string gain_text(const HeldOut& held_out, std::size_t runs);
 

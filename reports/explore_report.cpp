@@ -30,15 +30,18 @@ std::string counts_text(const ExploreResult& result) {
 }
 
 Section front_section(const ExploreReport& report) {
-  std::string text =
-      fmt::format("Pareto front over {}: {} design{}", objective_names(report.options.objectives),
-                  report.front.size(), report.front.size() == 1 ? "" : "s");
+  std::string text = fmt::format("Pareto front over {}: {} design{}",
+                                 objective_names(report.options.order.objectives),
+                                 report.front.size(), report.front.size() == 1 ? "" : "s");
   if (report.result.front_equals_left_out > 0) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
   if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
-  return {text, design_table(first(report.front, shown_at_most)), {}};
+  return {
+      text,
+      design_table(first(report.front, shown_at_most), report.options.order, report.options.score),
+      {}};
 }
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
@@ -113,8 +116,8 @@ Json explore_settings(const ExploreReport& report) {
   for (const Constraint& constraint : options.constraints) {
     json["constraints"].push_back(constraint.text);
   }
-  json.update(
-      settings_json(options.objectives, options.grasps, options.model, report.result.unconverged));
+  json.update(settings_json(options.order, options.score, options.grasps, options.model,
+                            report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   return json;
 }
@@ -139,7 +142,9 @@ Sheet explore_sheet(const ExploreReport& report) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   Sheet sheet{{{"", std::nullopt, opening_lines(report)},
                front_section(report),
-               {fmt::format("Top {}", top.size()), design_table(top), {}}}};
+               {fmt::format("Top {}", top.size()),
+                design_table(top, report.options.order, report.options.score),
+                {}}}};
   sheet.add(known_section(report));
   return sheet;
 }

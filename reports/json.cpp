@@ -1,5 +1,7 @@
 #include "reports/json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
@@ -37,18 +39,11 @@ std::string print(const Json& json) {
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void add_objectives(Json& target, const ObjectiveValues& values) {
-  const auto get = [&](Objective objective) { return number(value(values, objective)); };
-  target["uniformity"] = {{"mean", get(Objective::uniformity_mean)},
-                          {"worst", get(Objective::uniformity_worst)}};
-  target["efficiency"] = {{"mean", get(Objective::efficiency_mean)},
-                          {"worst", get(Objective::efficiency_worst)}};
-  target["force_transmission"] = get(Objective::force_transmission);
-  for (const Objective counted :
-       {Objective::jams, Objective::sheaths, Objective::pulleys, Objective::knots}) {
-    target[row(counted).name] = static_cast<int>(value(values, counted));
+  for (const ObjectiveRow& row : objective_table()) {
+    const double given = value(values, row.objective);
+    Json& place = *row.part == '\0' ? target[row.family] : target[row.family][row.part];
+    place = row.is_count() ? Json(static_cast<int>(given)) : number(given);
   }
-  target["travel"] = get(Objective::travel);
-  target["return_friction"] = get(Objective::return_friction);
 }
 
 Json to_json(const Hardware& hardware) {
@@ -79,11 +74,32 @@ std::string objective_names(const std::vector<Objective>& objectives) {
   return names;
 }
 
-Json settings_json(const std::vector<Objective>& objectives, const GraspSet& grasps,
+std::string order_text(const Order& order, const Score& score) {
+  const std::string made_of =
+      fmt::format("the weighted mean of {} (greater is better)", to_text(score));
+  if (order.objectives == std::vector{Objective::score}) return "By the score, " + made_of;
+  const std::string fronts = "Front by front over " + objective_names(order.objectives);
+  return order.by_score ? fronts + ", within a front by the score, " + made_of : fronts;
+}
+
+namespace {
+
+Json score_json(const Order& order, const Score& score) {
+  Json json{{"orders", order.by_score}, {"weights", Json::object()}};
+  for (const ScoreTerm& term : score.terms) json["weights"][row(term.objective).name] = term.weight;
+  return json;
+}
+
+}  // namespace
+
+Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
                    const Model& model, std::uint64_t unconverged) {
   Json json;
   json["objectives"] = Json::array();
-  for (const Objective objective : objectives) json["objectives"].push_back(row(objective).name);
+  for (const Objective objective : order.objectives) {
+    json["objectives"].push_back(row(objective).name);
+  }
+  json["score"] = score_json(order, score);
   json["grasps"] = Json::array();
   for (const WeightedGrasp& grasp : grasps) {
     json["grasps"].push_back({{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}});

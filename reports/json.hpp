@@ -28,11 +28,14 @@ void add_objectives(Json& target, const ObjectiveValues& values);
 Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
 
-// {"objectives","grasps","hardware","model"}
-Json settings_json(const std::vector<Objective>& objectives, const GraspSet& grasps,
+// {"objectives","score","grasps","hardware","model"}
+Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
                    const Model& model, std::uint64_t unconverged);
 
 std::string objective_names(const std::vector<Objective>& objectives);
+
+// "Front by front over uniformity_mean, efficiency_mean", "By the score, …"
+std::string order_text(const Order& order, const Score& score);
 
 std::string version_json();
 

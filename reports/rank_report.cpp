@@ -62,18 +62,19 @@ void add_details(Json& json, const RankDetails& details) {
 
 Sheet rank_sheet(const RankReport& report) {
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
-  lines.push_back({"Front by front over " + objective_names(report.objectives) +
+  lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
-  Sheet sheet{{{"", std::nullopt, lines}, {"", design_table(report.designs), {}}}};
+  Sheet sheet{{{"", std::nullopt, lines},
+               {"", design_table(report.designs, report.order, report.score), {}}}};
   sheet.add(margin_section(report));
   return sheet;
 }
 
 std::string rank_json(const RankReport& report) {
   Json json{{"designs", to_json(report.designs)},
-            {"settings",
-             settings_json(report.objectives, report.grasps, report.model, report.unconverged)}};
+            {"settings", settings_json(report.order, report.score, report.grasps, report.model,
+                                       report.unconverged)}};
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   if (report.margins) json["margins"] = margins_json(*report.margins);

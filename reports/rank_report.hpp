@@ -11,8 +11,9 @@
 #include "reports/show_report.hpp"
 #include "reports/tension_distribution.hpp"
 #include "search/margin.hpp"
-#include "search/objectives.hpp"
+#include "search/order.hpp"
 #include "search/ranking.hpp"
+#include "search/score.hpp"
 #include "search/uncertainty.hpp"
 
 namespace reeve {
@@ -26,7 +27,8 @@ struct RankDetails {
 
 struct RankReport {
   std::vector<ListedDesign> designs;
-  std::vector<Objective> objectives;
+  Order order;
+  Score score = authors_score();
   GraspSet grasps;
   Model model;
   std::uint64_t unconverged = 0;  // tension solves

@@ -47,23 +47,26 @@ std::string tendon(const DrawnSegment& segment, const double* tension, double fu
   const bool slack = tension != nullptr && *tension == 0;
   return svg::path(
       svg::rounded(segment.path),
-      fmt::format(" class=\"reeve-tendon\" data-segment=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}",
-                  segment.name, tendon_colours[segment.tendon % tendon_colours.size()],
-                  svg::number(width), slack ? " stroke-dasharray=\"5 4\"" : ""));
+      " class=\"reeve-tendon\"" + svg::attribute("data-segment", segment.name) +
+          svg::attribute("stroke", tendon_colours[segment.tendon % tendon_colours.size()]) +
+          svg::attribute("stroke-width", svg::number(width)) +
+          (slack ? " stroke-dasharray=\"5 4\"" : ""));
 }
 
 std::string label(const DrawnSegment& segment, const double* tension) {
   const Box& box = segment.label;
   const double x = svg::anchor(box, segment.align);
   const double baseline = box.top + 0.8 * line_height;
-  std::string content = fmt::format("<tspan font-weight=\"bold\">{}</tspan>", segment.name);
+  std::string content = "<tspan font-weight=\"bold\">" + segment.name + "</tspan>";
   if (tension != nullptr) {
-    content += fmt::format("<tspan x=\"{}\" dy=\"{}\">{}</tspan>", svg::number(x),
-                           svg::number(line_height), svg::escape(tension_text(*tension)));
+    content += "<tspan" + svg::attribute("x", svg::number(x)) +
+               svg::attribute("dy", svg::number(line_height)) + ">" +
+               svg::escape(tension_text(*tension)) + "</tspan>";
   }
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}>{}</text>\n", svg::number(x),
-                     svg::number(baseline), svg::number(text_size), svg::anchor(segment.align),
-                     content);
+  return "<text" + svg::attribute("x", svg::number(x)) +
+         svg::attribute("y", svg::number(baseline)) +
+         svg::attribute("font-size", svg::number(text_size)) + svg::anchor(segment.align) + ">" +
+         content + "</text>\n";
 }
 
 std::string turns(const SchematicLayout& layout) {

@@ -15,27 +15,9 @@
 
 #include "core/grasp.hpp"
 #include "core/network.hpp"
+#include "reports/shapes.hpp"
 
 namespace reeve {
-
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-struct Box {
-  double left = 0;
-  double top = 0;
-  double right = 0;
-  double bottom = 0;
-};
-
-struct Corner {
-  Point at;
-  double radius = 0;  // of its rounding
-};
-
-enum class Align : std::uint8_t { start, middle, end };
 
 struct DrawnSegment {
   std::string name;
@@ -69,16 +51,6 @@ struct DrawnFinger {
   Box outline;
   bool held = false;
   Box object;  // what holds it, if it is held
-};
-
-enum class Weight : std::uint8_t { normal, bold };
-
-struct DrawnText {
-  Box box;
-  std::string text;
-  double size = 0;
-  Weight weight = Weight::normal;
-  Align align = Align::start;
 };
 
 enum class LegendSymbol : std::uint8_t { tube, bearing, sheath, fixed, tied, slides, slack };

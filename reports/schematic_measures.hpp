@@ -3,8 +3,6 @@
 // Five fingers are 5 · 58 + 4 · 46 and margins: at 300 px wide their text is still 8 px high.
 #pragma once
 
-#include <string>
-
 namespace reeve::measures {
 
 inline constexpr double margin = 16;
@@ -34,8 +32,5 @@ inline constexpr double label_width = 47;
 inline constexpr double label_height = 2 * line_height;
 inline constexpr double label_step = label_height + 3;  // to the next label below
 inline constexpr double label_gap = 7;                  // from a line to its label
-
-// A generous guess, for any sans-serif font.
-double text_width(const std::string& text, double size, bool bold);
 
 }  // namespace reeve::measures

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "reports/schematic_layout.hpp"
 
@@ -16,8 +15,5 @@ void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& lay
 
 // Beside the arrow at the carriage: its place and size.
 DrawnText motor_text(const SchematicLayout& layout);
-
-// Breaks behind spaces, '-' and '+' where a line would grow wider.
-std::vector<std::string> wrap(const std::string& text, double size, bool bold, double width);
 
 }  // namespace reeve

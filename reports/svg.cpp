@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace reeve::svg {
@@ -12,6 +13,14 @@ Point step(Point from, Point to, double length) {
   if (distance == 0) return from;
   return {from.x + (to.x - from.x) / distance * length,
           from.y + (to.y - from.y) / distance * length};
+}
+
+std::string command(char letter, Point at) {
+  std::string text(1, letter);
+  text += number(at.x);
+  text += ' ';
+  text += number(at.y);
+  return text;
 }
 
 }  // namespace
@@ -42,40 +51,65 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
+// A page has millions of these, and nearly all of them are small.
 std::string number(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  const double hundredths = std::nearbyint(value * 100);
+  if (!(std::abs(hundredths) < 1e15)) return fmt::format("{:.0f}", value);
+  auto rest = static_cast<long long>(std::abs(hundredths));
+  std::array<char, 24> digits;
+  char* const end = digits.data() + digits.size();
+  char* at = end;
+  if (rest % 100 != 0) {
+    if (rest % 10 != 0) *--at = static_cast<char>('0' + rest % 10);
+    *--at = static_cast<char>('0' + rest / 10 % 10);
+    *--at = '.';
+  }
+  rest /= 100;
+  do {
+    *--at = static_cast<char>('0' + rest % 10);
+    rest /= 10;
+  } while (rest > 0);
+  if (hundredths < 0) *--at = '-';
+  return {at, end};
+}
+
+std::string attribute(const char* name, const std::string& value) {
+  std::string text(" ");
+  text += name;
+  text += "=\"";
+  text += value;
+  text += '"';
+  return text;
 }
 
 std::string line(Point from, Point to) { return path(move_to(from) + line_to(to)); }
 
 std::string circle(Point centre, double radius, const std::string& attributes) {
-  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", number(centre.x),
-                     number(centre.y), number(radius), attributes);
+  return "<circle" + attribute("cx", number(centre.x)) + attribute("cy", number(centre.y)) +
+         attribute("r", number(radius)) + attributes + "/>\n";
 }
 
 std::string rectangle(const Box& box, double rounding, const std::string& attributes) {
-  return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\"{}/>\n",
-                     number(box.left), number(box.top), number(box.right - box.left),
-                     number(box.bottom - box.top), number(rounding), attributes);
+  return "<rect" + attribute("x", number(box.left)) + attribute("y", number(box.top)) +
+         attribute("width", number(box.right - box.left)) +
+         attribute("height", number(box.bottom - box.top)) + attribute("rx", number(rounding)) +
+         attributes + "/>\n";
 }
 
 std::string path(const std::string& commands, const std::string& attributes) {
-  return fmt::format("<path d=\"{}\"{}/>\n", commands, attributes);
+  return "<path" + attribute("d", commands) + attributes + "/>\n";
 }
 
 std::string group(const std::string& attributes, const std::string& content) {
-  return content.empty() ? "" : fmt::format("<g{}>\n{}</g>\n", attributes, content);
+  return content.empty() ? "" : "<g" + attributes + ">\n" + content + "</g>\n";
 }
 
 std::string text(const DrawnText& text) {
   const double baseline = (text.box.top + text.box.bottom) / 2 + 0.36 * text.size;
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n",
-                     number(anchor(text.box, text.align)), number(baseline), number(text.size),
-                     anchor(text.align), text.weight == Weight::bold ? " font-weight=\"bold\"" : "",
-                     escape(text.text));
+  return "<text" + attribute("x", number(anchor(text.box, text.align))) +
+         attribute("y", number(baseline)) + attribute("font-size", number(text.size)) +
+         anchor(text.align) + (text.weight == Weight::bold ? " font-weight=\"bold\"" : "") + ">" +
+         escape(text.text) + "</text>\n";
 }
 
 double anchor(const Box& box, Align align) {
@@ -124,13 +158,14 @@ std::string rounded(const std::vector<Corner>& path) {
   return commands;
 }
 
-std::string move_to(Point at) { return fmt::format("M{} {}", number(at.x), number(at.y)); }
+std::string move_to(Point at) { return command('M', at); }
 
-std::string line_to(Point at) { return fmt::format("L{} {}", number(at.x), number(at.y)); }
+std::string line_to(Point at) { return command('L', at); }
 
 std::string arc_to(Point at, double radius, bool clockwise) {
-  return fmt::format("A{0} {0} 0 0 {1} {2} {3}", number(radius), clockwise ? 1 : 0, number(at.x),
-                     number(at.y));
+  const std::string size = number(radius);
+  return "A" + size + " " + size + " 0 0 " + (clockwise ? "1 " : "0 ") + number(at.x) + " " +
+         number(at.y);
 }
 
 }  // namespace reeve::svg

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/schematic_layout.hpp"
+#include "reports/shapes.hpp"
 
 namespace reeve::svg {
 
@@ -14,6 +14,9 @@ std::string escape(const std::string& text);
 
 // At most two decimals, no trailing zeros.
 std::string number(double value);
+
+// " name="value""; the value is escaped, or has nothing to escape.
+std::string attribute(const char* name, const std::string& value);
 
 std::string line(Point from, Point to);
 std::string circle(Point centre, double radius, const std::string& attributes = "");

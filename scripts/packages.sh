@@ -3,8 +3,7 @@
 # them.
 PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlopt-dev
   libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev libmozjs-102-dev zlib1g-dev
-  pkgconf)
+  libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev zlib1g-dev)
 # npm comes with the node of some machines, as part of it.
 command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
 # python3-pandas for the lines of docs/tables.md. Chromium alone brings no font, and a page without

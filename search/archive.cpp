@@ -22,18 +22,17 @@ bool greater(const Goodness& a, const Goodness& b) {
 
 }  // namespace
 
-Archive::Archive(std::vector<Objective> objectives, std::size_t keep)
-    : objectives_(std::move(objectives)), keep_(keep) {}
+Archive::Archive(Order order, std::size_t keep) : order_(std::move(order)), keep_(keep) {}
 
 bool Archive::may_rank(const ObjectiveValues& values) const {
-  const Goodness candidate = goodness(values, objectives_);
+  const Goodness candidate = goodness(values, order_.objectives);
   if (corner_.size() > 0 && (candidate < corner_).all()) return false;
   if (sweeps() && guards_.rows() > quick_proof) return true;
   return !has_enough_dominators(guards_.rows(), candidate, 0);
 }
 
 void Archive::add(Design design) {
-  Goodness value = goodness(design.values, objectives_);
+  Goodness value = goodness(design.values, order_.objectives);
   entries_.push_back({std::move(design), std::move(value), 0});
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
 }
@@ -56,13 +55,13 @@ SweepCounter Archive::counter() const {
 
 void Archive::compact() {
   SweepCounter better = counter();
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+  std::sort(entries_.begin(), entries_.end(), [this](const Entry& a, const Entry& b) {
     if (!equal(a.goodness, b.goodness)) return greater(a.goodness, b.goodness);
-    return precedes_within_front(a.design, b.design);
+    return precedes_within_front(a.design, b.design, order_);
   });
   const auto enough = static_cast<Eigen::Index>(keep_);
   guards_.resize(static_cast<Eigen::Index>(entries_.size()),
-                 static_cast<Eigen::Index>(objectives_.size()));
+                 static_cast<Eigen::Index>(order_.objectives.size()));
   Eigen::Index kept = 0;
   Eigen::Index equals = 0;  // kept entries that equal the next one
   for (Entry& entry : entries_) {
@@ -122,7 +121,7 @@ Archive::Content Archive::content() {
       content.front_equals_left_out += entry.equals_left_out;
     }
   }
-  content.ranked = rank(std::move(designs), objectives_);
+  content.ranked = rank(std::move(designs), order_);
   return content;
 }
 

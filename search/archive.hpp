@@ -20,7 +20,7 @@ namespace reeve {
 class Archive {
  public:
   // keep >= 1
-  Archive(std::vector<Objective> objectives, std::size_t keep);
+  Archive(Order order, std::size_t keep);
 
   // False if enough designs are known to beat these values; may be asked from many threads.
   bool may_rank(const ObjectiveValues& values) const;
@@ -44,12 +44,12 @@ class Archive {
 
   bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
                              Eigen::Index beaten) const;
-  bool sweeps() const { return objectives_.size() <= 2; }
+  bool sweeps() const { return order_.objectives.size() <= 2; }
   SweepCounter counter() const;
   void compact();
   void place_guards();
 
-  std::vector<Objective> objectives_;
+  Order order_;
   std::size_t keep_;
   std::vector<Entry> entries_;  // the first compacted_ are sorted and thinned out
   std::size_t compacted_ = 0;

@@ -10,11 +10,12 @@ namespace reeve {
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
     : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
 
-DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps)
+DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score)
     : model_(std::make_shared<const Model>(model)),
       needs_word_(reaches(model, Reach::contact)),
       builder_(effective_hardware(model)),
-      grasps_(std::move(grasps)) {
+      grasps_(std::move(grasps)),
+      score_(std::move(score)) {
   if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
     model_solver_.emplace(*model_);
   }
@@ -36,6 +37,7 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, Extent extent
   const TensionState& pulled = solve(grasp.grasp, Direction::pull);
   outcome.jams = pulled.jams;
   outcome.pull = performance(network_, pulled);
+  outcome.indicators = indicators(network_, pulled);
   if (extent == Extent::pulling) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.return_friction =
@@ -66,12 +68,14 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing) {
 ObjectiveValues DesignEvaluator::evaluate(const Routing& routing) {
   ObjectiveValues values{};
   compute_objectives(outcome(routing), values);
+  add_score(score_, values);
   return values;
 }
 
 ObjectiveValues DesignEvaluator::evaluate_pulling(const Routing& routing) {
   ObjectiveValues values{};
   compute_objectives(outcome(routing, Extent::pulling), values);
+  add_score(score_, values);
   return values;
 }
 

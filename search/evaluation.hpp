@@ -14,6 +14,7 @@
 #include "core/network.hpp"
 #include "core/tension.hpp"
 #include "search/objectives.hpp"
+#include "search/score.hpp"
 
 namespace reeve {
 
@@ -22,7 +23,7 @@ namespace reeve {
 class DesignEvaluator {
  public:
   DesignEvaluator(const Hardware& hardware, GraspSet grasps);
-  DesignEvaluator(const Model& model, GraspSet grasps);
+  DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score());
 
   // The outcome is valid until the next call. Two tension solves a grasp: pull and release.
   const DesignOutcome& outcome(const Routing& routing);
@@ -50,6 +51,7 @@ class DesignEvaluator {
   std::size_t unconverged_ = 0;
   MechanicsBuilder builder_;
   GraspSet grasps_;
+  Score score_;
   Network network_;
   Mechanics mechanics_;
   TensionSolver solver_;

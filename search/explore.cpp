@@ -38,17 +38,18 @@ class Exploration {
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        archive_(options.objectives, options.top),
+        archive_(options.order, options.top),
         sample_(options.sample),
         constraint_failures_(options.constraints.size(), 0),
         needs_release_(judges_return_friction(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      evaluators_.emplace_back(options.model, options.grasps);
+      evaluators_.emplace_back(options.model, options.grasps, options.score);
     }
     for (const Routing& routing : options.references) {
       references_.push_back(
           {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, ""});
-      reference_goodness_.push_back(goodness(references_.back().design.values, options.objectives));
+      reference_goodness_.push_back(
+          goodness(references_.back().design.values, options.order.objectives));
     }
     dominators_.assign(workers_.count(), std::vector<std::uint64_t>(references_.size(), 0));
     slots_.resize(batch_size);
@@ -128,7 +129,7 @@ class Exploration {
       if (slot.routing == options_.references[r]) note_generated(references_[r], slot);
     }
     if (slot.failed_constraint > 0) return;
-    const Goodness candidate = goodness(slot.values, options_.objectives);
+    const Goodness candidate = goodness(slot.values, options_.order.objectives);
     for (std::size_t r = 0; r < references_.size(); ++r) {
       if (dominates(candidate, reference_goodness_[r])) ++dominators_[worker][r];
     }
@@ -196,13 +197,20 @@ class Exploration {
   }
 
   static bool judges_return_friction(const ExploreOptions& options) {
-    const auto& objectives = options.objectives;
-    return std::find(objectives.begin(), objectives.end(), Objective::return_friction) !=
-               objectives.end() ||
-           std::any_of(options.constraints.begin(), options.constraints.end(),
-                       [](const Constraint& constraint) {
-                         return constraint.objective == Objective::return_friction;
-                       });
+    const auto about = [](Objective objective) {
+      return [objective](const auto& item) { return item.objective == objective; };
+    };
+    const auto& terms = options.score.terms;
+    const auto& constraints = options.constraints;
+    const auto is_friction = about(Objective::return_friction);
+    const bool in_score = std::any_of(terms.begin(), terms.end(), is_friction);
+    const auto decides = [&](Objective objective) {
+      const auto& chosen = options.order.objectives;
+      return std::find(chosen.begin(), chosen.end(), objective) != chosen.end() ||
+             std::any_of(constraints.begin(), constraints.end(), about(objective));
+    };
+    return decides(Objective::return_friction) ||
+           (in_score && (options.order.by_score || decides(Objective::score)));
   }
 
   const ExploreOptions& options_;

@@ -14,8 +14,8 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "search/generator.hpp"
-#include "search/objectives.hpp"
 #include "search/ranking.hpp"
+#include "search/score.hpp"
 
 namespace reeve {
 
@@ -32,7 +32,8 @@ struct ExploreOptions {
   Shard shard;
   Model model;
   GraspSet grasps;
-  std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
+  Order order;
+  Score score = authors_score();
   std::vector<Constraint> constraints;
   std::size_t top = 1000;           // at least 1
   std::size_t sample = 2000;        // designs drawn at random, to show what the best stand out from

@@ -35,51 +35,78 @@ double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
 double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
 
 constexpr std::array<ObjectiveRow, objective_count> table{{
-    {Objective::uniformity_mean, "uniformity_mean", "1", Better::higher,
-     "least over greatest strand tension, mean over the grasps",
+    {Objective::uniformity_mean, "uniformity_mean", "uniformity", "mean", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, mean over the grasps",
      [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }},
-    {Objective::uniformity_worst, "uniformity_worst", "1", Better::higher,
-     "least over greatest strand tension, in the worst grasp",
+    {Objective::uniformity_worst, "uniformity_worst", "uniformity", "worst", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, in the worst grasp",
      [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }},
-    {Objective::efficiency_mean, "efficiency_mean", "1", Better::higher,
-     "useful work over motor work, mean over the grasps",
+    {Objective::efficiency_mean, "efficiency_mean", "efficiency", "mean", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, mean over the grasps",
      [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }},
-    {Objective::efficiency_worst, "efficiency_worst", "1", Better::higher,
-     "useful work over motor work, in the worst grasp",
+    {Objective::efficiency_worst, "efficiency_worst", "efficiency", "worst", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, in the worst grasp",
      [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }},
-    {Objective::force_transmission, "force_transmission", "1", Better::higher,
-     "sum of strand tensions over motor tension, mean over the grasps",
+    {Objective::force_transmission, "force_transmission", "force_transmission", "", "force", "1",
+     Better::higher, 3, 3, false, "sum of strand tensions over motor tension, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.pull.force_transmission; });
      }},
-    {Objective::jams, "jams", "grasps", Better::lower, "grasps in which the carriage is blocked",
+    {Objective::jams, "jams", "jams", "", "jams", "grasps", Better::lower, 0, 5, false,
+     "grasps in which the carriage is blocked",
      [](const DesignOutcome& d) {
        return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
                                                 [](const GraspOutcome& g) { return g.jams; }));
      }},
-    {Objective::sheaths, "sheaths", "parts", Better::lower,
+    {Objective::sheaths, "sheaths", "sheaths", "", "sheaths", "parts", Better::lower, 0, 6, false,
      "sheaths between hand and motor: one for each M, two for each P",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.sheaths); }},
-    {Objective::pulleys, "pulleys", "parts", Better::lower,
+    {Objective::pulleys, "pulleys", "pulleys", "", "pulleys", "parts", Better::lower, 0, 8, false,
      "parts with a bearing: P, B and fingertips with a bearing",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.pulleys); }},
-    {Objective::knots, "knots", "parts", Better::lower,
+    {Objective::knots, "knots", "knots", "", "knots", "parts", Better::lower, 0, 9, false,
      "closed loops, whose ends must be tied together",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.knots); }},
-    {Objective::travel, "travel", "mm/mm", Better::lower,
+    {Objective::travel, "travel", "travel", "", "travel", "mm/mm", Better::lower, 2, 4, false,
      "carriage travel per mm that each strand gives up, all fingers closing, on average",
      [](const DesignOutcome& d) { return d.travel; }},
-    {Objective::return_friction, "return_friction", "1", Better::higher,
+    {Objective::return_friction, "return_friction", "return_friction", "", "return", "1",
+     Better::higher, 3, 7, false,
      "motor tension releasing over pulling at equal strand work, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.return_friction; });
      }},
+    {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
+     Better::higher, 2, 1, true,
+     "10 less the difference of the finger pulls over all pull, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.adaptability; });
+     }},
+    {Objective::torsional_balance, "torsional_balance", "torsional_balance", "", "balance", "1",
+     Better::higher, 2, 1, true,
+     "10 less the greatest difference between the strands of a finger, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.torsional_balance; });
+     }},
+    {Objective::reliability, "reliability", "reliability", "", "reliability", "1", Better::higher,
+     2, 1, true, "10 less the greatest friction force at any contact, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.reliability; });
+     }},
+    {Objective::authors_efficiency, "authors_efficiency", "authors_efficiency", "",
+     "auth. efficiency", "1", Better::higher, 2, 1, true,
+     "10 times work over motor work if all strands closed alike, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.authors_efficiency; });
+     }},
+    {Objective::transmission, "transmission", "transmission", "", "transmission", "1",
+     Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
+     }},
+    {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
+     "weighted mean of objectives; without --score of the five before it", nullptr},
 }};
-
-double on_grid(double value) {
-  constexpr double grid = 1e10;
-  return std::round(value * grid) / grid;
-}
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
@@ -94,12 +121,19 @@ std::string names() {
 
 }  // namespace
 
+double on_grid(double value) {
+  constexpr double grid = 1e10;
+  return std::round(value * grid) / grid;
+}
+
 const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }
 
 const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
 
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
-  for (std::size_t i = 0; i < objective_count; ++i) values[i] = on_grid(table[i].compute(outcome));
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    values[i] = table[i].compute == nullptr ? 0 : on_grid(table[i].compute(outcome));
+  }
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/indicators.hpp"
 #include "core/performance.hpp"
 
 namespace reeve {
@@ -23,8 +24,14 @@ enum class Objective : std::uint8_t {
   knots,
   travel,
   return_friction,
+  adaptability,
+  torsional_balance,
+  reliability,
+  authors_efficiency,
+  transmission,
+  score,
 };
-inline constexpr std::size_t objective_count = 11;
+inline constexpr std::size_t objective_count = 17;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -40,6 +47,7 @@ struct GraspOutcome {
   bool jams = false;
   Performance pull;
   double return_friction = 0;
+  Indicators indicators;
 };
 
 struct DesignOutcome {
@@ -50,20 +58,33 @@ struct DesignOutcome {
   double travel = 0;
 };
 
+// One row for each objective. Rows that differ in `part` only (mean, worst) are one thing for
+// readers: one column, one key with two values.
 struct ObjectiveRow {
   Objective objective;
-  const char* name;
+  const char* name;     // uniformity_mean
+  const char* family;   // uniformity
+  const char* part;     // "mean", "worst", or ""
+  const char* heading;  // of a narrow column
   const char* unit;
   Better better;
+  int decimals;     // in tables; counts have none
+  int dispensable;  // the greater, the sooner a narrow window does without it; 0: never
+  bool on_demand;   // in tables for people only where it is asked for
   const char* meaning;
-  double (*compute)(const DesignOutcome&);
+  double (*compute)(const DesignOutcome&);  // of all but the score, which is made of the others
+
+  bool is_count() const { return decimals == 0; }
 };
 
 const std::array<ObjectiveRow, objective_count>& objective_table();
 const ObjectiveRow& row(Objective objective);
 
-// All objectives, rounded to 1e-10: far above rounding errors, so that designs that are equal on
-// paper compare equal, and far below anything that can be measured.
+// Rounded to 1e-10: far above rounding errors, so that designs that are equal on paper compare
+// equal, and far below anything that can be measured.
+double on_grid(double value);
+
+// All objectives on that grid, but the score (score.hpp), which is left at 0.
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values);
 
 // Names as in the table; "uniformity" and "efficiency" are short for their means.

@@ -20,10 +20,11 @@ double uniformity_times_efficiency(const ObjectiveValues& values) {
   return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);
 }
 
-bool precedes_within_front(const Design& a, const Design& b) {
-  const auto key = [](const Design& design) {
-    return std::make_tuple(-uniformity_times_efficiency(design.values), part_total(design.values),
-                           std::string_view(design.word));
+bool precedes_within_front(const Design& a, const Design& b, const Order& order) {
+  const auto key = [&](const Design& design) {
+    const double first = order.by_score ? value(design.values, Objective::score)
+                                        : uniformity_times_efficiency(design.values);
+    return std::make_tuple(-first, part_total(design.values), std::string_view(design.word));
   };
   return key(a) < key(b);
 }
@@ -34,8 +35,8 @@ std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked) {
   return designs;
 }
 
-std::vector<RankedDesign> rank(std::vector<Design> designs,
-                               const std::vector<Objective>& objectives) {
+std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) {
+  const std::vector<Objective>& objectives = order.objectives;
   GoodnessMatrix matrix(static_cast<Eigen::Index>(designs.size()),
                         static_cast<Eigen::Index>(objectives.size()));
   for (std::size_t i = 0; i < designs.size(); ++i) {
@@ -46,9 +47,9 @@ std::vector<RankedDesign> rank(std::vector<Design> designs,
   for (std::size_t i = 0; i < designs.size(); ++i) {
     ranked.push_back({std::move(designs[i]), front[i], 0});
   }
-  std::sort(ranked.begin(), ranked.end(), [](const RankedDesign& a, const RankedDesign& b) {
+  std::sort(ranked.begin(), ranked.end(), [&](const RankedDesign& a, const RankedDesign& b) {
     if (a.front != b.front) return a.front < b.front;
-    return precedes_within_front(a.design, b.design);
+    return precedes_within_front(a.design, b.design, order);
   });
   for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i].rank = i + 1;
   return ranked;

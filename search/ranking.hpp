@@ -1,7 +1,7 @@
 // The order of designs, total and documented:
 //   1. front by front, over the chosen objectives (pareto.hpp);
 //   2. within a front, by the product of mean uniformity and mean efficiency, greatest first: the
-//      hypervolume that a design covers alone;
+//      hypervolume that a design covers alone; or by the score, if that is asked for;
 //   3. fewer parts (sheaths + pulleys + knots);
 //   4. the word, byte by byte.
 #pragma once
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "search/objectives.hpp"
+#include "search/order.hpp"
 
 namespace reeve {
 
@@ -25,17 +25,16 @@ struct RankedDesign {
   std::size_t rank = 0;  // from 1
 };
 
-// Rule 2.
+// Rule 2, unless by the score.
 double uniformity_times_efficiency(const ObjectiveValues& values);
 
 // Rules 2 to 4.
-bool precedes_within_front(const Design& a, const Design& b);
+bool precedes_within_front(const Design& a, const Design& b, const Order& order = {});
 
 std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked);
 
 // Best first.
-std::vector<RankedDesign> rank(std::vector<Design> designs,
-                               const std::vector<Objective>& objectives);
+std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order);
 
 // Which designs an objective alone would put first.
 struct BestDesigns {

@@ -19,14 +19,14 @@ namespace {
 // The ranks of the designs, in their order, for one draw of the model.
 std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings, std::vector<Design> designs,
                                  const Model& model, const UncertaintyOptions& options) {
-  DesignEvaluator evaluator(model, options.grasps);
+  DesignEvaluator evaluator(model, options.grasps, options.score);
   std::unordered_map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < designs.size(); ++i) {
     designs[i].values = evaluator.evaluate(routings[i]);
     place[designs[i].word] = i;
   }
   std::vector<std::uint32_t> result(designs.size());
-  for (const RankedDesign& ranked : rank(std::move(designs), options.objectives)) {
+  for (const RankedDesign& ranked : rank(std::move(designs), options.order)) {
     result[place.at(ranked.design.word)] = static_cast<std::uint32_t>(ranked.rank);
   }
   return result;

@@ -21,10 +21,11 @@ struct UncertaintyOptions {
   Model nominal;
   UncertaintyRanges ranges;
   GraspSet grasps;
-  std::vector<Objective> objectives;
+  Order order;
   std::size_t draws = 1000;  // at least 1
   std::uint64_t seed = 1;
   int threads = 0;
+  Score score = authors_score();
 };
 
 struct RankDistribution {

@@ -8,7 +8,7 @@
   const parallel = document.getElementById("parallel");
 
   function mark(figure, rows) {
-    const view = reeve.view(figure);
+    const view = liveCharts.view(figure);
     view?.data("chosen", rows).runAsync();
   }
 
@@ -52,8 +52,8 @@
     document.getElementById("pareto-count").textContent =
       `${points.drawn} of ${points.of} designs drawn: of those that lie on one spot, the first.`;
     document.getElementById("parallel-count").textContent = `${lines.drawn} of ${lines.of} designs drawn.`;
-    await reeve.draw(pareto, points.spec, onView);
-    await reeve.draw(parallel, lines.spec, onView);
+    await liveCharts.draw(pareto, points.spec, onView);
+    await liveCharts.draw(parallel, lines.spec, onView);
   }
 
   // Several changes within a moment, such as typing, are one.
@@ -89,7 +89,7 @@
     });
   }
 
-  await Promise.all([reeve.ready, state.load()]);
+  await state.load();
   for (const controls of document.querySelectorAll(".controls[hidden]")) controls.hidden = false;
   axisChoices();
   explorationTable.start();
@@ -104,8 +104,8 @@
   });
   tray();
   await drawPlots();
-  reeve.savable(pareto);
-  reeve.savable(parallel);
+  liveCharts.savable(pareto);
+  liveCharts.savable(parallel);
   await explorationCards.start();
   document.documentElement.dataset.ready = "true";
 })();

@@ -15,8 +15,8 @@ const explorationCards = (() => {
     const chunk = reeve.data.chunks.find(({ words }) => words.includes(word));
     if (!chunk) return null;
     if (!packs.has(chunk)) packs.set(chunk, state.unpacked(chunk.pack));
-    const pack = await packs.get(chunk);
-    return { lines: pack.lines, ...pack.designs[chunk.words.indexOf(word)] };
+    const [designs, ...lines] = (await packs.get(chunk)).split("\n");
+    return { lines, ...JSON.parse(designs)[chunk.words.indexOf(word)] };
   }
 
   function schematic({ lines }, runs, id) {
@@ -170,7 +170,7 @@ const explorationCards = (() => {
       design ? design.grasps.flatMap((each) => design.strands.map((i) => each.tensions[i])) : []);
     const width = Math.min(place.clientWidth, Math.max(330, place.clientWidth / Math.max(1, rows.length)));
     const cards = rows.map((row, i) => card(row, designs[i], Math.max(0.01, ...tensions), width - 40));
-    drawn.forEach((figure) => reeve.forget(figure));
+    drawn.forEach((figure) => liveCharts.forget(figure));
     place.replaceChildren(...cards.map(({ made }) => made));
     place.style.setProperty("--cards", rows.length);
     document.getElementById("selection-empty").hidden = rows.length > 0;
@@ -180,13 +180,13 @@ const explorationCards = (() => {
       reeve.savable(figure, figure.closest(".card").dataset.word);
     }
     for (const { figure, spec } of charts) {
-      await reeve.draw(figure, spec);
-      reeve.savable(figure, `${figure.closest(".card")?.dataset.word}-tensions`);
+      await liveCharts.draw(figure, spec);
+      liveCharts.savable(figure, `${figure.closest(".card")?.dataset.word}-tensions`);
     }
     const ranks = rankChart(rows);
     if (ranks) {
-      await reeve.draw(ranks.figure, ranks.spec);
-      if (!ranks.figure.querySelector(".save")) reeve.savable(ranks.figure);
+      await liveCharts.draw(ranks.figure, ranks.spec);
+      if (!ranks.figure.querySelector(".save")) liveCharts.savable(ranks.figure);
     }
   }
 

@@ -1,7 +1,8 @@
 "use strict";
 
-// The charts of an exploration: from its designs to Vega-Lite. No document is needed here, so that
-// the program draws the static pictures with the same functions.
+// The charts of an exploration: from its designs to the data of its Vega-Lite specifications
+// (pages/charts). No document is needed here. The static pictures are drawn by the program itself,
+// from the same designs by the same rules.
 //
 // `designs` has columns, all of one length: word, name, rank (0: none), kind, and values, a column
 // for each of `objectives`. The best come first.
@@ -12,12 +13,13 @@ const explorationCharts = (() => {
   const sample = 3;
   const layers = [3, 0, 1, 2]; // kinds, drawn one above the other
   const letters = "ABCD";
+  const grid = { columns: 110, lines: 75 }; // cells of the plot, each with one design at most
+  const mostLines = 500;
 
   const number = (value) =>
     Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
   // Aligned in a column.
   const cell = (objective, value) => (objective.unit === "1" ? value.toFixed(4) : number(value));
-  const arrow = (objective) => (objective.better === "higher" ? "↑" : "↓");
   const axisTitle = (objective) =>
     `${objective.title}${objective.unit === "1" ? "" : `, ${objective.unit}`}` +
     ` (${objective.better} is better)`;
@@ -100,75 +102,28 @@ const explorationCharts = (() => {
     return groups;
   }
 
-  const kindScale = (values) => ({ domain: kinds, ...(values && { range: values }) });
-  const legend = (present, more) => ({
-    title: null,
-    orient: "top",
-    columns: 4,
-    values: kinds.filter((kind) => present.has(kind)),
-    ...more,
-  });
-  // Neither is a reader's business: it only keeps the many from covering the few.
-  const plain = (field) => ({ field, type: "quantitative", scale: null });
+  // The specification of that name, of which a part can be changed.
+  const specification = (name, datasets, params = {}) => {
+    const spec = structuredClone(reeve.data.specifications[name]);
+    spec.datasets = { ...spec.datasets, ...datasets };
+    for (const param of spec.params ?? []) param.value = params[param.name] ?? param.value;
+    return spec;
+  };
+  // Of the kinds those that some of the marks have, in their order.
+  const present = (marks) => {
+    const found = new Set(marks.map(({ kind }) => kind));
+    return kinds.filter((kind) => found.has(kind));
+  };
   const sizes = [30, 80, 110, 22];
   const opacities = [0.55, 1, 1, 0.35];
 
-  function paretoLayers(points, labels, line) {
-    const present = new Set(points.map(({ kind }) => kind));
-    return [
-      {
-        data: { name: "edge", values: line },
-        mark: { type: "line", interpolate: "step-after", strokeDash: [5, 3], strokeWidth: 1.5 },
-        encoding: { order: { field: "order", type: "quantitative" }, color: { value: { expr: "scale('color', 'on the front')" } } },
-      },
-      {
-        data: { name: "points", values: points },
-        mark: { type: "point", filled: true, cursor: "pointer" },
-        encoding: {
-          color: { field: "kind", scale: kindScale(), legend: legend(present) },
-          shape: { field: "kind", scale: kindScale(), legend: legend(present) },
-          size: plain("size"),
-          opacity: plain("opacity"),
-          tooltip: { field: "tip" },
-        },
-      },
-      {
-        data: { name: "labels", values: labels },
-        mark: {
-          type: "text",
-          align: { expr: "datum.right ? 'right' : 'left'" },
-          dx: { expr: "datum.right ? -9 : 9" },
-          dy: -8,
-          fontWeight: "bold",
-        },
-        encoding: { text: { field: "text" } },
-      },
-      {
-        data: { name: "chosen", values: [] },
-        mark: { type: "point", filled: false, size: 320, strokeWidth: 2.5, shape: "circle", style: "chosen" },
-      },
-      {
-        data: { name: "chosen" },
-        mark: {
-          type: "text",
-          align: "right",
-          dx: -12,
-          dy: { expr: `9 + 16 * indexof('${letters}', slice(datum.letter, 0, 1))` },
-          fontSize: 15,
-          fontWeight: "bold",
-        },
-        encoding: { text: { field: "letter" } },
-      },
-    ];
-  }
-
   // data: {objectives, ranking, designs}; axes: indices of two objectives; rows: which designs.
   // Gives the specification, and how many of how many designs it draws.
-  function pareto({ data, axes, rows, grid }) {
+  function pareto({ data, axes, rows }) {
     const { designs, objectives, ranking } = data;
     const columns = axes.map((axis) => designs.values[axis]);
     const all = rows ?? designs.word.map((_, row) => row);
-    const drawn = thinned(designs, all, columns, grid ?? { columns: 110, lines: 75 });
+    const drawn = thinned(designs, all, columns, grid);
     const points = drawn.map(({ row, count }) => ({
       row,
       x: columns[0][row],
@@ -187,22 +142,14 @@ const explorationCharts = (() => {
     const line = axes.every((axis) => ranking.includes(axis))
       ? frontLine(onFront.map((row) => columns.map((column) => column[row])), chosen, ranges)
       : [];
-    const axis = (which) => ({
-      field: which === 0 ? "x" : "y",
-      type: "quantitative",
-      title: axisTitle(chosen[which]),
-      scale: { zero: false, nice: false, padding: 16 },
-    });
-    return {
-      drawn: points.length,
-      of: all.length,
-      spec: {
-        width: "container",
-        height: 430,
-        encoding: { x: axis(0), y: axis(1) },
-        layer: paretoLayers(points, knownLabels(designs, points, ranges), line),
-      },
-    };
+    const spec = specification(
+      "pareto",
+      { edge: line, points, labels: knownLabels(designs, points, ranges) },
+      { greatest_x: chosen[0].greatest, greatest_y: chosen[1].greatest, present: present(points) },
+    );
+    spec.encoding.x.title = axisTitle(chosen[0]);
+    spec.encoding.y.title = axisTitle(chosen[1]);
+    return { drawn: points.length, of: all.length, spec };
   }
 
   // The first ones, all that are known, and of the rest evenly what fits.
@@ -217,14 +164,15 @@ const explorationCharts = (() => {
 
   // Up is better on every axis: where less is better, the axis is turned round.
   // narrow: whether the figure is, so that the numbers at the axes must be turned.
-  function parallel({ data, rows, most, narrow }) {
+  function parallel({ data, rows, narrow }) {
     const { designs, objectives } = data;
     const all = rows ?? designs.word.map((_, row) => row);
-    const { picked, of } = someOf(designs, all, most ?? 500);
+    const { picked, of } = someOf(designs, all, mostLines);
     const ranges = designs.values.map((column) => range(column, all));
     const above = (row) => layers.indexOf(designs.kind[row]);
     const sorted = [...picked].sort((a, b) => above(a) - above(b) || b - a);
-    const axis = (column) => `${objectives[column].title} ${arrow(objectives[column])}`;
+    const axis = (column) =>
+      objectives[column].title + (objectives[column].better === "higher" ? "" : " (turned)");
     const height = (column, row) => {
       const at = place(designs.values[column][row], ranges[column]);
       return objectives[column].better === "higher" ? at : 1 - at;
@@ -233,141 +181,39 @@ const explorationCharts = (() => {
       objectives.map((_, column) => ({ row, axis: axis(column), at: height(column, row), ...more }));
     const ends = objectives.map((objective, column) => {
       const [low, high] = all.length > 0 ? ranges[column].map(number) : ["", ""];
-      const up = objective.better === "higher";
-      return { axis: axis(column), top: up ? high : low, bottom: up ? low : high };
+      return objective.better === "higher" ? [low, high] : [high, low];
     });
-    return {
-      drawn: picked.length,
-      of,
-      points,
-      spec: parallelSpec(
-        sorted.flatMap((row) =>
-          points(row, {
-            kind: kinds[designs.kind[row]],
-            width: [0.8, 2.2, 2, 0.7][designs.kind[row]],
-            opacity: [0.4, 1, 1, 0.35][designs.kind[row]],
-            tip: label(designs, row),
-          }),
-        ),
-        ends,
-        objectives.map((_, column) => axis(column)),
-        narrow,
-      ),
-    };
-  }
-
-  function parallelSpec(lines, ends, axes, narrow) {
-    const upright = { type: "text", fontSize: 10.5 };
-    const turned = { ...upright, angle: -90 };
-    const end = (field, height, dy) => ({
-      data: { name: field, values: ends.map((each) => ({ ...each, at: height })) },
-      mark: narrow
-        ? { ...turned, dx: -dy / 2, align: height === 1 ? "left" : "right" }
-        : { ...upright, dy },
-      encoding: { text: { field } },
-    });
-    const key = legend(new Set(lines.map(({ kind }) => kind)), { offset: narrow ? 50 : 24, columns: narrow ? 2 : 4 });
-    const at = { field: "at", type: "quantitative", axis: null, scale: { domain: [0, 1] } };
-    return {
-      width: "container",
-      height: 330,
-      padding: { top: 22, left: 6, right: 6, bottom: 6 },
-      encoding: {
-        x: {
-          field: "axis",
-          type: "nominal",
-          sort: null,
-          scale: { type: "point", domain: axes, padding: 0.4 },
-          axis: { title: null, labelAngle: narrow ? -90 : -40, grid: true, labelPadding: narrow ? 48 : 20, labelLimit: 140 },
-        },
-        y: at,
-      },
-      layer: [
-        {
-          data: { name: "lines", values: lines },
-          mark: { type: "line", strokeJoin: "round", cursor: "pointer" },
-          encoding: {
-            detail: { field: "row" },
-            color: { field: "kind", scale: kindScale(), legend: key },
-            strokeDash: { field: "kind", scale: kindScale([[1, 0], [1, 0], [6, 3], [2, 3]]), legend: key },
-            strokeWidth: plain("width"),
-            opacity: plain("opacity"),
-            tooltip: { field: "tip" },
-          },
-        },
-        {
-          data: { name: "chosen", values: [] },
-          mark: {
-            type: "line",
-            clip: true, // a filter may leave designs behind that are selected
-            strokeWidth: 3.5,
-            strokeJoin: "round",
-            style: "chosen",
-            strokeDash: { expr: "({A: [1, 0], B: [9, 4], C: [2, 3], D: [10, 3, 2, 3]})[datum.of]" },
-          },
-          encoding: { detail: { field: "row" } },
-        },
-        {
-          data: { name: "chosen" },
-          mark: {
-            type: "text",
-            fontWeight: "bold",
-            fontSize: 14,
-            align: "right",
-            dx: { expr: `-8 - 12 * indexof('${letters}', datum.letter)` },
-          },
-          encoding: { text: { field: "letter" } },
-        },
-        end("top", 1, -12),
-        end("bottom", 0, 12),
-      ],
-    };
+    const lines = sorted.flatMap((row) =>
+      points(row, {
+        kind: kinds[designs.kind[row]],
+        width: [0.8, 2.2, 2, 0.7][designs.kind[row]],
+        opacity: [0.4, 1, 1, 0.35][designs.kind[row]],
+        tip: label(designs, row),
+      }),
+    );
+    const end = (at) => ends.map((texts, column) => ({ axis: axis(column), at, text: texts[at] }));
+    const spec = specification(
+      "parallel",
+      { lines, bottom: end(0), top: end(1) },
+      { narrow: narrow ?? false, present: present(lines) },
+    );
+    spec.encoding.x.scale.domain = objectives.map((_, column) => axis(column));
+    return { drawn: picked.length, of, points, spec };
   }
 
   // tensions: [{held, strand, tension}]
-  const tensions = ({ tensions: values, columns, most }) => ({
-    data: { values },
-    facet: {
-      field: "held",
-      type: "nominal",
-      sort: [...new Set(values.map(({ held }) => held))],
-      header: { title: null, labelLimit: 150 },
-    },
-    columns,
-    spacing: 12,
-    spec: {
-      width: 112,
-      height: 84,
-      mark: { type: "bar" },
-      encoding: {
-        x: { field: "strand", type: "nominal", sort: null, axis: { title: null, labelAngle: 0, labelOverlap: true } },
-        y: {
-          field: "tension",
-          type: "quantitative",
-          scale: { domain: [0, most] },
-          axis: { title: "N per N", tickCount: 3 },
-        },
-        tooltip: [{ field: "strand" }, { field: "tension" }],
-      },
-    },
-  });
+  function tensions({ tensions: values, columns, most }) {
+    const spec = specification("tensions", { tensions: values });
+    spec.facet.sort = [...new Set(values.map(({ held }) => held))];
+    spec.columns = columns;
+    spec.spec.encoding.y.scale.domain = [0, most];
+    return spec;
+  }
 
   // ranks: [{design, low, median, high}]
   const ranks = ({ ranks: values }) => ({
-    width: "container",
+    ...specification("ranks", { ranks: values }),
     height: 34 * values.length,
-    data: { values },
-    encoding: {
-      y: { field: "design", type: "nominal", sort: null, axis: { title: null, labelLimit: 190 } },
-      x: { type: "quantitative", scale: { zero: false, padding: 12 }, axis: { title: "rank (1 is best)", tickMinStep: 1 } },
-    },
-    layer: [
-      {
-        mark: { type: "rule", strokeWidth: 5, opacity: 0.5 },
-        encoding: { x: { field: "low", type: "quantitative" }, x2: { field: "high" } },
-      },
-      { mark: { type: "point", filled: true, size: 110 }, encoding: { x: { field: "median" } } },
-    ],
   });
 
   return { kinds, letters, number, cell, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };

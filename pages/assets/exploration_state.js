@@ -17,7 +17,7 @@ const explorationState = (() => {
   async function unpacked(text) {
     const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-    return new Response(stream).json();
+    return new Response(stream).text();
   }
 
   const tell = (what) => listeners.forEach((listener) => listener(what));
@@ -79,7 +79,7 @@ const explorationState = (() => {
   }
 
   async function load() {
-    designs = await unpacked(reeve.data.columns);
+    designs = JSON.parse(await unpacked(reeve.data.columns));
     designs.name.forEach((name, row) => name && rowOf.set(name, row)); // no name is a word
     designs.word.forEach((word, row) => rowOf.set(word, row));
     axes = ranking.length > 1 ? ranking.slice(0, 2) : [ranking[0], ranking[0] === 2 ? 0 : 2];

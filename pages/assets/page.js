@@ -1,48 +1,7 @@
 "use strict";
 
-// What all pages share: charts that come alive, saving of figures, tables that sort.
+// What all pages share: saving of figures, tables that sort.
 const reeve = (() => {
-  const themes = JSON.parse(document.getElementById("chart-theme").textContent);
-  const dark = matchMedia("(prefers-color-scheme: dark)");
-  const charts = new Map(); // figure -> {spec, view, onView}
-
-  const parsed = (spec, theme) =>
-    vega.parse(vegaLite.compile({ ...spec, config: theme, background: "transparent" }).spec);
-
-  const axisWidth = 70;
-  function room() {
-    const main = document.getElementById("main");
-    const style = getComputedStyle(main);
-    return main.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
-  }
-
-  // Panels of a facet go into as many columns as the window has room for.
-  function fitted(spec) {
-    if (spec.vconcat) return { ...spec, vconcat: spec.vconcat.map(fitted) };
-    const panel = spec.usermeta?.panel_px;
-    if (!spec.columns || !panel) return spec;
-    const columns = Math.max(1, Math.floor((room() - axisWidth) / panel));
-    return { ...spec, columns: Math.min(spec.columns, columns) };
-  }
-
-  // Draws, or draws anew with another specification; the figure keeps its static picture for print.
-  // `onView` is called for each new view, so that it can listen to it.
-  async function draw(figure, spec, onView = charts.get(figure)?.onView) {
-    charts.get(figure)?.view.finalize();
-    const container = figure.querySelector(".live");
-    figure.classList.add("is-live"); // first: a hidden container has no width
-    const shown = fitted(spec);
-    const view = new vega.View(parsed(shown, dark.matches ? themes.dark : themes.light), {
-      renderer: "svg",
-      container,
-      hover: true,
-    });
-    charts.set(figure, { spec, shown, view, onView });
-    await view.runAsync();
-    onView?.(view);
-    return view;
-  }
-
   function download(name, url) {
     const link = document.createElement("a");
     link.download = name;
@@ -68,20 +27,6 @@ const reeve = (() => {
     image.src = svgUrl(text);
   }
 
-  // As the reader sees it, but on white: saved figures go into papers.
-  async function chartSvg(figure) {
-    const { shown, view } = charts.get(figure);
-    const width = view.width();
-    const sized = shown.width === "container" ? { ...shown, width } : shown;
-    const copy = new vega.View(parsed(sized, themes.light), { renderer: "none" });
-    await copy.runAsync(); // first: a chart that never ran has no parts to take a state
-    copy.setState(view.getState());
-    copy.background("white"); // last: the background is part of the state
-    const svg = await copy.toSVG();
-    copy.finalize();
-    return svg;
-  }
-
   function addSaving(figure, name, svgText) {
     const bar = document.createElement("div");
     bar.className = "save";
@@ -98,18 +43,13 @@ const reeve = (() => {
     figure.append(bar);
   }
 
-  const schematicSvg = (figure) =>
-    new XMLSerializer().serializeToString(figure.querySelector("svg"));
+  // As it stands in the page, where styles that are none of its own follow the reader's scheme: a
+  // saved figure has its own colours, on white, for papers.
+  const pictureSvg = (figure) => new XMLSerializer().serializeToString(figure.querySelector("svg"));
 
-  // Of a figure that was put into the page later, too: a schematic, or a chart that was drawn.
-  function savable(figure, name = figure.id) {
-    addSaving(figure, name, () => (charts.has(figure) ? chartSvg(figure) : schematicSvg(figure)));
-  }
-
-  // Before the figure is taken out of the page.
-  function forget(figure) {
-    charts.get(figure)?.view.finalize();
-    charts.delete(figure);
+  // Of a figure that was put into the page later, too. What `svgText` gives, or promises, is saved.
+  function savable(figure, name = figure.id, svgText = () => pictureSvg(figure)) {
+    addSaving(figure, name, svgText);
   }
 
   const key = (cell) => {
@@ -146,33 +86,14 @@ const reeve = (() => {
     });
   }
 
-  const ready = Promise.all(
-    [...document.querySelectorAll("figure.chart")].map(async (figure) => {
-      const spec = JSON.parse(figure.querySelector("script.spec").textContent);
-      if (spec === null) return; // the page's own script draws it
-      await draw(figure, spec);
-      addSaving(figure, figure.id, () => chartSvg(figure));
-    }),
-  );
-  for (const figure of document.querySelectorAll("figure.schematic")) savable(figure);
+  for (const figure of document.querySelectorAll("figure.schematic, figure.chart")) {
+    if (!figure.querySelector(".live")) savable(figure);
+  }
   for (const table of document.querySelectorAll("table.sortable")) sortable(table);
-  dark.addEventListener("change", () => {
-    for (const [figure, chart] of charts) draw(figure, chart.spec);
-  });
-
-  addEventListener("resize", () => {
-    for (const [figure, { spec, shown }] of charts) {
-      if (JSON.stringify(fitted(spec)) !== JSON.stringify(shown)) draw(figure, spec);
-    }
-  });
 
   return {
     data: JSON.parse(document.getElementById("page-data").textContent),
-    ready, // when all charts of the page are drawn
-    draw,
-    view: (figure) => charts.get(figure)?.view,
     savable,
-    forget,
     sortable,
   };
 })();

@@ -11,5 +11,5 @@
   };
   choice.addEventListener("change", show);
   document.getElementById("grasp-choice").hidden = sections.length < 2;
-  reeve.ready.then(show);
+  show();
 })();

@@ -6,8 +6,9 @@ import { open, startBrowser } from "./harness.mjs";
 import {
   cell,
   countInSvg,
-  marks,
   pngSize,
+  pointMarks,
+  readMarks,
   saveButton,
   saved,
   schematicTitle,
@@ -40,18 +41,43 @@ for (const [kind, verdict] of Object.entries(verdicts)) {
       assert.equal(await page.locator("#simulated").count(), diagnosis.simulated ? 1 : 0);
     });
 
-    test("the plot has a mark for each compared value, before and after", async () => {
+    test("the plot has a mark for each compared value, before and after, where the file says", async () => {
       assert.ok(residuals.length > 0);
-      const count = await marks(page.locator("#compared")).count();
-      assert.equal(count, panels * residuals.length);
+      const shown = await readMarks(page.locator("#compared"));
+      assert.equal(shown.length, panels);
+      const greatest = Math.max(...residuals.map(({ measured_N }) => Number(measured_N)));
+      for (const [panel, marks] of shown.entries()) {
+        assert.equal(marks.length, residuals.length);
+        const predicted = ["before_N", "after_N"][panel];
+        const byName = new Map(residuals.map((row) => [`${row.line} ${row.channel}`, row]));
+        for (const { x, y, title } of marks) {
+          const [, channel, line] = / (\S+), run .*, line (\d+)/.exec(title);
+          const row = byName.get(`${line} ${channel}`);
+          assert.ok(Math.abs(y - row.measured_N) < 0.002 * greatest, `${title}: ${y}`);
+          assert.ok(Math.abs(x - row[predicted]) < 0.005 * greatest, `${title}: ${x}`);
+          assert.equal(title.includes("held out"), row.held_out === "true", title);
+        }
+      }
+    });
+
+    test("residuals by routing have a mark for each value", async () => {
+      const [shown] = await readMarks(page.locator("#residuals-routing"));
+      const of_values = shown.filter(({ title }) => title.includes("line "));
+      assert.equal(of_values.length, residuals.length);
+      for (const { title } of of_values) {
+        const [, channel, line] = / (\S+), run .*, line (\d+)/.exec(title);
+        const row = residuals.find((one) => one.line === line && one.channel === channel);
+        const [, said] = /\n([-+][\d.e+-]+) sd$/.exec(title);
+        const exact = Number(row.residual_before);
+        assert.ok(Math.abs(said - exact) <= 0.006 * Math.abs(exact), `${title}: ${exact}`);
+      }
     });
 
     test("the plot is saved with its marks", async () => {
       const figure = page.locator("#compared");
       const svg = await saved(page, saveButton(figure, "SVG"));
-      const drawn = ".mark-symbol.role-mark > path";
       const text = svg.bytes.toString("utf8");
-      assert.equal(await countInSvg(page, text, drawn), panels * residuals.length);
+      assert.equal(await countInSvg(page, text, pointMarks), panels * residuals.length);
       const png = await saved(page, saveButton(figure, "PNG"));
       assert.ok(pngSize(png.bytes).width > 600);
     });

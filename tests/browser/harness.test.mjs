@@ -83,14 +83,24 @@ describe("the checks", () => {
   });
 
   test("see a chart that is not drawn, and one that is there twice", async () => {
-    const style = "<style>.live svg { display: none } .chart.is-live .static { display: block }</style>";
-    const found = await pictureFaults((await opened(inserted("pictures", style))).page);
-    some(found, /points is not drawn/);
-    some(found, /points is there twice/);
+    const hidden = "<style>.picture svg { display: none !important }</style>";
+    const gone = await pictureFaults((await opened(inserted("pictures", hidden))).page);
+    some(gone, /points is not drawn/);
+    const svg = '<svg role="img" aria-label="again" width="300" height="200"></svg>';
+    const again = `<div class="picture">${svg}</div><figcaption>`;
+    const twice = spoilt("twice", "<figcaption>", again);
+    some(await pictureFaults((await opened(twice)).page), /points is there twice/);
+  });
+
+  test("see a chart that says nothing to who cannot see it", async () => {
+    const file = spoilt("mute", 'role="img" aria-label="Twelve', 'role="img" data-label="Twelve');
+    const { page } = await opened(file);
+    some(await pictureFaults(page), /points has no text/);
+    some(await staticFaults(page), /points has no text/);
   });
 
   test("see a static picture that is missing without JavaScript", async () => {
-    const file = inserted("static", "<style>.static svg { display: none !important }</style>");
+    const file = inserted("static", "<style>.picture svg { display: none !important }</style>");
     const { page } = await opened(file, { javaScriptEnabled: false });
     some(await staticFaults(page), /points: no picture/);
   });

@@ -2,9 +2,57 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 
-// Symbols of a chart's data; those of its legends and axes are no marks.
-export const marks = (figure) => figure.locator(".live .mark-symbol.role-mark > path");
-export const bars = (figure) => figure.locator(".live .mark-rect.role-mark > path");
+// Symbols and bars of a chart's data; those of its legend are no marks.
+export const pointMarks = ".reeve-points > *";
+export const barMarks = ".reeve-bars > *";
+export const marks = (figure) => figure.locator(`.picture ${pointMarks}`);
+export const bars = (figure) => figure.locator(`.picture ${barMarks}`);
+
+// What a chart shows who reads it with a ruler: for each panel its marks of that kind, with the values
+// that they have by the numbers at the two outermost ticks of each axis. A panel without numbers at
+// its y axis has those of the panel before it. An axis without numbers gives none.
+export const readMarks = (figure, selector = pointMarks) =>
+  figure.locator(".picture svg").evaluate((svg, wanted) => {
+    const number = (text) => {
+      const plain = text.replace("−", "-").replace("+", "");
+      return plain.endsWith("%") ? parseFloat(plain) / 100 : Number(plain);
+    };
+    // Of a symbol with corners their middle, which is not that of the box round a triangle.
+    const middle = (element) => {
+      const { x, y, width, height } = element.getBBox();
+      const path = element.getAttribute("d") ?? "";
+      if (!path.endsWith("Z")) return { x: x + width / 2, y: y + height / 2, top: y };
+      const corners = path.slice(1, -1).split("L").map((corner) => corner.split(" ").map(Number));
+      const mean = (axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length;
+      return { x: mean(0), y: mean(1), top: y };
+    };
+    const scale = (ticks) => {
+      if (ticks.length < 2) return () => undefined;
+      const [a, b] = [ticks[0], ticks[ticks.length - 1]];
+      return (at) => a.value + ((at - a.at) / (b.at - a.at)) * (b.value - a.value);
+    };
+    let upright = [];
+    let above = 0;
+    return [...svg.querySelectorAll(".reeve-panel")].map((panel) => {
+      const frame = middle(panel.querySelector(":scope > rect")).top;
+      const texts = [...panel.querySelectorAll('.reeve-axes > text[font-size="12"][x]')];
+      const ticks = (anchor, along) =>
+        texts
+          .filter((text) => text.getAttribute("text-anchor") === anchor)
+          .map((text) => ({ at: along(text), value: number(text.textContent) }))
+          .filter(({ value }) => !Number.isNaN(value));
+      // The middle of a figure's height, as the program puts it there.
+      const y = ticks("end", (text) => Number(text.getAttribute("y")) - 0.36 * 12);
+      upright = y.length > 0 ? y : upright.map(({ at, value }) => ({ at: at + frame - above, value }));
+      above = frame;
+      const [xOf, yOf] = [scale(ticks("middle", (text) => Number(text.getAttribute("x")))), scale(upright)];
+      return [...panel.querySelectorAll(wanted)].map((mark) => {
+        const place = middle(mark);
+        const title = mark.querySelector("title")?.textContent ?? "";
+        return { x: xOf(place.x), y: yOf(place.y), top: yOf(place.top), title };
+      });
+    });
+  }, selector);
 
 // The texts of a column of a table, from its heading; rows that are hidden are left out.
 export async function column(table, heading) {

@@ -7,6 +7,8 @@ import {
   column,
   countInSvg,
   marks,
+  pointMarks,
+  readMarks,
   sameToThreeDecimals,
   saveButton,
   saved,
@@ -52,11 +54,30 @@ describe("rank", () => {
     );
   });
 
-  test("the plot has a mark wherever a design is", async () => {
+  test("the plot has a mark wherever a design is, and nowhere else", async () => {
     const places = new Set(
       designs.map((design) => `${mean(design, "uniformity")} ${mean(design, "efficiency")}`),
     );
-    assert.equal(await marks(page.locator("#pareto")).count(), places.size);
+    const [shown] = await readMarks(page.locator("#pareto"));
+    assert.equal(shown.length, places.size);
+    for (const { x, y, title } of shown) {
+      const near = designs.filter(
+        (design) =>
+          Math.abs(mean(design, "uniformity") - x) < 6e-4 &&
+          Math.abs(mean(design, "efficiency") - y) < 6e-4,
+      );
+      assert.ok(near.length > 0, `${title}: ${x}, ${y}`);
+      for (const { name } of near) assert.ok(title.split("\n")[0].includes(name), `${name}: ${title}`);
+    }
+  });
+
+  test("the ranks' medians are the file's", async () => {
+    const [shown] = await readMarks(page.locator("#ranks"));
+    assert.equal(shown.length, json.designs.length);
+    for (const { x, title } of shown) {
+      const { rank_distribution: drawn } = json.designs.find(({ name }) => title.startsWith(name));
+      assert.ok(Math.abs(x - drawn.median) < 0.01, `${title}: ${x}, is ${drawn.median}`);
+    }
   });
 
   test("the tension distributions have a symbol for each strand, and a bar for each published share", async () => {
@@ -69,8 +90,12 @@ describe("rank", () => {
     const published = strands.filter((strand) => strand.published !== null);
     assert.equal(await bars(figure).count(), published.length);
     const { bytes } = await saved(page, saveButton(figure, "SVG"));
-    const drawn = ".mark-symbol.role-mark > path";
-    assert.equal(await countInSvg(page, bytes.toString("utf8"), drawn), strands.length);
+    assert.equal(await countInSvg(page, bytes.toString("utf8"), pointMarks), strands.length);
+    // In the order of the file: rows of panels, in each the strands.
+    const drawn = (await readMarks(figure)).flat();
+    for (const [i, { model }] of strands.entries()) {
+      assert.ok(Math.abs(drawn[i].y - model) < 0.002, `${drawn[i].title}: is ${model}`);
+    }
   });
 
   // The capstan ratios of TR1 by hand: each turn of the tube takes exp(-0.18 pi), or exp(-0.09 pi).

@@ -1,12 +1,14 @@
 // What all pages share (pages/assets/page.js), at a page made for it by sample_page.cpp.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { open, settled, startBrowser } from "./harness.mjs";
+import { open, startBrowser } from "./harness.mjs";
 import {
   column,
   countInSvg,
   marks,
   pngSize,
+  pointMarks,
+  readMarks,
   saveButton,
   saved,
   sortButton,
@@ -28,21 +30,41 @@ describe("what pages share", () => {
   });
   after(() => browser.close());
 
-  test("a chart has a mark for each datum", async () => {
-    assert.equal(await marks(page.locator("#points")).count(), points);
+  test("a chart has a mark for each datum, where its numbers say", async () => {
+    const [shown] = await readMarks(page.locator("#points"));
+    assert.equal(shown.length, points);
+    const expected = Array.from({ length: points }, (_, i) => [i, (i * 5) % points]);
+    const places = shown.map(({ x, y }) => [Math.round(x), Math.round(y)]);
+    assert.deepEqual(places.sort(([a], [b]) => a - b), expected);
+    for (const { x, y } of shown) {
+      assert.ok(Math.abs(x - Math.round(x)) < 0.02 && Math.abs(y - Math.round(y)) < 0.05, `${x}, ${y}`);
+    }
+  });
+
+  test("who points at a mark sees its text", async () => {
+    const shown = await marks(page.locator("#points")).locator("title").allTextContents();
+    const texts = await page.evaluate(() => reeve.data.texts);
+    assert.deepEqual([...new Set(shown)].sort(), [...texts].sort());
   });
 
   test("a chart is drawn in the colours of the reader's scheme", async () => {
-    const ink = () =>
-      page.locator("#points .live .role-axis-title text").first().getAttribute("fill");
-    const light = await ink();
+    const colour = (selector, property) =>
+      page
+        .locator(`#points ${selector}`)
+        .first()
+        .evaluate((element, name) => getComputedStyle(element)[name], property);
+    const colours = async () => [
+      await colour(".reeve-axes text", "fill"),
+      await colour(".reeve-paper", "fill"),
+      await colour(".reeve-grid", "stroke"),
+      await colour(".reeve-points > *", "fill"),
+    ];
+    const light = await colours();
     await page.emulateMedia({ colorScheme: "dark" });
-    await settled(page);
-    assert.notEqual(await ink(), light);
-    assert.equal(await marks(page.locator("#points")).count(), points);
+    const dark = await colours();
+    for (const [i, one] of light.entries()) assert.notEqual(dark[i], one);
     await page.emulateMedia({ colorScheme: "light" });
-    await settled(page);
-    assert.equal(await ink(), light);
+    assert.deepEqual(await colours(), light);
   });
 
   test("a table sorts numbers as numbers, up and down", async () => {
@@ -76,12 +98,14 @@ describe("what pages share", () => {
   });
 
   test("Save SVG gives the chart with its marks, on white", async () => {
+    await page.emulateMedia({ colorScheme: "dark" }); // which the file does not follow
     const { name, bytes } = await saved(page, saveButton(page.locator("#points"), "SVG"));
+    await page.emulateMedia({ colorScheme: "light" });
     assert.equal(name, "points.svg");
     const text = bytes.toString("utf8");
-    assert.equal(await countInSvg(page, text, ".mark-symbol.role-mark > path"), points);
+    assert.equal(await countInSvg(page, text, pointMarks), points);
     assert.equal(await countInSvg(page, text, "img, script, foreignObject"), 0);
-    assert.match(text, /fill="white"/);
+    assert.match(text, /class="reeve-paper" fill="#ffffff"/);
   });
 
   test("Save PNG gives three pixels for each of the picture's", async () => {

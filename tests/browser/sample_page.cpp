@@ -12,7 +12,7 @@
 #include "core/notation.hpp"
 #include "core/tension.hpp"
 #include "pages/page.hpp"
-#include "pages/template.hpp"
+#include "reports/chart_svg.hpp"
 #include "reports/files.hpp"
 #include "reports/schematic_svg.hpp"
 #include "reports/svg.hpp"
@@ -28,21 +28,25 @@ const std::vector<std::string> texts{
     "{{title}} & &amp; µ \xe2\x80\xa8",
 };
 
-Json chart_spec() {
-  Json values = Json::array();
-  for (std::size_t i = 0; i < 12; ++i) {
-    values.push_back({{"x", i}, {"y", (i * 5) % 12}, {"name", texts[i % texts.size()]}});
+// A series for each text.
+chart::Chart points_chart() {
+  chart::Panel panel;
+  panel.x.title = "position";
+  panel.y.title = texts[1];
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    chart::Points points;
+    for (std::size_t i = k; i < 12; i += texts.size()) {
+      const auto y = static_cast<double>((i * 5) % 12);
+      points.spots.push_back({static_cast<double>(i), y, texts[k], k == 2 ? texts[k] : ""});
+    }
+    panel.layers.push_back(
+        {texts[k], {chart::series_colour(k), chart::series_symbol(k), 4.5}, points});
   }
-  return {{"data", {{"values", values}}},
-          {"mark", {{"type", "point"}, {"filled", true}, {"size", 80}}},
-          {"width", "container"},
-          {"height", 240},
-          {"encoding",
-           {{"x", {{"field", "x"}, {"type", "quantitative"}, {"title", "position"}}},
-            {"y", {{"field", "y"}, {"type", "quantitative"}, {"title", texts[1]}}},
-            {"shape", {{"field", "name"}, {"type", "nominal"}, {"title", "text"}}},
-            {"color", {{"field", "name"}, {"type", "nominal"}}},
-            {"tooltip", Json::array({{{"field", "name"}, {"type", "nominal"}}})}}}};
+  chart::Chart chart;
+  chart.alt = "Twelve points, none on a line: " + texts[1];
+  chart.height = 240;
+  chart.panels.push_back(panel);
+  return chart;
 }
 
 std::string drawn_routing(const std::string& word) {
@@ -69,8 +73,7 @@ std::string table() {
 }
 
 std::string sample() {
-  const Figure points = figure({"points", texts[2], texts[3],
-                                "Twelve points, none on a line: " + texts[1], chart_spec(), ""});
+  const Figure points{"points", texts[2], texts[3], chart_svg(points_chart())};
   const std::string body = "<h1>Sample</h1>\n<h2>Chart</h2>\n" + figure_html(points) +
                            "<h2>Table</h2>\n" + table() + "<h2>Schematic</h2>\n" +
                            schematic_html("routing", drawn_routing("M-1-P-2-M"));

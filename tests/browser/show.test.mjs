@@ -3,10 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, startBrowser } from "./harness.mjs";
 import {
+  barMarks,
   bars,
   cell,
   countInSvg,
   pngSize,
+  readMarks,
   sameToThreeDecimals,
   saveButton,
   saved,
@@ -48,8 +50,15 @@ describe("show", () => {
     }
   });
 
-  test("the chart has a bar for each strand in each grasp", async () => {
+  test("the chart has a bar for each strand in each grasp, as high as its tension", async () => {
     assert.equal(await bars(page.locator("#tensions")).count(), barCount);
+    const shown = await readMarks(page.locator("#tensions"), barMarks);
+    for (const [i, { tensions }] of expected.grasps.entries()) {
+      for (const { top, title } of shown[i]) {
+        const strand = title.split(":")[0];
+        assert.ok(Math.abs(top - tensions[strand]) < 0.002, `${title}: ${top}`);
+      }
+    }
   });
 
   test("the tables hold the numbers of the file", async () => {
@@ -76,11 +85,7 @@ describe("show", () => {
 
   test("figures are saved with what they show", async () => {
     const chart = await saved(page, saveButton(page.locator("#tensions"), "SVG"));
-    const drawn = await countInSvg(
-      page,
-      chart.bytes.toString("utf8"),
-      ".mark-rect.role-mark > path",
-    );
+    const drawn = await countInSvg(page, chart.bytes.toString("utf8"), barMarks);
     assert.equal(drawn, barCount);
     const schematic = page.locator("#schematic-held-1");
     const { name, bytes } = await saved(page, saveButton(schematic, "SVG"));

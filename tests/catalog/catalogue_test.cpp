@@ -149,7 +149,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
        "x.toml:1:1: missing key 'word': expected the routing's word, such as \"M-1-T-2-F\""},
       {minimal + "wrod = 1\n",
        "x.toml:3:1: unknown key 'wrod': expected one of name, word, title, source, notes, held, "
-       "table, closed_form, fault, misprint"},
+       "table, lines, closed_form, fault, misprint"},
       {"name = 7\n", "x.toml:1:8: name = 7: expected a text in quotes, not empty"},
       {"name = \"\"\n", "x.toml:1:8: name = \"\": expected a text in quotes, not empty"},
       {"name = \"a b\"\n",
@@ -202,9 +202,16 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsPublishedNumbers) {
        "x.toml:11:9: fault[1].times = 0: expected a number above zero"},
       {table + "[[fault]]\nkind = \"factor\"\nstrands = [1]\ntimes = inf\n",
        "x.toml:11:9: fault[1].times = inf: expected a finite number, not negative"},
-      {"[[fault]]\nkind = \"factor\"\n", "x.toml:4:1: this fault needs a [table] that it is about"},
+      {"[[fault]]\nkind = \"factor\"\n",
+       "x.toml:4:1: this fault needs a [table] or [[lines]] that it is "
+       "about"},
       {"[fault]\nkind = \"factor\"\n",
        "x.toml:4:1: fault = (a table): expected tables headed [[fault]]"},
+      {"[[lines]]\nsource = \"Fig. 1\"\nmu = 2\n",
+       "x.toml:6:6: lines[1].mu = 2: expected a number from 0 to 1"},
+      {"[[lines]]\nsource = \"Fig. 1\"\nmu = 0.1\nshare_percent = [\"60\", \"40\"]\n",
+       "x.toml:4:1: missing key 'read_to_percent' in 'lines[1]': expected how closely the figure can "
+       "be read"},
       {"[[misprint]]\nsource = \"Eq. 1\"\n",
        "x.toml:4:1: missing key 'text' in 'misprint[1]': expected what is misprinted"},
   };

@@ -165,6 +165,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       explore({"--constraint", "sheaths<=nan"}, "--constraint 'sheaths<=nan': " + constraint),
       explore({"--constraint", "foo<=2"}, "--constraint 'foo<=2': unknown objective 'foo'"),
       explore({"--top", "0"}, "--top: Value 0 not in range 1 to 100000"),
+      explore({"--details", "-1"}, "--details: Value -1 not in range 0 to 100000"),
       explore({"--threads", "-1"}, "--threads: Value -1 not in range 0 to 1024"),
       explore({"--draws", "0"}, "--draws: Value 0 not in range 1 to 100000"),
       explore({"--seed", "1.5"}, "--seed = 1.5"),

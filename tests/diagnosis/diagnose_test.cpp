@@ -28,9 +28,9 @@ DiagnoseOptions quick(double alpha) {
 
 constexpr int sets = 60;
 
-// Of noise alone a tenth of alpha of the data sets is said to be unexplained: here 3 of 60, and
-// with a probability below 1 in 1000 more than 9.
-TEST(Diagnose, SaysUnexplainedAtATenthOfAlpha) {
+// Of noise alone a quarter of alpha of the data sets is said to be unexplained: here 7.5 of 60, and
+// with a probability below 1 in 1000 more than 16. At alpha itself it would be 30.
+TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
   int alarms = 0;
   DiagnoseOptions options = quick(0.5);
   options.most_causes = 0;
@@ -39,17 +39,19 @@ TEST(Diagnose, SaysUnexplainedAtATenthOfAlpha) {
     options.seed = seed;
     const DiagnosisResult result =
         diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{}; }), options);
-    EXPECT_EQ(result.unexplained.has_value(), result.structure_p_value < 0.05);
+    EXPECT_EQ(result.unexplained.has_value(), result.structure_p_value < 0.125);
     EXPECT_EQ(result.verdict, result.unexplained ? Verdict::unexplained : Verdict::none);
     alarms += result.unexplained ? 1 : 0;
   }
-  EXPECT_LE(alarms, 9);
+  EXPECT_GT(alarms, 0);
+  EXPECT_LE(alarms, 16);
 }
 
-// One effect that is really there; a second name at a fifth of alpha: here 6 of 60, and with a
-// probability below 1 in 1000 more than 14. At alpha itself it would be 30.
-TEST(Diagnose, GivesASecondNameAtAFifthOfAlpha) {
+// One effect that is really there; a second name at half of alpha: here 15 of 60, and with a
+// probability below 1 in 1000 more than 26. Whatever is named has a chance up to that, not beyond.
+TEST(Diagnose, GivesASecondNameAtHalfOfAlpha) {
   int alarms = 0;
+  double highest = 0;
   DiagnoseOptions options = quick(0.5);
   options.most_causes = 2;
   options.hold_out = 0;
@@ -57,10 +59,14 @@ TEST(Diagnose, GivesASecondNameAtAFifthOfAlpha) {
     options.seed = seed;
     const DiagnosisResult result =
         diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{2}; }), options);
-    EXPECT_FALSE(result.causes.empty());
-    alarms += result.causes.size() > 1 ? 1 : 0;
+    ASSERT_FALSE(result.causes.empty());
+    if (result.causes.size() < 2) continue;
+    ++alarms;
+    highest = std::max(highest, result.causes[1].p_value);
   }
-  EXPECT_LE(alarms, 14);
+  EXPECT_LE(alarms, 26);
+  EXPECT_GT(highest, 0.125);
+  EXPECT_LE(highest, 0.25);
 }
 
 // T1 of each run; which runs are held out, the seed decides, not the readings.
@@ -84,32 +90,53 @@ std::string with_held_out(const Offsets& offsets, const BenchPlan& plan) {
 
 constexpr BenchPlan seven_runs{7, 6, 3};
 
-TEST(Diagnose, ConfirmsACauseThatTheHeldOutRunsHaveToo) {
+TEST(Diagnose, SaysWhatACauseGainsOnTheHeldOutRuns) {
   const DiagnosisResult result = diagnosed(with_held_out({1, {1, 1}}, seven_runs), quick(0.05));
   ASSERT_EQ(result.causes.size(), 1U);
   ASSERT_TRUE(result.held_out.has_value());
   EXPECT_GT(result.held_out->reduction, 0.8);
   EXPECT_GT(result.causes[0].held_out->gain_low, 0);
-  EXPECT_TRUE(result.not_confirmed.empty());
+  EXPECT_EQ(result.held_out_runs, 2U);
 }
 
-// On one of the two held-out runs it gains a little more than it loses on the other.
-TEST(Diagnose, DoesNotRefuteACauseForTheIntervalOfItsGain) {
-  const DiagnosisResult result = diagnosed(with_held_out({1, {1.2, 0}}, seven_runs), quick(0.05));
-  ASSERT_EQ(result.causes.size(), 1U);
-  EXPECT_GT(result.causes[0].held_out->log_likelihood_gain, 0);
-  EXPECT_LT(result.causes[0].held_out->gain_low, 0);
-  EXPECT_TRUE(result.not_confirmed.empty());
+// On one of the two held-out runs it gains a little more than it loses on the other; on both it
+// loses.
+TEST(Diagnose, LetsHeldOutRunsDecideNothing) {
+  for (const std::vector<double>& held_out : {std::vector<double>{1.2, 0}, {0, 0}}) {
+    const DiagnosisResult result = diagnosed(with_held_out({1, held_out}, seven_runs), quick(0.05));
+    ASSERT_EQ(result.causes.size(), 1U);
+    EXPECT_EQ(result.causes[0].held_out->log_likelihood_gain > 0, held_out[0] > 0);
+    EXPECT_LT(result.causes[0].held_out->gain_low, 0);
+    EXPECT_TRUE(result.not_confirmed.empty());
+    EXPECT_NE(result.verdict, Verdict::none);
+  }
 }
 
-TEST(Diagnose, NamesNoCauseThatTheHeldOutRunsRefute) {
-  const DiagnosisResult result = diagnosed(with_held_out({1, {0, 0}}, seven_runs), quick(0.05));
+DiagnosisResult of_runs(const std::vector<double>& offset_by_run) {
+  DiagnoseOptions options = quick(0.05);
+  options.hold_out = 0;
+  options.most_causes = 1;
+  return diagnosed(bench_csv({offset_by_run.size(), 12},
+                             [&](std::size_t run) { return Pattern{offset_by_run[run]}; }),
+                   options);
+}
+
+// On average T1 reads 0.5 N more, but neither run says so of the other.
+TEST(Diagnose, NamesNoCauseThatTheTrainingRunsRefute) {
+  const DiagnosisResult result = of_runs({2, -1});
   EXPECT_TRUE(result.causes.empty());
   EXPECT_EQ(result.not_confirmed.size(), 1U);
   EXPECT_TRUE(result.model.effects.empty());
   EXPECT_TRUE(result.indistinguishable.empty());
-  EXPECT_FALSE(result.held_out.has_value());
-  EXPECT_EQ(result.held_out_runs, 2U);
+  EXPECT_TRUE(result.weighed.empty());
+  EXPECT_LT(result.p_value, 0.05);
+}
+
+// There is no other run that could refute it, or confirm it.
+TEST(Diagnose, NamesACauseOfWhichOneRunAloneKnows) {
+  const DiagnosisResult result = of_runs({1});
+  EXPECT_EQ(result.causes.size(), 1U);
+  EXPECT_TRUE(result.not_confirmed.empty());
 }
 
 TEST(Diagnose, NeedsEightIndependentReadings) {

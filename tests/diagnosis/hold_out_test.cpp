@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -54,6 +55,19 @@ TEST(SplitByRun, IsDrawnByTheSeed) {
     drawn.insert(split_by_run(data, 0.3, seed).held_out_runs);
   }
   EXPECT_GT(drawn.size(), 3U);
+}
+
+// As where every routing was mounted once: no routing is held out oftener than others.
+TEST(SplitByRun, DrawsAmongRoutingsThatHaveOneRunEach) {
+  const MeasuredData data = read_data(
+      "run,routing,motor_tension_N,T1_N\n1,TR3,10,1\n2,TR5,10,2\n3,M-1-F,10,3\n"
+      "4,M-1-T-2-F,10,4\n5,M-1-T-2-M,10,5\n");
+  std::vector<int> held(5);
+  constexpr int seeds = 300;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    for (const std::size_t run : split_by_run(data, 0.2, seed).held_out_runs) ++held[run];
+  }
+  for (const int count : held) EXPECT_NEAR(count, seeds / 5, 4 * std::sqrt(seeds * 0.2 * 0.8));
 }
 
 TEST(SplitByRun, DropsRepeatedRowsOfAnyRun) {

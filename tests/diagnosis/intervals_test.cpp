@@ -18,7 +18,7 @@ const PatternCause nearly_on_T1("nearly_on_T1", {1, 0.03});
 using Intervals = std::vector<std::vector<ParameterInterval>>;
 
 Intervals intervals(const Problem& problem, const Model& model) {
-  return parameter_intervals(problem, fit(problem, model).model, 1);
+  return parameter_intervals(problem, fit(problem, model).model);
 }
 
 // Of the offset on T1.
@@ -140,7 +140,7 @@ TEST(ParameterIntervals, LieWithinTheRangeOfTheParameter) {
 
 TEST(ParameterIntervals, OfAModelWithoutEffectsAreNone) {
   const Bench bench(Pattern{});
-  EXPECT_TRUE(parameter_intervals(bench.problem, {}, 1).empty());
+  EXPECT_TRUE(parameter_intervals(bench.problem, {}).empty());
 }
 
 }  // namespace

@@ -118,11 +118,16 @@ bool names(const std::vector<std::vector<std::string>>& groups, const std::strin
 
 // Ten readings on one channel, lifting only, nothing held out: carabiner and pulley take more than
 // a Teflon tube and a ball bearing, but what makes the difference, so few readings cannot tell.
+// What is left follows the load: there the weight is exact and the pull scatters, which the model
+// has the other way round.
 TEST(PrintedReadings, OfOverTheEdgeRescueDifferFromTheHardwareWithoutSayingWhy) {
   DiagnoseOptions options;
   options.hold_out = 0;
   const DiagnosisResult result = diagnose(read("over_the_edge_rescue.csv"), rope_bench(), options);
-  EXPECT_EQ(result.verdict, Verdict::indistinguishable);
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
+  EXPECT_TRUE(std::any_of(result.structure.begin(), result.structure.end(), [](const auto& found) {
+    return found.about == "load" && found.p_value < 0.005;
+  }));
   EXPECT_TRUE(names(result.indistinguishable, "tube_friction"));
   EXPECT_TRUE(names(result.indistinguishable, "bearing_friction"));
   EXPECT_TRUE(result.separating_measurement.has_value());
@@ -133,8 +138,8 @@ TEST(PrintedReadings, AreAllTested) {
   for (const auto& entry : std::filesystem::directory_iterator(catalogue / "measured")) {
     names.insert(entry.path().filename().string());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"canyons_and_crags.csv", "hwstock.csv", "igkt.csv",
-                                          "over_the_edge_rescue.csv"}));
+  EXPECT_EQ(names, (std::set<std::string>{"canyons_and_crags.csv", "exo_glove_ii.csv",
+                                          "hwstock.csv", "igkt.csv", "over_the_edge_rescue.csv"}));
 }
 
 }  // namespace

@@ -262,6 +262,11 @@ TEST(GoldenDiagnose, OfTubesThatAreSmootherThanTheHardwareSays) {
   expect_csv(read_text(folder.path() / "residuals.csv"), "diagnose_cause_residuals.csv", fitted);
 }
 
+TEST(GoldenDiagnose, OfThePublishedReadingsOfTheSevenRoutings) {
+  const std::string data = "../../catalog/measured/exo_glove_ii.csv";
+  expect_json(diagnose(data, {}).out, "diagnose_exo_glove_ii.json", fitted);
+}
+
 TEST(GoldenDiagnose, OfAModelThatIsRight) {
   expect_json(diagnose("diagnose_none.csv", {}).out, "diagnose_none.json", fitted);
 }

@@ -16,8 +16,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const std::string objectives =
-    " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction";
-const std::string common_settings = "objectives grasps hardware model uncertainty";
+    " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction "
+    "adaptability torsional_balance reliability authors_efficiency transmission score";
+const std::string common_settings = "objectives score grasps hardware model uncertainty";
 
 Json json_of(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"--format", "json"});
@@ -240,7 +241,8 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(
       keys(json),
       "verdict causes indistinguishable separating_measurement unexplained next_measurement "
-      "held_out held_out_by_run noise_limit not_confirmed weighed structure noise ranking simulated too_few rows runs "
+      "held_out held_out_by_run noise_limit not_confirmed weighed structure share_errors left_out_runs "
+      "losses without_apart published noise ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
       "version");
   const Json& cause = json["causes"][0];
@@ -258,6 +260,26 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["ranking"]), "changes before after");
   EXPECT_EQ(keys(json["calibration"]), "replicates family_wise_alpha p_value structure_p_value");
   EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware");
+}
+
+const std::string seeds_readings = std::string(REEVE_CATALOG_DIR) + "/measured/exo_glove_ii.csv";
+
+TEST(KeysOfDiagnose, OfReadingsThatArePublishedAreThePromisedOnes) {
+  const Json json = json_of({"diagnose", seeds_readings});
+  EXPECT_EQ(keys(json["share_errors"]), "before after left_out routings");
+  EXPECT_EQ(keys(json["share_errors"]["routings"][0]),
+            "routing held rows held_out_rows before after left_out");
+  EXPECT_EQ(keys(json["left_out_runs"][0]), "run causes");
+  EXPECT_EQ(keys(json["left_out_runs"][0]["causes"][0]), "name parameters");
+  EXPECT_EQ(
+      keys(json["losses"][0]),
+      "routing held direction from to over rows measured deviation before after stands_apart");
+  EXPECT_EQ(keys(json["without_apart"]), "left_out causes share_error");
+  EXPECT_EQ(keys(json["without_apart"]["causes"][0]), "name parameters intervals");
+  EXPECT_EQ(keys(json["published"][0]), "name mu error equations_error lines other_losses");
+  EXPECT_EQ(keys(json["published"][0]["lines"][0]), "source shares error equations_error");
+  EXPECT_EQ(keys(json["published"][0]["other_losses"][0]),
+            "from to loss printed equations sheaths sheaths_drawn");
 }
 
 TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
@@ -301,6 +323,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"compare", readings}), names);
   collect(json_of(power), names);
   collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
+  collect(json_of({"diagnose", seeds_readings}), names);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});

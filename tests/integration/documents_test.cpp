@@ -1,4 +1,5 @@
-// The Python lines of docs/tables.md, run as they stand there on what `reeve explore` wrote.
+// What documents show is what the program does: the Python lines of docs/tables.md, run as they
+// stand there on what `reeve explore` wrote, and the figures of docs/figures, drawn again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,6 +107,28 @@ TEST(PythonLines, ReadWhatAnExplorationWrites) {
   const ProcessResult drawing = run_python(with_drawing, blocks[0] + blocks[1], written.folder);
   EXPECT_EQ(drawing.exit_code, 0) << drawing.err;
   EXPECT_TRUE(read_text(written.folder.path() / "front.pdf").starts_with("%PDF"));
+}
+
+std::string in_documents(const std::string& figure) {
+  return read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "figures" / figure);
+}
+
+// The commands stand below each figure, in README.md and docs/pages.md.
+TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
+  const TemporaryFolder folder;
+  const auto written = [&](std::vector<std::string> command, const std::string& file) {
+    const ProcessResult result = reeve(std::move(command));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_text(folder.path() / file);
+  };
+  const std::string out = (folder.path() / "out").string();
+  EXPECT_TRUE(written({"explore", "--fingers", "5", "--out", out}, "out/figures/pareto.svg") ==
+              in_documents("pareto.svg"));
+  EXPECT_TRUE(written({"rank", "--catalog", "--out", out}, "out/figures/figure-9.svg") ==
+              in_documents("figure-9.svg"));
+  const std::string sheet = (folder.path() / "schematics.svg").string();
+  reeve({"check", "--svg", sheet});
+  EXPECT_TRUE(read_text(sheet) == in_documents("schematics.svg"));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "pages/chart_engine.hpp"
 #include "pages/exploration_designs.hpp"
+#include "search/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {
@@ -15,8 +15,6 @@ namespace {
 
 using testing::explored;
 using testing::small_options;
-
-constexpr const char* charts = "exploration_charts.js";
 
 // The JSON that the page's script finds.
 Json page_data(const std::string& html) {
@@ -36,10 +34,25 @@ std::set<std::string> detailed_words(const std::string& html) {
 
 TEST(ExplorationPage, HasDetailsOfAllDesignsOfASmallList) {
   const ExploreReport report = explored(small_options());
-  const PageFiles page = exploration_page(testing::view(report));
+  ExplorationView view = testing::view(report);
+  view.details = 1000;
+  const PageFiles page = exploration_page(view);
   EXPECT_EQ(detailed_words(page.html).size(), 54U);
   EXPECT_NE(page.html.find("54 of 54 ranked designs are listed"), std::string::npos);
   EXPECT_LT(page.html.size(), 1'300'000U);
+}
+
+TEST(ExplorationPage, HasDetailsOfTheBestAndTheKnownAndSaysSo) {
+  const ExploreReport report = explored(small_options());
+  ExplorationView view = testing::view(report);
+  view.details = 5;
+  const std::string html = exploration_page(view).html;
+  std::set<std::string> expected{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"};
+  for (std::size_t i = 0; i < 5; ++i) expected.insert(report.top[i].ranked.design.word);
+  EXPECT_EQ(detailed_words(html), expected);
+  EXPECT_NE(html.find("7 of 54 listed designs and known routings have schematics"),
+            std::string::npos);
+  EXPECT_NE(html.find("with --details 54 it has all"), std::string::npos);
 }
 
 TEST(ExplorationPage, WritesItsPicturesAsFiles) {
@@ -114,7 +127,7 @@ TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
     }
     return own;
   };
-  const PageFiles page = exploration_page({report, "reeve explore", "", solve});
+  const PageFiles page = exploration_page({report, "reeve explore", "", solve, 100'000});
   EXPECT_LT(page.html.size(), 5'000'000U);
   EXPECT_GT(page.html.size(), 3'000'000U);  // it does not give up room that it has
   EXPECT_GT(detailed_words(page.html).size(), 100U);
@@ -124,77 +137,44 @@ TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
   for (const FigureFile& file : page.figures) EXPECT_LT(file.svg.size(), 1'500'000U) << file.id;
 }
 
-TEST(DesignColumns, HoldEachDesignOnce) {
+TEST(PageDesigns, AreHeldOnceEach) {
   ExploreOptions options = small_options();
   options.top = 5;
-  const ExploreReport report = explored(options);
-  const Json columns = design_columns(report, 5);
+  const std::vector<PageDesign> designs = page_designs(explored(options), 5);
   std::set<std::string> words;
-  for (const Json& word : columns["word"]) EXPECT_TRUE(words.insert(word).second) << word;
-  EXPECT_EQ(words.size(), 54U);  // the sample is all that there is
-  EXPECT_EQ(columns["kind"][0], static_cast<int>(Kind::known));
-  EXPECT_EQ(columns["kind"][1], static_cast<int>(Kind::front));
-  EXPECT_EQ(columns["kind"][53], static_cast<int>(Kind::sample));
-  EXPECT_EQ(columns["values"].size(), objective_count);
-  for (const Json& column : columns["values"]) EXPECT_EQ(column.size(), words.size());
-}
-
-Json drawn(const ExploreReport& report, int x, int y) {
-  return script_value(
-      charts, "explorationCharts.pareto",
-      {{"data", chart_data(report, design_columns(report, 1'000'000))}, {"axes", {x, y}}});
-}
-
-std::set<int> drawn_rows(const Json& chart) {
-  std::set<int> rows;
-  for (const Json& layer : chart["spec"]["layer"]) {
-    if (layer["data"]["name"] != "points") continue;
-    for (const Json& point : layer["data"]["values"]) rows.insert(point["row"].get<int>());
+  for (const PageDesign& design : designs) {
+    EXPECT_TRUE(words.insert(design.word).second) << design.word;
   }
-  return rows;
+  EXPECT_EQ(words.size(), 54U);  // the sample is all that there is
+  EXPECT_EQ(designs[0].kind, Kind::known);
+  EXPECT_EQ(designs[1].kind, Kind::front);
+  EXPECT_EQ(designs[53].kind, Kind::sample);
 }
 
-TEST(ParetoPlot, ThinsOutTheManyAndKeepsTheFrontWhole) {
-  const ExploreReport report = testing::large(20'000);
-  const Json chart = drawn(report, 0, 2);
-  const std::set<int> rows = drawn_rows(chart);
-  EXPECT_EQ(chart["of"], 20'000);
-  EXPECT_EQ(chart["drawn"], rows.size());
-  EXPECT_LT(rows.size(), 9'500U);
-  for (int row = 0; row < 200; ++row) EXPECT_TRUE(rows.contains(row)) << row;
+TEST(PageDesigns, StandInColumnsOfOneLength) {
+  const std::vector<PageDesign> designs = page_designs(explored(small_options()), 1'000'000);
+  const std::vector<Objective> shown = shown_objectives({}, authors_score());
+  const Json columns = design_columns(designs, shown);
+  EXPECT_EQ(columns["values"].size(), shown.size());
+  for (const Json& column : columns["values"]) EXPECT_EQ(column.size(), designs.size());
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    EXPECT_EQ(columns["word"][i], designs[i].word);
+    EXPECT_EQ(columns["kind"][i], static_cast<int>(designs[i].kind));
+    EXPECT_NEAR(columns["values"][2][i], designs[i].values[2], 1e-8);
+  }
 }
 
-// Points that the line's corners must be; as [x, y].
-std::vector<std::vector<double>> edge(const std::string& better_x, const std::string& better_y) {
-  const Json line = script_value(charts, "(each => explorationCharts.frontLine(...each))",
-                                 {{{1, 3}, {2, 2}, {3, 1}, {1.5, 1.5}, {2.5, 2.5}},
-                                  {{{"better", better_x}}, {{"better", better_y}}},
-                                  {{0, 4}, {0, 5}}});
-  std::vector<std::vector<double>> corners;
-  for (const Json& point : line) corners.push_back({point["x"], point["y"]});
-  return corners;
-}
-
-TEST(FrontLine, GoesThroughWhatNoneBeatsWhicheverWayIsBetter) {
-  using Corners = std::vector<std::vector<double>>;
-  EXPECT_EQ(edge("higher", "higher"), (Corners{{3, 0}, {3, 1}, {2.5, 2.5}, {1, 3}, {0, 3}}));
-  EXPECT_EQ(edge("lower", "lower"), (Corners{{1, 5}, {1, 3}, {1.5, 1.5}, {3, 1}, {4, 1}}));
-  EXPECT_EQ(edge("higher", "lower"), (Corners{{3, 5}, {3, 1}, {0, 1}}));
-  EXPECT_EQ(edge("lower", "higher"), (Corners{{1, 0}, {1, 3}, {4, 3}}));
-}
-
-TEST(FrontLine, IsDrawnOnlyWhereBothAxesAreWhatTheRankingCounts) {
-  const ExploreReport report = explored(small_options());
-  const auto corners = [&](int x, int y) {
-    const Json chart = drawn(report, x, y);
-    for (const Json& layer : chart["spec"]["layer"]) {
-      if (layer["data"]["name"] == "edge") return layer["data"]["values"].size();
+// The page's script fills in what a specification leaves out, so no data may stand in one.
+TEST(ExplorationPage, HasSpecificationsWithoutData) {
+  const PageFiles page = exploration_page(testing::view(explored(small_options())));
+  const Json specifications = page_data(page.html)["specifications"];
+  for (const char* name : {"pareto", "parallel", "tensions", "ranks"}) {
+    ASSERT_TRUE(specifications[name]["datasets"].is_object()) << name;
+    for (const auto& [set, values] : specifications[name]["datasets"].items()) {
+      EXPECT_TRUE(values.empty()) << name << ": " << set;
     }
-    return std::size_t{1000};
-  };
-  EXPECT_EQ(corners(0, 2), 3U);
-  EXPECT_EQ(corners(2, 0), 3U);
-  EXPECT_EQ(corners(0, 6), 0U);
+    EXPECT_EQ(specifications[name].dump().find("\"values\":[{"), std::string::npos) << name;
+  }
 }
 
 }  // namespace

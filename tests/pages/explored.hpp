@@ -35,10 +35,12 @@ inline ExploreReport explored(const ExploreOptions& options) {
 }
 
 inline ExplorationView view(const ExploreReport& report) {
-  return {report, "reeve explore", "", [&report](const std::string& word) {
+  return {report, "reeve explore", "",
+          [&report](const std::string& word) {
             return cli::shown_routing(parse_routing(word), report.options.model,
                                       report.options.grasps, Direction::pull, Catalogue{});
-          }};
+          },
+          std::nullopt};
 }
 
 // `count` designs, of which every hundredth is on the front; no two values are alike.

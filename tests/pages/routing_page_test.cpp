@@ -6,6 +6,7 @@
 
 #include "reports/json.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/read_chart.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
@@ -37,19 +38,20 @@ TEST(RoutingPage, LiesBesideTheUsualResult) {
 
 TEST(RoutingPage, HasTheTensionsOfEachGrasp) {
   const Shown shown({"TR5"});
-  const std::string opening = R"(<script type="application/json" class="spec">)";
-  const std::size_t begin = shown.html.find(opening) + opening.size();
-  const Json spec =
-      Json::parse(shown.html.substr(begin, shown.html.find("</script>", begin) - begin));
+  const std::vector<ReadPanel> panels =
+      read_chart(read_text(shown.folder.path() / "figures" / "tensions.svg"));
   const Json json = Json::parse(read_text(shown.folder.path() / "routing.json"));
-  const std::vector<std::string> panels{"no finger held", "finger 1 held", "finger 2 held"};
-  const Json& values = spec["data"]["values"];
-  ASSERT_EQ(values.size(), 12U);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_EQ(values[i]["panel"], panels[i / 4]);
-    EXPECT_EQ(values[i]["strand"], "T" + std::to_string(i % 4 + 1));
-    const std::string strand = values[i]["strand"];
-    EXPECT_EQ(values[i]["tension"], json["grasps"][i / 4]["tensions"][strand]);
+  const std::vector<std::string> titles{"no finger held", "finger 1 held", "finger 2 held"};
+  ASSERT_EQ(panels.size(), 3U);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    EXPECT_EQ(panels[i].texts.front(), titles[i]);
+    const std::vector<ReadMark> bars = panels[i].marks("bars");
+    ASSERT_EQ(bars.size(), 4U);
+    for (const ReadMark& bar : bars) {
+      const std::string strand = panels[i].category_of(bar);
+      EXPECT_NEAR(panels[i].y_of(bar), json["grasps"][i]["tensions"][strand], 1e-4);
+      EXPECT_EQ(bar.title.substr(0, 3), strand + ":");
+    }
   }
 }
 

@@ -32,8 +32,10 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
   EXPECT_EQ(design_csv({design("TR0")}),
             "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
             "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
-            "return_friction\n"
-            "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5\n");
+            "return_friction,adaptability,torsional_balance,reliability,authors_efficiency,"
+            "transmission,score\n"
+            "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"
+            "16.5\n");
 }
 
 TEST(DesignCsv, QuotesNamesWithCommasQuotesOrLineEnds) {
@@ -57,9 +59,8 @@ TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
   ListedDesign uncertain = design("");
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
-  EXPECT_NE(csv.find(",return_friction,first_share,rank_median,rank_p5,rank_p95\n"),
-            std::string::npos);
-  EXPECT_TRUE(csv.ends_with(",10.5,0.25,4,1,9\n"));
+  EXPECT_NE(csv.find(",score,first_share,rank_median,rank_p5,rank_p95\n"), std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",16.5,0.25,4,1,9\n"));
 }
 
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {

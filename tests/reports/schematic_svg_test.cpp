@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <set>
@@ -10,49 +11,16 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "numerics/random.hpp"
 #include "reports/svg.hpp"
 #include "tests/support/random_routing.hpp"
+#include "tests/support/svg.hpp"
 
 namespace reeve {
 namespace {
 
-std::size_t count(const std::string& text, const std::string& piece) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-// Tags that nest and attributes in quotes, each once: what an XML parser insists on.
-void expect_well_formed(const std::string& svg) {
-  static const std::regex tag(R"re(<(/?)([a-z]+)((?: [A-Za-z:-]+="[^"<]*")*)(/?)>)re");
-  static const std::regex attribute(R"re( ([A-Za-z:-]+)=")re");
-  std::vector<std::string> open;
-  std::size_t tags = 0;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), tag), end; found != end;
-       ++found, ++tags) {
-    const std::string name = found->str(2);
-    const std::string attributes = found->str(3);
-    std::set<std::string> names;
-    for (std::sregex_iterator a(attributes.begin(), attributes.end(), attribute); a != end; ++a) {
-      EXPECT_TRUE(names.insert(a->str(1)).second) << found->str();
-    }
-    if (!found->str(4).empty()) continue;
-    if (found->str(1).empty()) {
-      open.push_back(name);
-    } else {
-      ASSERT_FALSE(open.empty());
-      EXPECT_EQ(open.back(), name);
-      open.pop_back();
-    }
-  }
-  EXPECT_TRUE(open.empty());
-  EXPECT_EQ(tags, count(svg, "<"));
-  EXPECT_EQ(count(svg, "nan"), 0U);
-  static const std::regex bare("&(?!amp;|lt;|gt;|quot;|#39;)");
-  EXPECT_FALSE(std::regex_search(svg, bare));
-}
+using testing::count;
+using testing::expect_well_formed;
 
 // The stroke widths of the segments, by name.
 std::map<std::string, double> widths(const std::string& svg) {
@@ -174,12 +142,26 @@ TEST(SchematicSheet, HoldsAllOverOneLegend) {
   EXPECT_EQ(count(svg, ">sheath</text>"), 1U);
 }
 
+TEST(SvgNumber, RoundsToTheNearestHundredth) {
+  for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
+    const double value = 1000 * normal(seed, 1, 0) * std::pow(10, -4 * uniform(seed, 1, 1));
+    const std::string text = svg::number(value);
+    EXPECT_NEAR(std::stod(text), value, 0.005000001) << text;
+    const std::size_t point = text.find('.');
+    EXPECT_TRUE(point == std::string::npos || (text.size() - point <= 3 && text.back() != '0'))
+        << text;
+  }
+}
+
 TEST(SvgNumber, IsShortAndNeverMinusZero) {
   EXPECT_EQ(svg::number(12), "12");
   EXPECT_EQ(svg::number(0.126), "0.13");
   EXPECT_EQ(svg::number(2.5), "2.5");
   EXPECT_EQ(svg::number(-0.001), "0");
   EXPECT_EQ(svg::number(100), "100");
+  EXPECT_EQ(svg::number(0.07), "0.07");
+  EXPECT_EQ(svg::number(-1234567.5), "-1234567.5");
+  EXPECT_EQ(svg::number(1e20), "100000000000000000000");
 }
 
 }  // namespace

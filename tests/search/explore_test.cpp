@@ -38,7 +38,7 @@ ExploreOptions options_for(const PartSet& parts, int fingers, const Objectives& 
   ExploreOptions options;
   options.generator = {parts, fingers, FingerIdentity::identical, false};
   options.grasps = single_grasps(fingers);
-  options.objectives = objectives;
+  options.order = objectives;
   options.threads = 1;
   return options;
 }
@@ -150,7 +150,7 @@ void expect_naive_result(const ExploreOptions& options) {
   EXPECT_EQ(result.evaluated, naive.generated - naive.not_actuated);
   EXPECT_EQ(rejections(result) + naive.kept.size(), naive.generated);
   EXPECT_FALSE(result.partial);
-  const std::vector<RankedDesign> expected = rank(naive.kept, options.objectives);
+  const std::vector<RankedDesign> expected = rank(naive.kept, options.order);
   expect_top(result, expected, options.top);
   EXPECT_EQ(result.front.size() + result.front_equals_left_out, front_size(expected));
   for (const RankedDesign& entry : result.front) EXPECT_EQ(entry.front, 1);
@@ -212,7 +212,7 @@ TEST(Explore, AgreesWithANaiveProgramOverSeveralBatches) {
   const Naive naive = naive_program(options);
   const ExploreResult result = explore(options);
   ASSERT_GT(result.evaluated, 20000U);
-  const std::vector<RankedDesign> expected = ranked_by_sweep(naive.kept, options.objectives);
+  const std::vector<RankedDesign> expected = ranked_by_sweep(naive.kept, options.order.objectives);
   expect_top(result, expected, options.top);
   EXPECT_EQ(result.front.size() + result.front_equals_left_out, front_size(expected));
   EXPECT_EQ(result.generated, naive.generated);
@@ -344,7 +344,7 @@ TEST(Explore, StoppedItIsPartialAndTrueToWhatItSaw) {
   const Naive naive = naive_program(options, result.generated);
   EXPECT_EQ(result.evaluated, naive.kept.size());
   EXPECT_EQ(result.rejected[0].count, naive.not_actuated);
-  expect_top(result, ranked_by_sweep(naive.kept, options.objectives), options.top);
+  expect_top(result, ranked_by_sweep(naive.kept, options.order.objectives), options.top);
 }
 
 TEST(Explore, ToldNotToStopItFinishes) {

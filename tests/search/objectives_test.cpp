@@ -13,7 +13,8 @@ namespace {
 
 const std::string all_names =
     "uniformity_mean, uniformity_worst, efficiency_mean, efficiency_worst, force_transmission, "
-    "jams, sheaths, pulleys, knots, travel, return_friction";
+    "jams, sheaths, pulleys, knots, travel, return_friction, adaptability, torsional_balance, "
+    "reliability, authors_efficiency, transmission, score";
 
 std::string objectives_message(const std::string& text) {
   return testing::input_error([&] { parse_objectives(text); });
@@ -30,7 +31,8 @@ std::string unknown(const std::string& option, const std::string& name) {
 // Two grasps, the second three times as important and jammed.
 DesignOutcome hand_made() {
   DesignOutcome outcome;
-  outcome.grasps = {{1, false, {0.5, 0.2, 1.0}, 0.4}, {3, true, {0.1, 0.6, 2.0}, 0.8}};
+  outcome.grasps = {{1, false, {0.5, 0.2, 1.0}, 0.4, {8, 6, 4, 2, 1}},
+                    {3, true, {0.1, 0.6, 2.0}, 0.8, {4, 2, 0, 6, 5}}};
   outcome.parts = {5, 3, 1};
   outcome.travel = 1.5;
   return outcome;

@@ -39,7 +39,7 @@ std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardw
 UncertaintyOptions options_for(std::size_t draws) {
   UncertaintyOptions options;
   options.grasps = single_grasps(2);
-  options.objectives = {Objective::uniformity_mean, Objective::efficiency_mean};
+  options.order = {Objective::uniformity_mean, Objective::efficiency_mean};
   options.draws = draws;
   options.threads = 1;
   return options;
@@ -63,7 +63,7 @@ const std::vector<std::string>& close_rivals() {
 
 UncertaintyOptions varying(std::size_t draws) {
   UncertaintyOptions options = options_for(draws);
-  options.objectives = {Objective::efficiency_mean};
+  options.order = {Objective::efficiency_mean};
   options.ranges = {{0, 0.4}, {0, 0.4}, 1, 0.9};
   return options;
 }
@@ -84,8 +84,8 @@ std::vector<std::vector<std::size_t>> ranks_by_draw(const std::vector<std::strin
                                                     const UncertaintyOptions& options) {
   std::vector<std::vector<std::size_t>> ranks(words.size());
   for (std::uint64_t draw = 0; draw < options.draws; ++draw) {
-    const std::vector<RankedDesign> ranked = rank(
-        evaluated(words, draw_model(options, draw).hardware, options.grasps), options.objectives);
+    const std::vector<RankedDesign> ranked =
+        rank(evaluated(words, draw_model(options, draw).hardware, options.grasps), options.order);
     for (std::size_t i = 0; i < words.size(); ++i) {
       const auto entry = std::find_if(ranked.begin(), ranked.end(), [&](const RankedDesign& r) {
         return r.design.word == words[i];
@@ -149,7 +149,7 @@ TEST(DrawHardware, IsAFunctionOfSeedAndNumberAlone) {
   const UncertaintyOptions options = options_for(10);
   UncertaintyOptions others = options_for(5000);
   others.threads = 8;
-  others.objectives = {Objective::sheaths};
+  others.order = {Objective::sheaths};
   others.grasps = paper_grasps();
   for (const std::uint64_t draw : {9U, 3U, 0U, 3U}) {
     EXPECT_EQ(drawn(draw_model(options, draw).hardware), drawn(draw_model(others, draw).hardware));
@@ -261,7 +261,7 @@ TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
                     0};
   const std::vector<Design> designs = designs_of(options);
   const auto distributions = drawn(designs, options);
-  for (const RankedDesign& ranked : rank(designs, options.objectives)) {
+  for (const RankedDesign& ranked : rank(designs, options.order)) {
     for (std::size_t i = 0; i < designs.size(); ++i) {
       if (designs[i].word != ranked.design.word) continue;
       const auto place = static_cast<double>(ranked.rank);

@@ -1,0 +1,34 @@
+// The five indicators by which the authors of the dual-tendon routings judge them (B. Kim, U.
+// Jeong, K.-J. Cho, IEEE Robotics and Automation Letters 10(4), 2025), for any number n of fingers.
+// With S the sum of the strand tensions, on a scale on which 10 is best:
+//
+//   adaptability         10 (1 − (greatest − least finger pull) / S), pull: sum of a finger's
+//   strands torsional balance    10 (1 − greatest |T(2f−1) − T(2f)| / S), over the fingers f
+//   reliability          10 (1 − F / S), F: greatest friction force |T_l − T_r| at any contact,
+//   those
+//                        of sheaths and pulleys among them
+//   authors' efficiency  10 n_a S / (2n T_M), n_a: motor-side segments; work over work if all
+//   strands
+//                        closed alike (motor efficiency: performance.hpp)
+//   transmission         10 S / (2n T_M)
+//
+// For two fingers these are the authors' formulas. They judge with finger 1 held. All are 0 where
+// the strands are slack.
+#pragma once
+
+#include "core/network.hpp"
+#include "core/tension.hpp"
+
+namespace reeve {
+
+struct Indicators {
+  double adaptability = 0;
+  double torsional_balance = 0;
+  double reliability = 0;
+  double authors_efficiency = 0;
+  double transmission = 0;
+};
+
+Indicators indicators(const Network& network, const TensionState& state);
+
+}  // namespace reeve

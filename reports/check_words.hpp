@@ -1,0 +1,13 @@
+// What a checked number is, in words.
+#pragma once
+
+#include <string>
+
+#include "catalog/check.hpp"
+
+namespace reeve {
+
+// "T3", "share of T3, %", "reliability"
+std::string quantity_text(const CheckedQuantity& quantity);
+
+}  // namespace reeve

@@ -1,0 +1,46 @@
+// What publications of the catalogue draw of their model, beside readings of the same routings in
+// the same grasps: how far the lines as printed are off, how far the equations with the same
+// coefficient, and where the two are not the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/measured_data.hpp"
+
+namespace reeve {
+
+// One stretch of the diagnosis' losses (diagnosis/losses.hpp) as the lines have it.
+struct PublishedLoss {
+  std::size_t loss = 0;   // in DiagnosisResult::losses
+  double printed = 0;     // ln of the ratio of the printed shares
+  double equations = 0;   // of what the equations give with the lines' coefficient
+  int sheaths = 0;        // losses e^{-phi_s} that the equations have there,
+  int sheaths_drawn = 0;  // and the lines, by the fault that is listed
+};
+
+struct PublishedLine {
+  std::size_t group = 0;  // in ShareErrors::groups
+  std::string source;     // "Table IV"
+  std::vector<double> shares;
+  double error = 0;      // √ Σ (share − share)² of the lines as printed, and
+  double equations = 0;  // of what the equations give
+};
+
+struct PublishedModel {
+  std::string name;  // "Tables I to VII", "Fig. 9 (b)"
+  double mu = 0;     // of tubes and sheaths
+  std::vector<PublishedLine> lines;
+  double error = 0;  // means over the lines
+  double equations = 0;
+  std::vector<PublishedLoss> losses;  // those that lines and equations have otherwise
+};
+
+// By coefficient, the greatest first. Empty if no group of the diagnosis' share errors is
+// published.
+std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
+                                             const DiagnosisResult& result);
+
+}  // namespace reeve

@@ -1,0 +1,103 @@
+// What the script of an exploration makes of designs before Vega draws it (exploration_charts.js
+// needs no page, so none is opened). The program draws the static pictures by the same rules, which
+// tests/pages/exploration_pictures_test.cpp holds to the same cases.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import vm from "node:vm";
+import { sources } from "./places.mjs";
+
+const pages = join(sources, "pages");
+const names = ["pareto", "parallel", "tensions", "ranks"];
+const read = (name) => JSON.parse(readFileSync(join(pages, "charts", `${name}.json`), "utf8"));
+const specifications = Object.fromEntries(names.map((name) => [name, read(name)]));
+const script = readFileSync(join(pages, "assets/exploration_charts.js"), "utf8");
+const charts = vm.runInNewContext(`${script}; explorationCharts`, {
+  reeve: { data: { specifications } },
+  structuredClone,
+});
+// Out of the script's world, whose arrays are none of ours.
+const plain = (value) => JSON.parse(JSON.stringify(value));
+
+const objectives = ["higher", "higher", "lower"].map((better, i) => ({
+  title: `objective ${i}`,
+  unit: "1",
+  better,
+  greatest: i === 2 ? null : 1,
+}));
+
+// `count` designs, each hundredth on the front, no two values alike.
+function many(count) {
+  const rows = Array.from({ length: count }, (_, i) => i);
+  return {
+    objectives,
+    ranking: [0, 1],
+    designs: {
+      word: rows.map((i) => `M-${i}-F`),
+      name: rows.map(() => ""),
+      rank: rows.map((i) => i + 1),
+      front: rows.map((i) => (i < count / 100 ? 1 : 2)),
+      kind: rows.map((i) => (i < count / 100 ? 1 : 0)),
+      values: objectives.map((_, k) => rows.map((i) => ((i * (7919 + 2 * k)) % count) / count)),
+    },
+  };
+}
+
+test("the edge of the front goes through what none beats, whichever way is better", () => {
+  const points = [[1, 3], [2, 2], [3, 1], [1.5, 1.5], [2.5, 2.5]];
+  const edge = (x, y) =>
+    plain(charts.frontLine(points, [{ better: x }, { better: y }], [[0, 4], [0, 5]])).map(
+      ({ x: across, y: up }) => [across, up],
+    );
+  assert.deepEqual(edge("higher", "higher"), [[3, 0], [3, 1], [2.5, 2.5], [1, 3], [0, 3]]);
+  assert.deepEqual(edge("lower", "lower"), [[1, 5], [1, 3], [1.5, 1.5], [3, 1], [4, 1]]);
+  assert.deepEqual(edge("higher", "lower"), [[3, 5], [3, 1], [0, 1]]);
+  assert.deepEqual(edge("lower", "higher"), [[1, 0], [1, 3], [4, 3]]);
+});
+
+test("of many designs a part is drawn, and the front whole", () => {
+  const data = many(20_000);
+  const { drawn, of, spec } = charts.pareto({ data, axes: [0, 1] });
+  const rows = new Set(spec.datasets.points.map(({ row }) => row));
+  assert.equal(of, 20_000);
+  assert.equal(drawn, rows.size);
+  assert.ok(drawn < 9500, `${drawn} drawn`);
+  for (let row = 0; row < 200; ++row) assert.ok(rows.has(row), `${row}`);
+});
+
+test("the edge is drawn only where the ranking counts both axes", () => {
+  const corners = (axes) => charts.pareto({ data: many(300), axes }).spec.datasets.edge.length;
+  assert.ok(corners([0, 1]) >= 3);
+  assert.ok(corners([1, 0]) >= 3);
+  assert.equal(corners([0, 2]), 0);
+});
+
+test("a specification is filled anew each time, and the file's stays as it was", () => {
+  const before = plain(specifications);
+  const { spec } = charts.pareto({ data: many(300), axes: [0, 2] });
+  assert.equal(spec.encoding.x.title, "objective 0 (higher is better)");
+  assert.equal(spec.encoding.y.title, "objective 2 (lower is better)");
+  const params = Object.fromEntries(spec.params.map(({ name, value }) => [name, value]));
+  assert.deepEqual(plain(params), {
+    greatest_x: 1,
+    greatest_y: null,
+    present: ["listed", "on the front"],
+  });
+  const narrow = charts.parallel({ data: many(300), narrow: true }).spec;
+  assert.equal(narrow.params.find(({ name }) => name === "narrow").value, true);
+  assert.equal(narrow.encoding.x.scale.domain[2], "objective 2 (turned)");
+  assert.deepEqual(specifications, before);
+});
+
+test("up is better on every axis", () => {
+  const data = many(300);
+  const lines = charts.parallel({ data }).spec.datasets.lines;
+  const height = (row, axis) => lines.find((each) => each.row === row && each.axis === axis).at;
+  const [low, high] = [0, 1].map((end) => {
+    const column = data.designs.values[2];
+    return column.indexOf((end === 0 ? Math.min : Math.max)(...column));
+  });
+  assert.equal(height(low, "objective 2 (turned)"), 1);
+  assert.equal(height(high, "objective 2 (turned)"), 0);
+});

@@ -1,0 +1,103 @@
+#include "core/indicators.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/notation.hpp"
+
+namespace reeve {
+namespace {
+
+Indicators indicators_of(const std::string& word, Grasp grasp, const Hardware& hardware = {}) {
+  const Network network = expand(parse_routing(word));
+  return indicators(network, tensions(network, mechanics(network, hardware), grasp));
+}
+
+double mean(const Indicators& of) {
+  return (of.adaptability + of.torsional_balance + of.reliability + of.authors_efficiency +
+          of.transmission) /
+         5;
+}
+
+Hardware with_friction(double tube, double sheath) {
+  Hardware hardware;
+  hardware.tube.mu = tube;
+  hardware.sheath.mu = sheath;
+  return hardware;
+}
+
+struct Published {
+  const char* word;
+  double thought;  // mean of the five at the coefficients that the supplement assumes
+  double fitted;   // at those that the authors' readings show
+};
+
+TEST(Indicators, HaveTheMeansOfTheSevenRoutings) {
+  const std::array<Published, 7> rows{{{"M-1-T-2-F", 3.21, 7.76},
+                                       {"M-1-T-2-M", 4.15, 7.64},
+                                       {"F-1-P-2-F", 5.14, 7.82},
+                                       {"M-1-P-2-F", 2.13, 7.04},
+                                       {"M-1-P-2-M", 2.34, 7.11},
+                                       {"1-T-2-P-1", 5.14, 7.82},
+                                       {"1-P-2-P-1", 5.75, 7.71}}};
+  for (const Published& row : rows) {
+    EXPECT_NEAR(mean(indicators_of(row.word, hold({1}))), row.thought, 0.005) << row.word;
+    EXPECT_NEAR(mean(indicators_of(row.word, hold({1}), with_friction(0.0525, 0.0454))), row.fitted,
+                0.005)
+        << row.word;
+  }
+}
+
+// T1 … T4 and a by hand: 1, r, r², r³ behind one sheath.
+TEST(Indicators, OfTr1FollowFromItsClosedForm) {
+  const double r = std::exp(-0.18 * std::numbers::pi);
+  const double sheath = std::exp(0.36 * std::numbers::pi);
+  const double sum = 1 + r + r * r + r * r * r;
+  const Indicators found = indicators_of("M-1-T-2-F", hold({1}));
+  EXPECT_NEAR(found.adaptability, 10 * (1 - (1 + r - r * r - r * r * r) / sum), 1e-12);
+  EXPECT_NEAR(found.torsional_balance, 10 * (1 - (1 - r) / sum), 1e-12);
+  EXPECT_NEAR(found.reliability, 10 * (1 - (sheath - 1) / sum), 1e-12);
+  EXPECT_NEAR(found.transmission, 10 * sum / (4 * sheath), 1e-12);
+  EXPECT_NEAR(found.authors_efficiency, found.transmission, 1e-12);
+}
+
+TEST(Indicators, OfPartsWithoutFrictionAreTenWhereAllStrandsCloseAlike) {
+  Hardware smooth = with_friction(0, 0);
+  smooth.bearing.mu = 0;
+  for (const char* word : {"1-P-2-P-1", "1-P-2-P-3-P-1"}) {
+    const Indicators found = indicators_of(word, hold({1}), smooth);
+    EXPECT_NEAR(found.adaptability, 10, 1e-12) << word;
+    EXPECT_NEAR(found.torsional_balance, 10, 1e-12) << word;
+    EXPECT_NEAR(found.reliability, 10, 1e-12) << word;
+    EXPECT_NEAR(found.authors_efficiency, 10, 1e-12) << word;
+  }
+}
+
+// Three fingers in a row: pulls 1 + r, r² + r³, r⁴ + r⁵.
+TEST(Indicators, OfMoreFingersCompareTheGreatestWithTheLeast) {
+  const double r = std::exp(-0.18 * std::numbers::pi);
+  double sum = 0;
+  for (int i = 0; i < 6; ++i) sum += std::pow(r, i);
+  const Indicators found = indicators_of("M-1-T-2-T-3-F", hold({1}));
+  EXPECT_NEAR(found.adaptability, 10 * (1 - (1 + r - std::pow(r, 4) - std::pow(r, 5)) / sum),
+              1e-12);
+  EXPECT_NEAR(found.transmission, 10 * sum / 6 * std::exp(-0.36 * std::numbers::pi), 1e-12);
+}
+
+TEST(Indicators, OfFingersOnTwoTendonsCountAllSegmentsAtTheMotor) {
+  const Indicators found = indicators_of("M-1-M+M-2-M", Grasp{}, with_friction(0, 0));
+  EXPECT_NEAR(found.authors_efficiency, 10, 1e-12);
+  EXPECT_NEAR(found.transmission, 2.5, 1e-12);
+}
+
+TEST(Indicators, OfABenchWithoutStrandsAreZero) {
+  const Indicators found = indicators_of("M-F", Grasp{});
+  EXPECT_EQ(found.adaptability, 0);
+  EXPECT_EQ(found.transmission, 0);
+}
+
+}  // namespace
+}  // namespace reeve

@@ -1,0 +1,114 @@
+#include "diagnosis/losses.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+constexpr double tube = 0.18 * std::numbers::pi;
+constexpr double sheath = 0.36 * std::numbers::pi;
+constexpr double bearing = 0.001 * std::numbers::pi;
+
+// Forecasts as measured, but for a loss that the model thinks twice as large.
+std::vector<ComparedCell> compared(const MeasuredData& data) {
+  std::vector<ComparedCell> cells;
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    const Reading& reading = data.readings[i];
+    for (std::size_t c = 0; c < data.channels.size(); ++c) {
+      if (!reading.tension_N[c]) continue;
+      ComparedCell cell;
+      cell.cell = {i, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]};
+      cell.before_N = std::pow(cell.cell.measured_N, 2);
+      cell.after_N = cell.cell.measured_N;
+      cell.deviation_N = 0.01 * cell.cell.measured_N;
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+// Of TR1 to TR7 with finger 1 held, whose directions and ratios the paper derives by hand.
+TEST(Losses, AreTheExponentsBetweenNeighbouringSensors) {
+  const double t = std::exp(-tube), s = std::exp(-sheath), b = std::exp(-bearing);
+  const std::string tr4 =
+      fmt::format("{},{},{},{}", 50.0, 50 * t, 50 * t * s * s * b, 50 * t * t * s * s * b);
+  const MeasuredData data =
+      read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-P-2-F,1," + tr4 + "\n");
+  const auto found = losses(data, Model{}, compared(data));
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(name(found[0].high), "T1");
+  EXPECT_EQ(name(found[0].low), "T2");
+  EXPECT_NEAR(found[0].measured, tube, 1e-12);
+  EXPECT_NEAR(found[1].measured, 2 * sheath + bearing, 1e-12);
+  EXPECT_NEAR(found[1].before, 2 * found[1].measured, 1e-12);
+  EXPECT_NEAR(found[1].after, found[1].measured, 1e-12);
+  EXPECT_NEAR(found[1].deviation, std::hypot(0.01, 0.01), 1e-12);
+  EXPECT_EQ(found[1].over, (std::vector<ContactKind>{ContactKind::sheath, ContactKind::bearing,
+                                                     ContactKind::sheath}));
+  EXPECT_NEAR(found[2].measured, tube, 1e-12);
+}
+
+// In TR7 the tips hold with less than they could, and the sheaths at P work against each other; in
+// TR3 only the tips' friction is used up, from the inner strands outward.
+TEST(Losses, LeaveOutContactsWhoseFrictionIsNotUsedUp) {
+  const MeasuredData data = read_data(
+      "run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,1-P-2-P-1,1,25,25,25,25\n1,TR3,1,20,30,30,20\n");
+  const auto found = losses(data, Model{}, compared(data));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(name(found[0].high) + name(found[0].low), "T2T1");
+  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T3T4");
+}
+
+TEST(Losses, SkipWhatIsNotMeasuredBetween) {
+  const MeasuredData data =
+      read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-F,1,40,,20,10\n");
+  const auto found = losses(data, Model{}, compared(data));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(name(found[0].high) + name(found[0].low), "T1T3");
+  EXPECT_NEAR(found[0].measured, std::log(2.0), 1e-12);
+  EXPECT_EQ(found[0].over.size(), 2U);
+}
+
+// Four mountings of three contacts each, with a little scatter, and one contact that loses far
+// more.
+TEST(Losses, OneThatIsFarFromTheOthersStandsApart) {
+  std::string apart = "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n";
+  const char* routings[] = {"M-1-T-2-F", "M-1-T-2-F", "M-2-T-1-F", "M-2-T-1-F"};
+  int k = 0;
+  for (int i = 0; i < 4; ++i) {
+    double tension = 40;
+    apart += fmt::format("{},{},{},pull", i, routings[i], i % 2 == 0 ? "1" : "2");
+    double strands[4];
+    for (double& strand : strands) {
+      strand = tension;
+      tension *= std::exp(-tube - (k++ == 6 ? 0.4 : 0.01 * ((7 * k) % 5 - 2)));
+    }
+    const bool second_first = i >= 2;
+    for (int j = 0; j < 4; ++j)
+      apart += fmt::format(",{}", strands[second_first ? (j + 2) % 4 : j]);
+    apart += "\n";
+  }
+  const MeasuredData data = read_data(apart);
+  std::vector<ComparedCell> cells = compared(data);
+  for (ComparedCell& cell : cells) {
+    const auto walk = cell.cell.segment;
+    cell.after_N = 40 * std::exp(-tube * static_cast<double>(walk));
+  }
+  const auto found = losses(data, Model{}, cells);
+  ASSERT_EQ(found.size(), 12U);
+  std::size_t marked = 0;
+  for (const Loss& loss : found) {
+    marked += loss.stands_apart ? 1 : 0;
+    EXPECT_EQ(loss.stands_apart, loss.measured > tube + 0.2);
+  }
+  EXPECT_EQ(marked, 1U);
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,165 @@
+// The plots of an exploration without its script: which designs they show, and where.
+#include "pages/exploration_pictures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "search/shown_objectives.hpp"
+#include "tests/pages/explored.hpp"
+#include "tests/support/read_chart.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::explored;
+using testing::read_chart;
+using testing::ReadMark;
+using testing::ReadPanel;
+using testing::small_options;
+
+constexpr TwoObjectives usual{Objective::uniformity_mean, Objective::efficiency_mean};
+
+std::vector<PageDesign> designs(const ExploreReport& report) {
+  return page_designs(report, 1'000'000);
+}
+
+TEST(DrawnDesigns, AreFewOfManyButTheWholeFront) {
+  const std::vector<PageDesign> all = designs(testing::large(20'000));
+  const std::vector<DrawnDesign> drawn = thinned(all, usual);
+  std::set<std::size_t> rows;
+  std::size_t stand_for = 0;
+  for (const DrawnDesign& each : drawn) {
+    rows.insert(each.design);
+    stand_for += each.count;
+  }
+  EXPECT_EQ(rows.size(), drawn.size());
+  EXPECT_EQ(stand_for, 20'000U);
+  EXPECT_LT(drawn.size(), 6'000U);
+  for (std::size_t row = 0; row < 200; ++row) EXPECT_TRUE(rows.contains(row)) << row;
+}
+
+TEST(DrawnDesigns, AreAllKnownRoutingsEvenOnOneSpot) {
+  std::vector<PageDesign> all(3);
+  for (PageDesign& design : all) design.kind = Kind::known;
+  EXPECT_EQ(thinned(all, usual).size(), 3U);
+  for (PageDesign& design : all) design.kind = Kind::listed;
+  EXPECT_EQ(thinned(all, usual).size(), 1U);
+}
+
+// The line's corners for points of which (1.5, 1.5) and (2.5, 2.5) are in the middle; as {x, y}.
+std::vector<std::pair<double, double>> edge(Objective x, Objective y) {
+  const std::vector<Point> front{{1, 3}, {2, 2}, {3, 1}, {1.5, 1.5}, {2.5, 2.5}};
+  std::vector<Point> shown = front;
+  shown.insert(shown.end(), {{0, 0}, {4, 5}});
+  std::vector<std::pair<double, double>> corners;
+  for (const Point& at : front_edge(front, {x, y}, shown)) corners.emplace_back(at.x, at.y);
+  return corners;
+}
+
+TEST(FrontEdge, GoesThroughWhatNoneBeatsWhicheverWayIsBetter) {
+  using Corners = std::vector<std::pair<double, double>>;
+  const Objective higher = Objective::uniformity_mean;
+  const Objective lower = Objective::sheaths;
+  EXPECT_EQ(edge(higher, higher), (Corners{{3, 0}, {3, 1}, {2.5, 2.5}, {1, 3}, {0, 3}}));
+  EXPECT_EQ(edge(lower, lower), (Corners{{1, 5}, {1, 3}, {1.5, 1.5}, {3, 1}, {4, 1}}));
+  EXPECT_EQ(edge(higher, lower), (Corners{{3, 5}, {3, 1}, {0, 1}}));
+  EXPECT_EQ(edge(lower, higher), (Corners{{1, 0}, {1, 3}, {4, 3}}));
+}
+
+TEST(ParetoPicture, PutsEveryMarkWhereItsDesignIs) {
+  const ExploreReport report = explored(small_options());
+  const std::vector<PageDesign> all = designs(report);
+  std::map<std::string, const PageDesign*> by_label;
+  for (const PageDesign& design : all) {
+    by_label[(design.name.empty() ? "" : design.name + ": ") + design.word] = &design;
+  }
+  const ReadPanel panel =
+      read_chart(pareto_picture(all, report.options.order.objectives).figure.svg).front();
+  const std::vector<ReadMark> marks = panel.marks("points");
+  EXPECT_EQ(marks.size(), thinned(all, usual).size());
+  EXPECT_GT(marks.size(), 20U);
+  for (const ReadMark& mark : marks) {
+    const PageDesign& design = *by_label.at(mark.title.substr(0, mark.title.find('\n')));
+    EXPECT_NEAR(panel.x_of(mark), value(design.values, Objective::uniformity_mean), 1e-4);
+    EXPECT_NEAR(panel.y_of(mark), value(design.values, Objective::efficiency_mean), 1e-4);
+  }
+}
+
+TEST(ParetoPicture, NamesTheKnownRoutingsOnce) {
+  const ExploreReport report = explored(small_options());
+  std::vector<PageDesign> all = designs(report);
+  std::vector<PageDesign> twice;
+  for (PageDesign& design : all) {
+    if (design.kind != Kind::known) continue;
+    design.name = "K" + design.word.substr(0, 1);
+    twice.push_back(design);
+    twice.back().name += "'";
+  }
+  all.insert(all.end(), twice.begin(), twice.end());
+  const ReadPanel panel =
+      read_chart(pareto_picture(all, report.options.order.objectives).figure.svg)[0];
+  for (const char* label : {"KM, KM'", "KF, KF'", "K1, K1'"}) {  // those on one spot together
+    EXPECT_EQ(std::count(panel.texts.begin(), panel.texts.end(), label), 1) << label;
+  }
+}
+
+TEST(ParetoPicture, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
+  const ExploreReport report = explored(small_options());
+  const auto edges = [&](const std::vector<Objective>& ranking) {
+    return read_chart(pareto_picture(designs(report), ranking).figure.svg)
+        .front()
+        .marks("paths")
+        .size();
+  };
+  EXPECT_EQ(edges({Objective::uniformity_mean, Objective::efficiency_mean}), 1U);
+  EXPECT_EQ(edges({Objective::sheaths}), 0U);  // over uniformity, which does not count
+}
+
+TEST(ParetoPicture, EndsWhereUniformityDoes) {
+  const ExploreReport report = explored(small_options());
+  const ReadPanel panel =
+      read_chart(pareto_picture(designs(report), report.options.order.objectives).figure.svg)
+          .front();
+  EXPECT_EQ(panel.x.back().text, "1.0");
+}
+
+TEST(ParallelPicture, HasALineForEachOfAFewAndForPartOfMany) {
+  const auto lines = [](const ExploreReport& report) {
+    return read_chart(
+               parallel_picture(designs(report), shown_objectives({}, authors_score())).figure.svg)
+        .front()
+        .marks("paths")
+        .size();
+  };
+  EXPECT_EQ(lines(explored(small_options())), 54U);
+  const std::size_t many = lines(testing::large(20'000));
+  EXPECT_LE(many, 252U);
+  EXPECT_GT(many, 200U);
+}
+
+TEST(ParallelPicture, SaysWhichAxesAreTurnedRound) {
+  const ReadPanel panel = read_chart(parallel_picture(designs(explored(small_options())),
+                                                      shown_objectives({}, authors_score()))
+                                         .figure.svg)
+                              .front();
+  const auto& texts = panel.texts;
+  EXPECT_EQ(std::count(texts.begin(), texts.end(), "sheaths (turned)"), 1);
+  EXPECT_EQ(std::count(texts.begin(), texts.end(), "uniformity mean"), 1);
+}
+
+TEST(Pictures, AreMadeEvenIfNothingIsLeft) {
+  for (const std::string& svg :
+       {pareto_picture({}, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg,
+        parallel_picture({}, shown_objectives({}, authors_score())).figure.svg}) {
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace reeve
