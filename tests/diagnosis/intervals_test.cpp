@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "diagnosis/fit.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
@@ -141,6 +143,69 @@ TEST(ParameterIntervals, LieWithinTheRangeOfTheParameter) {
 TEST(ParameterIntervals, OfAModelWithoutEffectsAreNone) {
   const Bench bench(Pattern{});
   EXPECT_TRUE(parameter_intervals(bench.problem, {}).empty());
+}
+
+// Half the width of a mean over so many readings, of which scatter between runs says more than
+// noise.
+double by_scatter(double square, double degrees_t, double readings) {
+  return degrees_t * std::sqrt(square * bench_noise_N * bench_noise_N / readings);
+}
+
+// T2 is read in two of eight runs: its own scatter between them is not known, and it is taken to
+// scatter as T1 and T2 do together.
+TEST(ParameterIntervals, OfWhatTwoRunsTellTakeTheScatterOfAllParameters) {
+  const Bench whole({8, 3, 5, 0.001}, [](std::size_t run) {
+    return Pattern{1 + normal(5, 0x5ca7, run), 2 + normal(6, 0x5ca7, run)};
+  });
+  Bench bench(Pattern{});
+  bench.data = whole.data;
+  for (Reading& reading : bench.data.readings) {
+    if (reading.run > 1) reading.tension_N[1].reset();
+  }
+  std::vector<std::size_t> all(bench.data.readings.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  bench.dataset = dataset(bench.data, all);
+  bench.problem = problem(
+      bench.dataset, Eigen::VectorXd::Constant(
+                         static_cast<Eigen::Index>(bench.dataset.cells.size()), bench_noise_N));
+  double square = 0;
+  for (const auto& [seed, runs] : {std::pair{5U, 8U}, std::pair{6U, 2U}}) {
+    double mean = 0;
+    for (std::size_t run = 0; run < runs; ++run) mean += normal(seed, 0x5ca7, run) / runs;
+    for (std::size_t run = 0; run < runs; ++run) {
+      square += 3 * std::pow((normal(seed, 0x5ca7, run) - mean) / bench_noise_N, 2) / (10 - 2);
+    }
+  }
+  const PatternCause on_T2("on_T2", {0, 1});
+  Model two = on_T1.model(0.5);
+  add_effect(two, on_T2.model(0.5).effects[0]);
+  const Intervals found = intervals(bench.problem, two);
+  const double expected = by_scatter(square, 2.306, 6);
+  EXPECT_NEAR(half_width(found.at(1).at(0)), expected, 0.01 * expected);
+}
+
+// How runs differ is not to be seen in three.
+TEST(ParameterIntervals, OfThreeRunsAreThoseOfIndependentReadings) {
+  const Bench bench({3, 8}, [](std::size_t run) {
+    return Pattern{1 + 0.3 * normal(1, 0x5ca7, run), 1 + 0.3 * normal(2, 0x5ca7, run)};
+  });
+  const PatternCause on_T2("on_T2", {0, 1});
+  Model both = on_T1.model(0.5);
+  add_effect(both, on_T2.model(0.5).effects[0]);
+  const Model fitted = fit(bench.problem, both).model;
+  const Forecast at = forecast(bench.dataset, fitted);
+  const double spread = residuals(bench.problem, at).squaredNorm() / (4 * 24 - 2);
+  const double expected = by_scatter(spread, 1.986, 24);
+  EXPECT_NEAR(half_width(parameter_intervals(bench.problem, fitted).at(0).at(0)), expected,
+              0.01 * expected);
+}
+
+TEST(ParameterIntervals, OfWhatNoReadingDependsOnAreTheRangeOfTheParameter) {
+  const PatternCause nowhere("nowhere", {});
+  const Bench bench({1});
+  const ParameterInterval found = parameter_intervals(bench.problem, nowhere.model(0)).at(0).at(0);
+  EXPECT_EQ(found.low, -20);
+  EXPECT_EQ(found.high, 20);
 }
 
 }  // namespace
