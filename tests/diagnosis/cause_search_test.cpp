@@ -1,5 +1,6 @@
 #include "diagnosis/cause_search.hpp"
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -132,21 +133,6 @@ TEST(CauseSearch, DoesNotAcceptWhatTheScreeningTakesForChance) {
   EXPECT_LE(accepted, 1U);
 }
 
-// The same in the hardware: so far from what was thought that its first step shows nothing.
-class LateFriction final : public Cause {
- public:
-  const char* name() const override { return "late_friction"; }
-  Reach reach() const override { return Reach::hardware; }
-  const char* meaning() const override { return ""; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"size", "1", 0, {0, 1}, std::nullopt}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
-  void change_hardware(Hardware& hardware, const Effect& effect) const override {
-    hardware.tube.mu += effect.values[0] * effect.values[0] * effect.values[0];
-  }
-};
-
 // What M-1-T-2-F with this friction reads more than the hardware says, at 20 N.
 Pattern by_friction(double tube, double sheath) {
   const Network network = expand(parse_routing("M-1-T-2-F"));
@@ -160,10 +146,40 @@ Pattern by_friction(double tube, double sheath) {
   return more;
 }
 
+Eigen::Vector4d vector_of(const Pattern& pattern) {
+  return Eigen::Vector4d(pattern[0], pattern[1], pattern[2], pattern[3]);
+}
+
+// The same in the hardware: tubes by its size cubed, and at first a thousandth of what tubes and
+// sheaths do where they look least like that.
+class LateFriction final : public Cause {
+ public:
+  explicit LateFriction(double tube_for_sheath) : tube_for_sheath_(tube_for_sheath) {}
+
+  const char* name() const override { return "late_friction"; }
+  Reach reach() const override { return Reach::hardware; }
+  const char* meaning() const override { return ""; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"size", "1", 0, {0, 1}, std::nullopt}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  void change_hardware(Hardware& hardware, const Effect& effect) const override {
+    const double x = effect.values[0];
+    hardware.sheath.mu += 1e-3 * x;
+    hardware.tube.mu += x * x * x - 1e-3 * tube_for_sheath_ * x;
+  }
+
+ private:
+  double tube_for_sheath_;
+};
+
 TEST(CauseSearch, AcceptsACoefficientByItsFitInFull) {
-  const LateFriction late;
+  const Pattern far = by_friction(0.3, 0.18);
+  const Eigen::Vector4d seen = vector_of(far);
+  const LateFriction late(seen.dot(vector_of(by_friction(0.18, 0.1801))) /
+                          seen.dot(vector_of(by_friction(0.1801, 0.18))));
   Workers workers(1);
-  Bench bench(by_friction(0.3, 0.18));
+  Bench bench(far);
   const auto result = search_causes(
       bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
       [](Problem&, const Model&) {}, [] { return false; });
@@ -194,19 +210,22 @@ std::vector<std::string> beside_coefficients(Bench& bench, const PatternCause& o
       [] { return false; }));
 }
 
-const Pattern smooth = by_friction(0.06, 0.12);
+const Pattern smooth = by_friction(0.16, 0.17);
 
-// One cause that does almost what both coefficients do.
-PatternCause stand_in(double off) {
-  Pattern pattern = smooth;
-  pattern[3] += off;
-  pattern[0] -= off;
-  return {"stand_in", pattern};
+// One cause that does what both coefficients do, but for so much that neither of them does: beside
+// it, each of them alone gains nothing.
+PatternCause stand_in(double off_N) {
+  Eigen::Matrix<double, 4, 3> done;
+  done << vector_of(smooth), vector_of(by_friction(0.16, 0.18)), vector_of(by_friction(0.18, 0.17));
+  const Eigen::Vector4d any(1, -1, 1, 1);
+  const Eigen::Vector4d other = any - done * done.colPivHouseholderQr().solve(any);
+  const Eigen::Vector4d pattern = vector_of(smooth) + off_N * other.normalized();
+  return {"stand_in", {pattern.begin(), pattern.end()}};
 }
 
 TEST(CauseSearch, TakesCoefficientsTogetherForWhatNoneOfThemExplainsAlone) {
   Bench bench(smooth);
-  EXPECT_EQ(beside_coefficients(bench, stand_in(0.1), 3),
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 3),
             (Names{"sheath_friction", "tube_friction"}));
 }
 
@@ -217,14 +236,14 @@ TEST(CauseSearch, TakesCoefficientsTogetherOnlyIfTheyExplainMore) {
 
 TEST(CauseSearch, TakesNoMoreCoefficientsTogetherThanItMay) {
   Bench bench(smooth);
-  EXPECT_EQ(beside_coefficients(bench, stand_in(0.1), 1), Names{"stand_in"});
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 1), Names{"stand_in"});
 }
 
 TEST(CauseSearch, DoesNotTryACoefficientTogetherThatTheHardwareHasNot) {
   Bench bench(smooth);
   Hardware hardware;
   hardware.bearing.mu = 0;
-  EXPECT_EQ(beside_coefficients(bench, stand_in(0.1), 2, hardware),
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 2, hardware),
             (Names{"sheath_friction", "tube_friction"}));
 }
 

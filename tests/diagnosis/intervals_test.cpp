@@ -208,5 +208,18 @@ TEST(ParameterIntervals, OfWhatNoReadingDependsOnAreTheRangeOfTheParameter) {
   EXPECT_EQ(found.high, 20);
 }
 
+// T1 scatters from run to run, T2 does not.
+TEST(ParameterIntervals, OfFourRunsAreThoseOfTheParametersOwnScatter) {
+  const Bench bench({4, 8}, [](std::size_t run) { return Pattern{1 + normal(1, 0x5ca7, run), 1}; });
+  const PatternCause on_T2("on_T2", {0, 1});
+  Model both = on_T1.model(0.5);
+  add_effect(both, on_T2.model(0.5).effects[0]);
+  Bench cleaned({4, 8}, [](std::size_t) { return Pattern{0, 1}; });
+  const double own = half_width(intervals(cleaned.problem, on_T2.model(0.5)).at(0).at(0));
+  const double beside = half_width(intervals(bench.problem, both).at(1).at(0));
+  EXPECT_LT(beside, 10 * own);
+  EXPECT_GT(half_width(intervals(bench.problem, both).at(0).at(0)), 10 * beside);
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -232,5 +232,16 @@ TEST(Losses, AreComparedByWhatTheModelDoesNotExpect) {
   for (const Loss& loss : found) EXPECT_FALSE(loss.stands_apart) << name(loss.high);
 }
 
+// Releasing TR2, the tendon sticks at the tip between T3 and T4 with less friction than there is.
+TEST(Losses, LeaveOutContactsThatHoldWithLess) {
+  const MeasuredData data = read_data(
+      "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-M,1,release,10,15,20,25\n");
+  const auto found = losses(data, Model{}, compared(data));
+  EXPECT_FALSE(found.empty());
+  for (const Loss& loss : found) {
+    EXPECT_FALSE(name(loss.high) == "T4" || name(loss.low) == "T4");
+  }
+}
+
 }  // namespace
 }  // namespace reeve::testing
