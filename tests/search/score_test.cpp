@@ -153,11 +153,13 @@ TEST(Score, OfReturnFrictionIsComputedForEveryDesign) {
   }
 }
 
-TEST(Score, OfReturnFrictionIsThereForAConstraintToo) {
+TEST(Score, IsThereForAConstraintToo) {
   ExploreOptions options = two_fingers();
-  options.score = parse_score("return_friction");
   options.constraints = {parse_constraint("score>0")};
-  EXPECT_EQ(explore(options).top.size(), 7U);
+  for (const char* score : {"authors", "return_friction"}) {
+    options.score = parse_score(score);
+    EXPECT_EQ(explore(options).top.size(), 7U) << score;
+  }
 }
 
 // M-1-T-2-F has one sheath, 1-P-2-P-1 is as uniform as can be; neither ever jams.
