@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "bench/hand.hpp"
-#include "cli/shown_routing.hpp"
 #include "pages/exploration_page.hpp"
 #include "search/explore.hpp"
+#include "studies/shown_routing.hpp"
 
 namespace reeve::bench {
 namespace {
@@ -38,9 +38,9 @@ void explore_page(benchmark::State& state) {
   const ExploreReport report = explored(static_cast<int>(state.range(0)), catalogue);
   const ExplorationView view{report, "reeve explore", "",
                              [&](const std::string& word) {
-                               return cli::shown_routing(parse_routing(word), report.options.model,
-                                                         report.options.grasps, Direction::pull,
-                                                         catalogue);
+                               return shown_routing(parse_routing(word), report.options.model,
+                                                    report.options.grasps, Direction::pull,
+                                                    catalogue);
                              },
                              static_cast<std::size_t>(state.range(1))};
   for (auto _ : state) benchmark::DoNotOptimize(exploration_page(view));

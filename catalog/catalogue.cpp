@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <system_error>
 
 #include "catalog/entry_file.hpp"
 #include "core/error.hpp"
@@ -45,29 +43,6 @@ bool precedes(std::string_view a, std::string_view b) {
     b.remove_prefix(1);
   }
   return a.size() < b.size();
-}
-
-std::vector<std::filesystem::path> toml_files(const std::filesystem::path& directory) {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  std::filesystem::directory_iterator at(directory, error);
-  const std::filesystem::directory_iterator end;
-  for (; !error && at != end; at.increment(error)) {
-    std::error_code ignored;
-    if (at->path().extension() == ".toml" && !at->is_directory(ignored)) {
-      files.push_back(at->path());
-    }
-  }
-  if (error) {
-    throw InputError(
-        fmt::format("catalogue {}: cannot be read: {}", directory.string(), error.message()));
-  }
-  if (files.empty()) {
-    throw InputError(fmt::format("catalogue {}: has no file *.toml: expected one for each routing",
-                                 directory.string()));
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 void require_new(const Catalogue& catalogue, const CatalogueEntry& entry, const TomlNode& file) {
@@ -121,10 +96,9 @@ const CatalogueEntry* Catalogue::find_word(const Routing& routing) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
-Catalogue read_catalogue(const std::filesystem::path& directory) {
+Catalogue read_catalogue(const CatalogueFiles& files) {
   Catalogue catalogue;
-  for (const std::filesystem::path& path : toml_files(directory)) {
-    const TomlNode file = read_toml(path);
+  for (const TomlNode& file : files.toml("")) {
     CatalogueEntry entry = read_entry(file);
     require_new(catalogue, entry, file);
     catalogue.entries.push_back(std::move(entry));
@@ -136,18 +110,8 @@ Catalogue read_catalogue(const std::filesystem::path& directory) {
   return catalogue;
 }
 
-std::filesystem::path default_catalogue_directory() {
-  const char* chosen = std::getenv("REEVE_CATALOG");
-  if (chosen != nullptr && *chosen != '\0') return chosen;
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) {
-    throw InputError(
-        fmt::format("the catalogue's folder is unknown, as /proc/self/exe cannot be read ({}): set "
-                    "REEVE_CATALOG to it",
-                    error.message()));
-  }
-  return program.parent_path().parent_path() / "share" / "reeve" / "catalog";
+Catalogue read_catalogue(const std::filesystem::path& folder) {
+  return read_catalogue(CatalogueFiles::in(folder));
 }
 
 }  // namespace reeve

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/catalogue_files.hpp"
 #include "catalog/published.hpp"
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
@@ -49,10 +50,8 @@ struct Catalogue {
   const CatalogueEntry* find_word(const Routing& routing) const;
 };
 
-// Every *.toml that lies directly in `directory`. Throws InputError with file, line and column.
-Catalogue read_catalogue(const std::filesystem::path& directory);
-
-// REEVE_CATALOG, or else ../share/reeve/catalog seen from the running program.
-std::filesystem::path default_catalogue_directory();
+// Throws InputError with file, line and column.
+Catalogue read_catalogue(const CatalogueFiles& files);
+Catalogue read_catalogue(const std::filesystem::path& folder);
 
 }  // namespace reeve

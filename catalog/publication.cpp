@@ -150,16 +150,11 @@ const IndicatorRow* IndicatorTable::find(const std::string& routing) const {
   return found == rows.end() ? nullptr : &*found;
 }
 
-std::vector<Publication> read_publications(const std::filesystem::path& catalogue) {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(catalogue / "publications", error), end;
-       !error && at != end; at.increment(error)) {
-    if (at->path().extension() == ".toml") files.push_back(at->path());
-  }
-  std::sort(files.begin(), files.end());
+std::vector<Publication> read_publications(const CatalogueFiles& files) {
   std::vector<Publication> publications;
-  for (const auto& file : files) publications.push_back(read_publication(read_toml(file)));
+  for (const TomlNode& file : files.toml("publications")) {
+    publications.push_back(read_publication(file));
+  }
   return publications;
 }
 

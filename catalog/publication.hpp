@@ -12,12 +12,12 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "catalog/catalogue_files.hpp"
 #include "catalog/published.hpp"
 
 namespace reeve {
@@ -97,6 +97,6 @@ struct Publication {
 
 // Every *.toml in the catalogue's folder publications/, by file name; none if there is no such
 // folder. Throws InputError with file, line and column.
-std::vector<Publication> read_publications(const std::filesystem::path& catalogue);
+std::vector<Publication> read_publications(const CatalogueFiles& files);
 
 }  // namespace reeve

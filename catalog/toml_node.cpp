@@ -232,9 +232,12 @@ void TomlNode::fail_at_key(std::string_view message) const { fail(*this, key_at,
 void TomlNode::fail_at_value(std::string_view message) const { fail(*this, at, message); }
 
 TomlNode read_toml(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  return parse_toml(read_file(path), path.string());
+}
+
+TomlNode parse_toml(const std::string& text, const std::string& name) {
   TomlNode root;
-  root.file = std::make_shared<const std::string>(path.string());
+  root.file = std::make_shared<const std::string>(name);
   require_short_lines(root, text);
   try {
     const toml::table parsed = toml::parse(text);

@@ -57,6 +57,8 @@ class TomlNode {
 
 // Throws InputError for a file that cannot be read, is larger than 1 MiB, or is not TOML.
 TomlNode read_toml(const std::filesystem::path& path);
+// `name` stands for the file in messages.
+TomlNode parse_toml(const std::string& text, const std::string& name);
 
 // "# text" and a line end, whatever the text: what TOML does not allow in a comment becomes '?'.
 std::string toml_comment(std::string text);

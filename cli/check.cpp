@@ -38,7 +38,7 @@ void add_check(CLI::App& program, int& exit_code) {
   format->add_to(*command, with_tables({"json"}));
   command->callback([format, svg, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
-    const CheckReport report = check_all(catalogue, default_catalogue_directory());
+    const CheckReport report = check_all(catalogue, CatalogueFiles::shipped());
     if (svg->is_given()) svg->write(catalogue_sheet(solve(catalogue)));
     std::cout << (format->is("json") ? check_json(report) : printed(check_sheet(report), *format));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "catalog/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
@@ -13,7 +14,6 @@
 #include "diagnosis/measured_data.hpp"
 #include "reports/compare_report.hpp"
 #include "reports/files.hpp"
-#include "reports/names.hpp"
 
 namespace reeve::cli {
 namespace {

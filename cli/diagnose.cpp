@@ -23,6 +23,7 @@
 #include "pages/figure_files.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/files.hpp"
+#include "studies/diagnosed_distributions.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -106,8 +107,11 @@ DiagnosisReport report(const DiagnoseFlags& flags) {
 }
 
 void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags) {
-  const auto next = next_routing(report, shipped_catalogue());
-  const DiagnosisPage page = diagnosis_page({report, flags.command, next});
+  const Catalogue catalogue = shipped_catalogue();
+  const DiagnosisPage page =
+      diagnosis_page({report, flags.command, next_routing(report, catalogue),
+                      diagnosed_distributions(report.data, report.hardware, report.result,
+                                              report.published, catalogue)});
   prepare_directory(flags.out, "--out");
   write_file(flags.csv_file(), diagnosis_residuals_csv(report));
   write_file(flags.json_file(), diagnosis_json(report));

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "catalog/model_file.hpp"
-#include "cli/shown_routing.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -17,6 +16,7 @@
 #include "search/evaluation.hpp"
 #include "search/generator.hpp"
 #include "search/ranking.hpp"
+#include "studies/shown_routing.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -88,7 +88,8 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
   }
 }
 
-std::optional<ShowReport> next_routing(const DiagnosisReport& report, const Catalogue& catalogue) {
+std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
+                                         const Catalogue& catalogue) {
   if (!report.result.next_measurement) return std::nullopt;
   const Measurement& at = report.result.next_measurement->measurement;
   Model model = report.result.model;

@@ -26,7 +26,7 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
 
 // The routing of the next measurement, by the extended model in the measurement's grasp and
 // conditions; nothing if there is no such measurement, or the model has no tensions in it.
-std::optional<ShowReport> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
+std::optional<ShownRouting> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
 
 // A model file that says where it is from.
 std::string extended_model_toml(const DiagnosisReport& report,

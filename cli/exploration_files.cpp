@@ -4,12 +4,12 @@
 #include <string>
 
 #include "cli/command_line.hpp"
-#include "cli/shown_routing.hpp"
 #include "cli/supervision.hpp"
 #include "core/notation.hpp"
 #include "pages/exploration_page.hpp"
 #include "pages/figure_files.hpp"
 #include "reports/files.hpp"
+#include "studies/shown_routing.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -31,7 +31,7 @@ std::string names(const Catalogue& catalogue) {
 
 }  // namespace
 
-Catalogue shipped_catalogue() { return read_catalogue(default_catalogue_directory()); }
+Catalogue shipped_catalogue() { return read_catalogue(CatalogueFiles::shipped()); }
 
 Routing read_routing(const std::string& text, const Catalogue& catalogue) {
   if (const CatalogueEntry* entry = catalogue.find_name(text)) return entry->routing;

@@ -12,12 +12,11 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/friction_cases.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "cli/shown_routing.hpp"
 #include "cli/supervision.hpp"
-#include "cli/tension_distributions.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -30,6 +29,8 @@
 #include "search/evaluation.hpp"
 #include "search/margin.hpp"
 #include "search/uncertainty.hpp"
+#include "studies/shown_routing.hpp"
+#include "studies/tension_distributions.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -98,7 +99,7 @@ struct RankInputs {
   Catalogue catalogue;
   std::vector<Routing> routings;
   ModelFile file;
-  std::vector<double> mu;
+  std::vector<FrictionCase> cases;
   std::optional<MeasuredData> data;
 };
 
@@ -108,7 +109,7 @@ RankInputs read(const RankFlags& flags) {
   inputs.routings = routings(flags, inputs.catalogue);
   inputs.file = flags.model.read();
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
-  inputs.mu = parse_coefficients(flags.mu);
+  inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
   if (flags.data_given->count() > 0) {
     inputs.data = read_measured_data(
         flags.data, [&](const std::string& text) { return read_routing(text, inputs.catalogue); });
@@ -188,8 +189,8 @@ int run(const RankFlags& flags, const CLI::App& command) {
   TensionDistributions distributions;
   std::filesystem::path folder;
   if (flags.out.is_given()) {
-    distributions = tension_distributions(
-        {inputs.routings, inputs.file.model, inputs.mu, inputs.data}, inputs.catalogue);
+    distributions =
+        tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
     folder = flags.out.prepare();
     for (const char* file : {"index.html", "ranking.json"}) {
       if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
@@ -239,7 +240,7 @@ void add_rank(CLI::App& program, int& exit_code) {
       ->add_option(
           "--mu", flags->mu,
           "For the page: friction coefficients of tubes and sheaths, for each of which the "
-          "tension distributions are drawn")
+          "tension distributions are drawn; 'model': as the hardware and the model have them")
       ->needs(out)
       ->capture_default_str();
   flags->ranking.add_to(*command);

@@ -6,7 +6,6 @@
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
-#include "cli/shown_routing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "pages/figure_files.hpp"
@@ -14,6 +13,7 @@
 #include "pages/routing_page.hpp"
 #include "reports/files.hpp"
 #include "reports/show_report.hpp"
+#include "studies/shown_routing.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -41,7 +41,7 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
   return grasps;
 }
 
-ShowReport report(const ShowFlags& flags) {
+ShownRouting report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
   const Model model = flags.model.read().model;
@@ -50,7 +50,7 @@ ShowReport report(const ShowFlags& flags) {
   return shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
 }
 
-std::string dot(const ShowFlags& flags, const ShowReport& report) {
+std::string dot(const ShowFlags& flags, const ShownRouting& report) {
   if (flags.held.empty()) return to_dot(report.network, report.word);
   const ShownGrasp& shown = report.grasps.front();
   return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
@@ -64,11 +64,11 @@ void require_one_grasp_to_draw(const ShowFlags& flags) {
   if (!what.empty()) throw InputError(what + " draws one grasp: expected --held once at most");
 }
 
-void write_drawing(const ShowFlags& flags, const ShowReport& report) {
+void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
   flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
 }
 
-void write_page(const std::filesystem::path& folder, const ShowReport& report,
+void write_page(const std::filesystem::path& folder, const ShownRouting& report,
                 const std::string& command) {
   const RoutingPage page = routing_page(report, command);
   write_figures(folder, page.figures);
@@ -77,7 +77,7 @@ void write_page(const std::filesystem::path& folder, const ShowReport& report,
 }
 
 void run(const ShowFlags& flags, const CLI::App& command) {
-  const ShowReport shown = report(flags);
+  const ShownRouting shown = report(flags);
   require_one_grasp_to_draw(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
   std::filesystem::path folder;

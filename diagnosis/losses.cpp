@@ -166,17 +166,19 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-void mark_those_apart(std::vector<Loss>& losses) {
-  if (losses.size() < enough_stretches) return;
-  std::vector<double> left;
-  for (const Loss& loss : losses) left.push_back(loss.measured - loss.after);
-  const double middle = median(left);
-  std::vector<double> distances;
-  for (const double value : left) distances.push_back(std::abs(value - middle));
-  const double typical = std::max(least_scatter, median(distances));
-  for (std::size_t i = 0; i < losses.size(); ++i) {
-    losses[i].stands_apart = normal_consistency * distances[i] > greatest_score * typical &&
-                             distances[i] > sure_of_noise * losses[i].deviation;
+// Of stretches over the same contacts.
+void mark_those_apart(const std::vector<Loss*>& alike) {
+  if (alike.size() < enough_stretches) return;
+  const auto left = [](const Loss* loss) { return loss->measured - loss->after; };
+  std::vector<double> values;
+  for (const Loss* loss : alike) values.push_back(left(loss));
+  const double middle = median(values);
+  for (double& value : values) value = std::abs(value - middle);
+  const double typical = std::max(least_scatter, median(values));
+  for (Loss* loss : alike) {
+    const double distance = std::abs(left(loss) - middle);
+    loss->stands_apart = normal_consistency * distance > greatest_score * typical &&
+                         distance > sure_of_noise * loss->deviation;
   }
 }
 
@@ -187,7 +189,9 @@ std::vector<Loss> losses(const MeasuredData& data, const Model& extended,
   LossTable table(data, extended);
   for (const auto& [key, rows] : groups(data, cells)) table.add(key, rows);
   std::vector<Loss> result = std::move(table).take();
-  mark_those_apart(result);
+  std::map<std::vector<ContactKind>, std::vector<Loss*>> by_contacts;
+  for (Loss& loss : result) by_contacts[loss.over].push_back(&loss);
+  for (const auto& [over, alike] : by_contacts) mark_those_apart(alike);
   return result;
 }
 

@@ -7,9 +7,9 @@
 //
 // so that each such stretch is a measurement of its contacts' friction by itself, without the motor
 // tension and without the other readings. With x a stretch's loss less the extended model's, it
-// stands apart from the others by the modified z-score of B. Iglewicz and D. C. Hoaglin (How to
-// Detect and Handle Outliers, ASQC, 1993), 0.6745 |x − median| / MAD > 3.5, if it does so by more
-// than two standard deviations of its readings' noise too.
+// stands apart from the others over the same contacts by the modified z-score of B. Iglewicz and
+// D. C. Hoaglin (How to Detect and Handle Outliers, ASQC, 1993), 0.6745 |x − median| / MAD > 3.5,
+// if it does so by more than two standard deviations of its readings' noise too.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@
 
 namespace reeve {
 
-// With fewer stretches no one can stand apart from the others.
+// With fewer stretches over the same contacts none of them can stand apart.
 inline constexpr std::size_t enough_stretches = 6;
 
 struct Loss {

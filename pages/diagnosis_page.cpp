@@ -7,8 +7,13 @@
 #include "pages/diagnosis_charts.hpp"
 #include "pages/diagnosis_labels.hpp"
 #include "pages/diagnosis_values.hpp"
+#include "pages/distribution_figure.hpp"
+#include "pages/html_table.hpp"
 #include "pages/template.hpp"
+#include "reports/data_text.hpp"
+#include "reports/diagnosis_evidence.hpp"
 #include "reports/schematic_svg.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve {
 namespace {
@@ -16,6 +21,10 @@ namespace {
 // A page of some megabytes opens anywhere: so many marks in the main chart, and in each small one.
 constexpr std::size_t most_compared = 1500;
 constexpr std::size_t most_residuals = 500;
+// Of the stretches' table; diagnosis.json has all.
+constexpr std::size_t most_stretches = 200;
+// Of the grasps whose tension distributions are drawn.
+constexpr std::size_t most_grasps = 4;
 
 // Keeps what is drawn, for the files beside the page.
 class Figures {
@@ -44,7 +53,8 @@ Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
 }
 
 // The tensions are for one newton at the motor, as everywhere in schematics.
-std::string schematic_of(const ShowReport& next, const DiagnosisReport& report, Figures& figures) {
+std::string schematic_of(const ShownRouting& next, const DiagnosisReport& report,
+                         Figures& figures) {
   const ShownGrasp& shown = next.grasps.front();
   const std::string title = next.name.empty() ? next.word : next.name + ": " + next.word;
   const GraspView view{shown.grasp, next.direction, shown.state};
@@ -76,6 +86,52 @@ void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& 
   values["runs_figure"] = result.run_gains.empty() ? "" : figures.add(runs_figure(report));
 }
 
+Json sentences(const std::vector<std::string>& list) {
+  Json json = Json::array();
+  for (const std::string& sentence : list) json.push_back({{"text", sentence}});
+  return json;
+}
+
+Json distribution_values(const DiagnosisPageInput& input, Figures& figures) {
+  const DiagnosisReport& report = input.report;
+  Json list = Json::array();
+  std::size_t not_drawn = 0;
+  if (input.distributions) {
+    const std::vector<Figure> drawn = distribution_figures(*input.distributions);
+    for (std::size_t i = 0; i < std::min(drawn.size(), most_grasps); ++i) {
+      list.push_back({{"html", figures.add(drawn[i])}});
+    }
+    not_drawn = drawn.size() - list.size();
+  }
+  Table errors = share_error_table(report);
+  if (list.empty() && errors.rows.empty()) return nullptr;
+  std::string table;
+  if (!errors.rows.empty()) {
+    table = html({"share-errors",
+                  "Root of the summed squared differences of the shares, measured and forecast",
+                  std::move(errors)});
+  }
+  return {{"figures", list},
+          {"not_drawn", not_drawn == 0 ? Json(nullptr) : Json(plural(not_drawn, "more grasp"))},
+          {"table", table},
+          {"published", sentences(published_sentences(report))},
+          {"influence", sentences(influence_sentences(report))}};
+}
+
+Json loss_values(const DiagnosisReport& report) {
+  Table table = loss_table(report);
+  if (table.rows.empty()) return nullptr;
+  const std::size_t all = table.rows.size();
+  table.rows.resize(std::min(all, most_stretches));
+  return {{"table", html({"losses",
+                          "What is left of the tension from one sensor to the next, where all "
+                          "contacts between them slide",
+                          std::move(table), true})},
+          {"more", all > most_stretches ? Json(all - most_stretches) : Json(nullptr)},
+          {"apart", sentences(loss_sentences(report))},
+          {"without", sentences(without_apart_sentences(report))}};
+}
+
 }  // namespace
 
 DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
@@ -87,6 +143,8 @@ DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
   Json values;
   values["answer"] = answer_values(report);
   values["data"] = data_values(input);
+  values["distribution"] = distribution_values(input, figures);
+  values["losses"] = loss_values(report);
   values["compared"] = figures.add(compared_figure(report, many));
   values["compared_logarithmic"] = figures.add(compared_logarithmic_figure(report, many));
   values["residuals"] = residual_figures(report, columns, few, figures);

@@ -9,7 +9,8 @@
 #include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "reports/diagnosis_report.hpp"
-#include "reports/show_report.hpp"
+#include "studies/shown_routing.hpp"
+#include "studies/tension_distributions.hpp"
 
 namespace reeve {
 
@@ -23,7 +24,9 @@ struct DiagnosisPageInput {
   std::string command;  // which makes the page again
   // The routing of the next measurement in its grasp, by the extended model; without it the
   // measurement has no schematic.
-  std::optional<ShowReport> next;
+  std::optional<ShownRouting> next{};
+  // Before and after; without it the page has none.
+  std::optional<TensionDistributions> distributions{};
 };
 
 DiagnosisPage diagnosis_page(const DiagnosisPageInput& input);

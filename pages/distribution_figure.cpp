@@ -47,56 +47,68 @@ std::vector<std::string> headings(const TensionDistribution& row) {
 
 std::string share_text(double share) { return fixed(100 * share, 1) + " %"; }
 
-// Which sources stand beside each other over a strand.
-struct Sources {
-  std::string measured;  // its name; "" if nothing was
-  bool published = false;
-};
-
-// Bars of what is published differ in opacity from those of what was measured too, for readers and
-// printers without colours.
+// Lines of what is published are hollow and dashed, for readers and printers without colours.
 const chart::Style model_style{chart::Colour::blue, chart::Symbol::circle, 4, 2};
-const chart::Style published_style{chart::Colour::orange, chart::Symbol::circle, 4, 1.2, 0.2};
 const chart::Style measured_style{chart::Colour::green, chart::Symbol::circle, 4, 1.2, 0.5};
 
-chart::Layer published_bars(const RoutingShares& routing, const Sources& sources, bool faulty) {
-  chart::Bars bars;
-  bars.beside = {0, sources.measured.empty() ? 1U : 2U};
+chart::Style published_style(bool faulty) {
+  chart::Style style{chart::Colour::orange, chart::Symbol::diamond, 5, 1.5, 0};
+  if (faulty) style.symbol = chart::Symbol::triangle;
+  return style;
+}
+
+std::string published_name(bool faulty) {
+  return faulty ? "published, not found by the check" : "published";
+}
+
+// Symbols of those that the check finds, or of the others.
+chart::Layer published_points(const RoutingShares& routing, bool faulty) {
+  chart::Points points;
   for (std::size_t i = 0; i < routing.strands.size(); ++i) {
     const StrandShare& strand = routing.strands[i];
     if (!strand.published || is_faulty(strand) != faulty) continue;
     const std::string why = faulty ? "\n" + strand.published->fault : "";
-    bars.bars.push_back({static_cast<double>(i), strand.published->share,
-                         fmt::format("{}, {}: {}{}", strand.strand, routing.published_source,
-                                     share_text(strand.published->share), why),
-                         ""});
+    points.spots.push_back({static_cast<double>(i), strand.published->share,
+                            fmt::format("{}, {}: {}{}", strand.strand, routing.published_source,
+                                        share_text(strand.published->share), why),
+                            ""});
   }
-  chart::Style style = published_style;
-  if (faulty) style.dash = chart::Dash::dashed;
-  return {faulty ? "published, not found by the check" : "published", style, bars};
+  return {published_name(faulty), published_style(faulty), points};
+}
+
+chart::Layer published_line(const RoutingShares& routing) {
+  chart::Polyline line;
+  for (std::size_t i = 0; i < routing.strands.size(); ++i) {
+    const StrandShare& strand = routing.strands[i];
+    if (strand.published) {
+      line.through.push_back({static_cast<double>(i), strand.published->share});
+    }
+  }
+  chart::Style style = published_style(false);
+  style.dash = chart::Dash::dashed;
+  return {"", style, chart::Paths{{line}, false}};
 }
 
 // The means, and as far as a standard deviation to both sides.
-std::vector<chart::Layer> measured_layers(const RoutingShares& routing, const Sources& sources) {
+std::vector<chart::Layer> measured_layers(const RoutingShares& routing, const std::string& name) {
   chart::Bars bars;
   chart::Spans deviations;
-  bars.beside = deviations.beside = {sources.published ? 1U : 0U, sources.published ? 2U : 1U};
   for (std::size_t i = 0; i < routing.strands.size(); ++i) {
     const StrandShare& strand = routing.strands[i];
     if (!strand.measured) continue;
     const double mean = strand.measured->mean;
     const auto at = static_cast<double>(i);
-    bars.bars.push_back({at, mean,
-                         fmt::format("{}, {}: {}, mean of {} readings", strand.strand,
-                                     sources.measured, share_text(mean), routing.readings),
-                         ""});
+    const std::string of =
+        routing.readings == 1 ? "" : fmt::format(", mean of {} readings", routing.readings);
+    bars.bars.push_back(
+        {at, mean, fmt::format("{}, {}: {}{}", strand.strand, name, share_text(mean), of), ""});
     if (!strand.measured->deviation) continue;
     const double deviation = *strand.measured->deviation;
     deviations.spans.push_back({at, mean - deviation, mean + deviation, ""});
   }
   chart::Style ink;
   ink.colour = chart::Colour::ink;
-  return {{sources.measured, measured_style, bars}, {"", ink, deviations}};
+  return {{name, measured_style, bars}, {"", ink, deviations}};
 }
 
 std::vector<chart::Layer> model_layers(const RoutingShares& routing) {
@@ -113,7 +125,8 @@ std::vector<chart::Layer> model_layers(const RoutingShares& routing) {
   return {{model, model_style, chart::Paths{{line}, false}}, {model, model_style, points}};
 }
 
-chart::Panel panel(const RoutingShares& routing, const std::string& title, const Sources& sources) {
+chart::Panel panel(const RoutingShares& routing, const std::string& title,
+                   const std::string& measured_name) {
   chart::Panel panel;
   panel.title = title;
   for (const StrandShare& strand : routing.strands) panel.x.categories.push_back(strand.strand);
@@ -124,33 +137,50 @@ chart::Panel panel(const RoutingShares& routing, const std::string& title, const
   panel.y.greatest = 1;
   panel.y.reaches = {0};
   const auto add = [&](chart::Layer layer) { panel.layers.push_back(std::move(layer)); };
-  if (sources.published) {
-    add(published_bars(routing, sources, false));
-    if (std::any_of(routing.strands.begin(), routing.strands.end(), is_faulty)) {
-      add(published_bars(routing, sources, true));
-    }
+  if (!measured_name.empty()) {
+    for (chart::Layer& layer : measured_layers(routing, measured_name)) add(std::move(layer));
   }
-  if (!sources.measured.empty()) {
-    for (chart::Layer& layer : measured_layers(routing, sources)) add(std::move(layer));
+  if (std::any_of(routing.strands.begin(), routing.strands.end(), is_published)) {
+    add(published_line(routing));
+    add(published_points(routing, false));
+    if (std::any_of(routing.strands.begin(), routing.strands.end(), is_faulty)) {
+      add(published_points(routing, true));
+    }
   }
   for (chart::Layer& layer : model_layers(routing)) add(std::move(layer));
   return panel;
 }
 
-std::string row_title(std::size_t row, double mu) {
-  return fmt::format("({}) μ of tubes and sheaths {:g}", static_cast<char>('a' + row), mu);
+char letter(std::size_t row) { return static_cast<char>('a' + row); }
+
+std::string row_title(std::size_t row, const TensionDistribution& distribution) {
+  const std::string one =
+      fmt::format("({}) μ of tubes and sheaths {:g}", letter(row), distribution.tube_mu);
+  const auto two = [&](const char* what) {
+    return fmt::format("({}) {}: μ of tubes {:.2g}, of sheaths {:.2g}", letter(row), what,
+                       distribution.tube_mu, distribution.sheath_mu);
+  };
+  switch (distribution.kind) {
+    case FrictionKind::coefficient:
+      return one;
+    case FrictionKind::model:
+      return two("the model as it stands");
+    case FrictionKind::diagnosed:
+      return two("as diagnosed");
+  }
+  return one;
 }
 
 chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
-  const Sources sources{any(rows, is_measured) ? measured(all) : "", any(rows, is_published)};
+  const std::string measured_name = any(rows, is_measured) ? measured(all) : "";
   chart::Chart chart;
   chart.shared_y = true;
   chart.height = 150;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<std::string> titles = headings(*rows[i]);
     for (std::size_t k = 0; k < titles.size(); ++k) {
-      chart.panels.push_back(panel(rows[i]->routings[k], titles[k], sources));
-      if (k == 0) chart.panels.back().heading = row_title(i, rows[i]->mu);
+      chart.panels.push_back(panel(rows[i]->routings[k], titles[k], measured_name));
+      if (k == 0) chart.panels.back().heading = row_title(i, *rows[i]);
     }
     chart.width = panel_width(rows[i]->routings.front().strands.size());
     chart.columns = columns(chart.width, titles.size());
@@ -161,7 +191,7 @@ chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
 std::string alt(const Rows& rows) {
   std::string text = "Strand tensions as shares of their sum.";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += " " + row_title(i, rows[i]->mu) + ", model:";
+    text += " " + row_title(i, *rows[i]) + ", model:";
     for (const RoutingShares& routing : rows[i]->routings) {
       text += " " + (routing.name.empty() ? routing.word : routing.name);
       for (const StrandShare& strand : routing.strands) {
@@ -173,27 +203,48 @@ std::string alt(const Rows& rows) {
   return text;
 }
 
+// "(a) 16.2 %, (b) 6.0 %"; "" if there is none.
+std::string errors_text(const Rows& rows, std::optional<double> MeanShareErrors::*which) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::optional<double> error = rows[i]->share_errors.*which;
+    if (!error) continue;
+    text += fmt::format("{}({}) {}", text.empty() ? "" : ", ", letter(i), share_text(*error));
+  }
+  return text;
+}
+
+std::string measured_text(const Rows& rows, const TensionDistributions& all) {
+  const bool mean = any(rows, [](const StrandShare& strand) {
+    return strand.measured && strand.measured->deviation;
+  });
+  std::string text = all.data->simulated ? " Bars: simulated data, of no rig" : " Bars: measured";
+  text += mean ? ", mean of the readings ± their standard deviation." : ".";
+  text +=
+      " The root of the summed squared differences of the shares, averaged over the routings, "
+      "is of the model in " +
+      errors_text(rows, &MeanShareErrors::model);
+  const std::string published = errors_text(rows, &MeanShareErrors::published);
+  if (!published.empty()) text += "; of what is published in " + published;
+  return text + ".";
+}
+
 std::string caption(const Rows& rows, const TensionDistributions& all) {
   std::string text = "With " + grasp_words(rows.front()->grasp) +
                      ", pulling; the strands of each routing add up to 100 %. Line and circles: "
                      "the model.";
   if (any(rows, is_published)) {
-    text +=
-        " Light bars: what is printed of the routing, the same in every row, since it is printed "
-        "for one set of coefficients.";
+    text += " Dashed line and diamonds: what is printed of the routing for these coefficients.";
   }
-  if (any(rows, is_faulty))
+  if (any(rows, is_faulty)) {
     text +=
-        " Dashed: printed values that the check does not find, mostly for a fault of the source.";
-  if (any(rows, is_measured)) {
-    text += all.data->simulated ? " Dark bars: simulated data, of no rig" : " Dark bars: measured";
-    text += ", mean of the readings ± their standard deviation.";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (!rows[i]->rms_measured) continue;
-      text += fmt::format(" In ({}) model and data differ by {} points of share (rms).",
-                          static_cast<char>('a' + i), fixed(100 * *rows[i]->rms_measured, 1));
-    }
+        " Triangles: printed values that the check does not find, mostly for a fault of the "
+        "source.";
   }
+  if (any(rows, is_measured)) text += measured_text(rows, all);
+  const bool sensors = std::any_of(
+      rows.begin(), rows.end(), [](const TensionDistribution* row) { return row->sensors_differ; });
+  if (sensors) text += " What is wrong with the sensors is in the bars and not in the lines.";
   return text;
 }
 
@@ -229,7 +280,10 @@ std::string distribution_notes(const TensionDistributions& distributions) {
   std::set<std::string> said;
   for (const TensionDistribution& distribution : distributions.list) {
     for (const RoutingShares& routing : distribution.routings) {
-      if (routing.published_source.empty() || !said.insert(routing.word).second) continue;
+      if (routing.published_source.empty() ||
+          !said.insert(routing.word + " " + routing.published_source).second) {
+        continue;
+      }
       sources.push_back({{"text", routing.name + ": " + routing.published_source}});
       for (const StrandShare& strand : routing.strands) {
         if (!is_faulty(strand)) continue;

@@ -1,13 +1,13 @@
 // Tension distributions as the Exo-Glove II supplement draws them (its Fig. 9): for each friction
-// coefficient a row of panels, one for each routing; the model as a line with symbols, what is
-// published and what was measured as bars.
+// coefficient, or model, a row of panels, one for each routing; the model as a line with symbols,
+// what is published as a dashed one, what was measured as bars.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "pages/page.hpp"
-#include "reports/tension_distribution.hpp"
+#include "studies/tension_distributions.hpp"
 
 namespace reeve {
 

@@ -58,7 +58,7 @@ class Lines {
 
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
-Json grasp_json(const ShowReport& report, std::size_t grasp, Lines& lines) {
+Json grasp_json(const ShownRouting& report, std::size_t grasp, Lines& lines) {
   const ShownGrasp& shown = report.grasps[grasp];
   Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
   json["tensions"] = Json::array();
@@ -69,7 +69,7 @@ Json grasp_json(const ShowReport& report, std::size_t grasp, Lines& lines) {
   return json;
 }
 
-Json design_json(const ShowReport& report, Lines& lines) {
+Json design_json(const ShownRouting& report, Lines& lines) {
   Json json{{"segments", Json::array()}, {"strands", Json::array()}};
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
     json["segments"].push_back(name(report.network.segments[i]));
@@ -134,7 +134,7 @@ DesignDetails design_details(const std::vector<std::string>& words, const SolveD
   return details;
 }
 
-std::string grasp_svg(const ShowReport& report, std::size_t grasp, const std::string& ids) {
+std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids) {
   const ShownGrasp& shown = report.grasps[grasp];
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
   return schematic_svg(schematic(report.network, title,

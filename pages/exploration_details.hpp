@@ -16,7 +16,7 @@
 namespace reeve {
 
 // A design of this word, solved in each grasp of the exploration. Asked by many threads at once.
-using SolveDesign = std::function<ShowReport(const std::string& word)>;
+using SolveDesign = std::function<ShownRouting(const std::string& word)>;
 
 struct DesignDetails {
   // [{"words", "pack"}]; a pack has [{"segments", "strands", "grasps", "contacts"}], a design each,
@@ -31,6 +31,6 @@ DesignDetails design_details(const std::vector<std::string>& words, const SolveD
                              std::size_t bytes, int threads);
 
 // Title and grasp above it; no legend.
-std::string grasp_svg(const ShowReport& report, std::size_t grasp, const std::string& ids);
+std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids);
 
 }  // namespace reeve

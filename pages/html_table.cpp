@@ -5,29 +5,31 @@
 namespace reeve {
 namespace {
 
-bool is_left(const std::string& heading) { return heading.starts_with('<'); }
-
 // Beyond this a cell's text goes into several lines.
 constexpr std::size_t long_text = 40;
 
-Json cell(const std::string& text, bool left) {
-  return {{"text", text}, {"left", left}, {"long", text.size() > long_text}};
+Json cell(const std::string& text, const TableColumn& column) {
+  return {{"text", text}, {"left", column.is_text}, {"long", text.size() > long_text}};
+}
+
+std::string heading(const TableColumn& column) {
+  return column.unit.empty() ? column.heading : column.heading + ", " + column.unit;
 }
 
 }  // namespace
 
 std::string html(const HtmlTable& table) {
+  const std::vector<TableColumn>& columns = table.table.columns;
   Json headings = Json::array();
-  for (const std::string& heading : table.headings) {
-    headings.push_back(cell(is_left(heading) ? heading.substr(1) : heading, is_left(heading)));
-  }
+  for (const TableColumn& column : columns) headings.push_back(cell(heading(column), column));
   Json rows = Json::array();
-  for (const std::vector<std::string>& row : table.rows) {
+  for (const TableRow& row : table.table.rows) {
     Json cells = Json::array();
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      cells.push_back(cell(row[i], is_left(table.headings[i])));
+    for (std::size_t i = 1; i < row.cells.size(); ++i) {
+      cells.push_back(cell(row.cells[i], columns[i]));
     }
-    rows.push_back({{"heading", cell(row.front(), is_left(table.headings.front()))}});
+    rows.push_back({{"heading", cell(row.cells.front(), columns.front())},
+                    {"notable", row.tint != Tint::none}});
     rows.back()["cells"] = cells;
   }
   Json values{{"id", table.id}, {"caption", table.caption}, {"sortable", table.sortable}};

@@ -1,18 +1,16 @@
-// Tables of pages. Cells are text, which is escaped.
+// A table of a result (reports/sheet.hpp) in a page. Cells are text, which is escaped.
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "reports/sheet.hpp"
 
 namespace reeve {
 
 struct HtmlTable {
   std::string id;
   std::string caption;
-  // One that begins with '<' stands above a column that is aligned to the left.
-  std::vector<std::string> headings;
-  // The first cell of each is its heading.
-  std::vector<std::vector<std::string>> rows;
+  Table table;  // the first cell of each row is its heading
   bool sortable = false;
 };
 

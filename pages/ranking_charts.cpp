@@ -146,7 +146,7 @@ Figure rank_figure(const RankReport& report, const Labels& labels) {
           "Point: median; line: 5 % to 95 % of the draws.", chart_svg(chart)};
 }
 
-Figure tensions_figure(const std::vector<ShowReport>& routings, const Labels& labels,
+Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& labels,
                        std::size_t grasp, std::size_t most) {
   std::vector<TensionPanel> panels;
   const Grasp held = routings.front().grasps[grasp].grasp;

@@ -20,7 +20,7 @@ Figure pareto_figure(const RankReport& report, const Labels& labels);
 Figure rank_figure(const RankReport& report, const Labels& labels);
 
 // Strand tensions of these designs in their g-th grasp.
-Figure tensions_figure(const std::vector<ShowReport>& routings, const Labels& labels,
+Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& labels,
                        std::size_t grasp, std::size_t most);
 
 }  // namespace reeve

@@ -30,18 +30,16 @@ Labels design_labels(const RankReport& report) {
 }
 
 HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
-  HtmlTable table{"ranking-table",
-                  "Objectives; the headings sort",
-                  {"rank", "front", "<routing", "<word"},
-                  {},
-                  true};
+  Table table{
+      {number_column("rank"), number_column("front"), text_column("routing"), text_column("word")},
+      {}};
   const std::vector<Objective> shown = shown_objectives(report.order, report.score);
   for (const Objective objective : shown) {
-    table.headings.push_back(objective_title(row(objective)));
+    table.columns.push_back(number_column(objective_title(row(objective))));
   }
   if (report.uncertainty) {
     for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {
-      table.headings.emplace_back(heading);
+      table.columns.push_back(number_column(heading));
     }
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -59,26 +57,26 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
         cells.push_back(fixed(rank, 0));
       }
     }
-    table.rows.push_back(std::move(cells));
+    table.add(std::move(cells));
   }
-  return table;
+  return {"ranking-table", "Objectives; the headings sort", std::move(table), true};
 }
 
 HtmlTable margin_table(const RankReport& report, const Labels& labels) {
-  HtmlTable table{
-      "margins-table",
-      "Lead of the first, in mean uniformity × mean efficiency, and the coefficients at "
-      "which it is least; below 0 the order turns there",
-      {"<over", "lead", "least lead", "μ tube", "μ sheath", "μ bearing", "sheath angle, rad"},
-      {},
-      true};
+  Table table{{text_column("over"), number_column("lead"), number_column("least lead"),
+               number_column("μ tube"), number_column("μ sheath"), number_column("μ bearing"),
+               number_column("sheath angle", "rad")},
+              {}};
   for (std::size_t i = 0; i < report.margins->size(); ++i) {
     const Margin& margin = (*report.margins)[i];
-    table.rows.push_back({labels[i + 1], fixed(margin.nominal_lead, 4), fixed(margin.least_lead, 4),
-                          fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu),
-                          fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
+    table.add({labels[i + 1], fixed(margin.nominal_lead, 4), fixed(margin.least_lead, 4),
+               fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu), fixed(margin.at.bearing.mu, 5),
+               fixed(margin.at.sheath.angle_rad, 2)});
   }
-  return table;
+  return {"margins-table",
+          "Lead of the first, in mean uniformity × mean efficiency, and the coefficients at "
+          "which it is least; below 0 the order turns there",
+          std::move(table), true};
 }
 
 std::string uncertainty_html(const UncertaintyOptions& options) {
@@ -86,17 +84,16 @@ std::string uncertainty_html(const UncertaintyOptions& options) {
   const auto percent = [](double half_width) {
     return fmt::format("± {:.3g} %", 100 * half_width);
   };
-  return html({"ranges-table",
-               "Ranges from which the coefficients were drawn",
-               {"<quantity", "<range"},
-               {{"friction coefficient of the tubes",
-                 fmt::format("{:g} to {:g}", ranges.tube_mu.low, ranges.tube_mu.high)},
-                {"friction coefficient of the sheaths",
-                 fmt::format("{:g} to {:g}", ranges.sheath_mu.low, ranges.sheath_mu.high)},
-                {"friction coefficient of the bearings", percent(ranges.bearing_mu_relative)},
-                {"wrap angle of the sheaths", percent(ranges.sheath_angle_relative)},
-                {"draws", std::to_string(options.draws)},
-                {"seed", std::to_string(options.seed)}}});
+  Table table{{text_column("quantity"), text_column("range")}, {}};
+  table.add({"friction coefficient of the tubes",
+             fmt::format("{:g} to {:g}", ranges.tube_mu.low, ranges.tube_mu.high)});
+  table.add({"friction coefficient of the sheaths",
+             fmt::format("{:g} to {:g}", ranges.sheath_mu.low, ranges.sheath_mu.high)});
+  table.add({"friction coefficient of the bearings", percent(ranges.bearing_mu_relative)});
+  table.add({"wrap angle of the sheaths", percent(ranges.sheath_angle_relative)});
+  table.add({"draws", std::to_string(options.draws)});
+  table.add({"seed", std::to_string(options.seed)});
+  return html({"ranges-table", "Ranges from which the coefficients were drawn", std::move(table)});
 }
 
 // The page as it grows: text, and the figures that also become files.
@@ -120,7 +117,7 @@ class RankingPageBuilder {
   Json grasps();
 
   const RankReport& report_;
-  const std::vector<ShowReport>& routings_;
+  const std::vector<ShownRouting>& routings_;
   Labels labels_;
   const std::string& command_;
   RankingPage page_;

@@ -16,7 +16,7 @@ const char* verb(Direction direction) {
   return direction == Direction::pull ? "pulls the tendons in" : "lets the fingers draw them out";
 }
 
-Figure tension_figure(const ShowReport& report) {
+Figure tension_figure(const ShownRouting& report) {
   std::string alt = "Bars of the strand tensions over the motor tension.";
   for (const ShownGrasp& shown : report.grasps) {
     alt += " " + grasp_words(shown.grasp) + ":";
@@ -32,7 +32,7 @@ Figure tension_figure(const ShowReport& report) {
 }
 
 // Of what the page rests on, the sentence that people look for first.
-std::string summary(const ShowReport& report) {
+std::string summary(const ShownRouting& report) {
   const ObjectiveValues& values = report.values;
   return fmt::format(
       "Over the grasps below its mean uniformity is {} (worst {}) and its mean efficiency {} "
@@ -43,7 +43,7 @@ std::string summary(const ShowReport& report) {
       fixed(value(values, Objective::efficiency_worst)));
 }
 
-Json jams(const ShowReport& report) {
+Json jams(const ShownRouting& report) {
   Json list = Json::array();
   for (const ShownGrasp& shown : report.grasps) {
     if (shown.state.jams) list.push_back(grasp_words(shown.grasp));
@@ -51,7 +51,7 @@ Json jams(const ShowReport& report) {
   return list;
 }
 
-GraspSet grasps(const ShowReport& report) {
+GraspSet grasps(const ShownRouting& report) {
   GraspSet grasps;
   for (const ShownGrasp& shown : report.grasps) grasps.push_back({shown.grasp, 1});
   return grasps;
@@ -59,7 +59,7 @@ GraspSet grasps(const ShowReport& report) {
 
 }  // namespace
 
-RoutingPage routing_page(const ShowReport& report, const std::string& command) {
+RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
   RoutingPage page;
   std::string schematics;
   for (const ShownGrasp& shown : report.grasps) {

@@ -16,6 +16,6 @@ struct RoutingPage {
 };
 
 // `command`: that which writes the page.
-RoutingPage routing_page(const ShowReport& report, const std::string& command);
+RoutingPage routing_page(const ShownRouting& report, const std::string& command);
 
 }  // namespace reeve

@@ -14,11 +14,11 @@
 namespace reeve {
 namespace {
 
-std::string title(const ShowReport& report) {
+std::string title(const ShownRouting& report) {
   return report.name.empty() ? report.word : report.name + ": " + report.word;
 }
 
-std::string drawing(const std::string& ids, const ShowReport& report, const ShownGrasp& shown) {
+std::string drawing(const std::string& ids, const ShownRouting& report, const ShownGrasp& shown) {
   const GraspView view{shown.grasp, report.direction, shown.state};
   return schematic_svg(schematic(report.network, title(report), view), ids);
 }
@@ -72,74 +72,71 @@ std::vector<std::pair<Segment, double>> strands(const Network& network, const Te
   return result;
 }
 
-std::string schematic_html(const std::string& id, const ShowReport& report,
+std::string schematic_html(const std::string& id, const ShownRouting& report,
                            const ShownGrasp& shown) {
   return schematic_html(id, drawing(id, report, shown));
 }
 
-FigureFile schematic_file(const std::string& id, const ShowReport& report,
+FigureFile schematic_file(const std::string& id, const ShownRouting& report,
                           const ShownGrasp& shown) {
   return {id, drawing("schematic", report, shown)};
 }
 
-HtmlTable tension_table(const ShowReport& report) {
-  HtmlTable table{"tensions-table", "Tensions over the motor tension", {"<grasp"}, {}};
-  for (const Segment& segment : report.network.segments) table.headings.push_back(name(segment));
+HtmlTable tension_table(const ShownRouting& report) {
+  Table table{{text_column("grasp")}, {}};
+  for (const Segment& segment : report.network.segments) {
+    table.columns.push_back(number_column(name(segment)));
+  }
   for (const char* figure : {"uniformity", "efficiency", "force transmission"}) {
-    table.headings.emplace_back(figure);
+    table.columns.push_back(number_column(figure));
   }
   for (const ShownGrasp& shown : report.grasps) {
-    table.rows.push_back({heading(shown)});
-    for (const double tension : shown.state.tension) table.rows.back().push_back(fixed(tension));
+    std::vector<std::string> cells{heading(shown)};
+    for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
     for (const double figure : {shown.performance.uniformity, shown.performance.efficiency,
                                 shown.performance.force_transmission}) {
-      table.rows.back().push_back(fixed(figure));
+      cells.push_back(fixed(figure));
     }
+    table.add(std::move(cells));
   }
-  return table;
+  return {"tensions-table", "Tensions over the motor tension", std::move(table)};
 }
 
-HtmlTable share_table(const ShowReport& report) {
-  HtmlTable table{"shares-table", "Shares of the strands in their sum, %", {"<grasp"}, {}};
+HtmlTable share_table(const ShownRouting& report) {
+  Table table{{text_column("grasp")}, {}};
   for (const auto& [segment, tension] : strands(report.network, report.grasps.front().state)) {
-    table.headings.push_back(name(segment));
+    table.columns.push_back(number_column(name(segment)));
   }
   for (const ShownGrasp& shown : report.grasps) {
-    table.rows.push_back({heading(shown)});
+    std::vector<std::string> cells{heading(shown)};
     for (const auto& [segment, tension] : strands(report.network, shown.state)) {
-      table.rows.back().push_back(fixed(100 * tension / shown.performance.force_transmission, 1));
+      cells.push_back(fixed(100 * tension / shown.performance.force_transmission, 1));
     }
+    table.add(std::move(cells));
   }
-  return table;
+  return {"shares-table", "Shares of the strands in their sum, %", std::move(table)};
 }
 
-HtmlTable contact_table(const ShowReport& report) {
-  HtmlTable table{"contacts-table", "Which way the tendon slides", {"<contact", "<kind"}, {}};
-  for (const ShownGrasp& shown : report.grasps) table.headings.push_back("<" + heading(shown));
-  const Json json = to_json(report);
-  const Json& grasps = json["grasps"];
-  for (std::size_t k = 0; k < grasps[0]["contacts"].size(); ++k) {
-    const Json& contact = grasps[0]["contacts"][k];
-    const Json& between = contact["between"];
-    table.rows.push_back({between[0].get<std::string>() + "-" + between[1].get<std::string>(),
-                          contact["kind"].get<std::string>()});
-    for (const Json& grasp : grasps) {
-      table.rows.back().push_back(grasp["contacts"][k]["slides"].get<std::string>());
-    }
+HtmlTable contact_table(const ShownRouting& report) {
+  Table table{{text_column("contact"), text_column("kind")}, {}};
+  for (const ShownGrasp& shown : report.grasps)
+    table.columns.push_back(text_column(heading(shown)));
+  for (const ShownContact& contact : shown_contacts(report)) {
+    std::vector<std::string> cells{contact.between, contact.kind};
+    cells.insert(cells.end(), contact.slides.begin(), contact.slides.end());
+    table.add(std::move(cells));
   }
-  return table;
+  return {"contacts-table", "Which way the tendon slides", std::move(table)};
 }
 
-HtmlTable objective_table(const ShowReport& report) {
-  HtmlTable table{"objectives-table",
-                  "Objectives over these grasps, pulling",
-                  {"<objective", "value", "<unit", "<meaning"},
-                  {}};
+HtmlTable objective_table(const ShownRouting& report) {
+  Table table{{text_column("objective"), number_column("value"), text_column("unit"),
+               text_column("meaning")},
+              {}};
   for (const ObjectiveRow& row : objective_table()) {
-    table.rows.push_back(
-        {objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
+    table.add({objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
   }
-  return table;
+  return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
 }
 
 }  // namespace reeve

@@ -35,13 +35,14 @@ std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& value
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state);
 
 // For the page, with buttons to save it, and for figures/: ID.svg.
-std::string schematic_html(const std::string& id, const ShowReport& report,
+std::string schematic_html(const std::string& id, const ShownRouting& report,
                            const ShownGrasp& shown);
-FigureFile schematic_file(const std::string& id, const ShowReport& report, const ShownGrasp& shown);
+FigureFile schematic_file(const std::string& id, const ShownRouting& report,
+                          const ShownGrasp& shown);
 
-HtmlTable tension_table(const ShowReport& report);
-HtmlTable share_table(const ShowReport& report);
-HtmlTable contact_table(const ShowReport& report);
-HtmlTable objective_table(const ShowReport& report);
+HtmlTable tension_table(const ShownRouting& report);
+HtmlTable share_table(const ShownRouting& report);
+HtmlTable contact_table(const ShownRouting& report);
+HtmlTable objective_table(const ShownRouting& report);
 
 }  // namespace reeve

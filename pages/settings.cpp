@@ -14,10 +14,9 @@ namespace {
 
 std::string text(double value) { return fmt::format("{:.6g}", value); }
 
-class HardwareRows {
- public:
+struct HardwareRows {
   void add(const std::string& part, const char* quantity, double value, const char* unit) {
-    rows_.push_back({part, quantity, text(value), unit});
+    table.add({part, quantity, text(value), unit});
   }
   void add(const std::string& part, const char* quantity, const std::optional<double>& value,
            const char* unit) {
@@ -28,43 +27,44 @@ class HardwareRows {
     add(part, "wrap angle", law.angle_rad, "rad");
   }
 
-  std::vector<std::vector<std::string>> rows_;
+  Table table{
+      {text_column("part"), text_column("quantity"), number_column("value"), text_column("unit")},
+      {}};
 };
 
 }  // namespace
 
 HtmlTable hardware_table(const Hardware& hardware) {
-  HardwareRows table;
-  table.add("tube", hardware.tube);
-  table.add("bearing", hardware.bearing);
-  table.add("sheath", hardware.sheath);
+  HardwareRows rows;
+  rows.add("tube", hardware.tube);
+  rows.add("bearing", hardware.bearing);
+  rows.add("sheath", hardware.sheath);
   for (const FingerHardware& finger : hardware.fingers) {
     const std::string part = fmt::format("finger {}", finger.finger);
-    table.add(part, "friction coefficient at the tip", finger.tip_mu, "1");
-    table.add(part, "wrap angle at the tip", finger.tip_angle_rad, "rad");
-    table.add(part, "friction coefficient of its sheaths", finger.sheath_mu, "1");
-    table.add(part, "wrap angle of its sheaths", finger.sheath_angle_rad, "rad");
-    table.add(part, "length of a strand", finger.strand_mm, "mm");
-    table.add(part, "closing, relative to the others", finger.closing, "1");
+    rows.add(part, "friction coefficient at the tip", finger.tip_mu, "1");
+    rows.add(part, "wrap angle at the tip", finger.tip_angle_rad, "rad");
+    rows.add(part, "friction coefficient of its sheaths", finger.sheath_mu, "1");
+    rows.add(part, "wrap angle of its sheaths", finger.sheath_angle_rad, "rad");
+    rows.add(part, "length of a strand", finger.strand_mm, "mm");
+    rows.add(part, "closing, relative to the others", finger.closing, "1");
   }
   for (const ContactHardware& contact : hardware.contacts) {
     const std::string part = contact.segment + "-" + contact.other_segment;
-    table.add(part, "friction coefficient", contact.mu, "1");
-    table.add(part, "wrap angle", contact.angle_rad, "rad");
+    rows.add(part, "friction coefficient", contact.mu, "1");
+    rows.add(part, "wrap angle", contact.angle_rad, "rad");
   }
-  table.add("strand", "length", hardware.strand_mm, "mm");
-  table.add("motor-side segment", "length", hardware.motor_side_mm, "mm");
-  table.add("other segment at the hand", "length", hardware.hand_mm, "mm");
-  return {"hardware-table", "Hardware", {"<part", "<quantity", "value", "<unit"}, table.rows_};
+  rows.add("strand", "length", hardware.strand_mm, "mm");
+  rows.add("motor-side segment", "length", hardware.motor_side_mm, "mm");
+  rows.add("other segment at the hand", "length", hardware.hand_mm, "mm");
+  return {"hardware-table", "Hardware", std::move(rows.table)};
 }
 
 HtmlTable grasp_table(const GraspSet& grasps) {
-  HtmlTable table{
-      "grasps-table", "Grasps, and their weights in the means", {"<grasp", "weight"}, {}};
+  Table table{{text_column("grasp"), number_column("weight")}, {}};
   for (const WeightedGrasp& grasp : grasps) {
-    table.rows.push_back({grasp_words(grasp.grasp), text(grasp.weight)});
+    table.add({grasp_words(grasp.grasp), text(grasp.weight)});
   }
-  return table;
+  return {"grasps-table", "Grasps, and their weights in the means", std::move(table)};
 }
 
 std::string settings_html(const Model& model, std::uint64_t unconverged, const GraspSet& grasps,

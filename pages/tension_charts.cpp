@@ -62,7 +62,7 @@ chart::Chart tension_chart(const std::vector<TensionPanel>& panels) {
   return result;
 }
 
-chart::Chart tension_chart(const ShowReport& report) {
+chart::Chart tension_chart(const ShownRouting& report) {
   std::vector<TensionPanel> panels;
   for (const ShownGrasp& shown : report.grasps) {
     panels.push_back({grasp_words(shown.grasp), &report.network, &shown.state});

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalog/names.hpp"
 #include "reports/csv_field.hpp"
-#include "reports/names.hpp"
 #include "search/shown_objectives.hpp"
 
 namespace reeve {

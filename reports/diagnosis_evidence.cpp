@@ -96,7 +96,7 @@ Table loss_table(const DiagnosisReport& report) {
        number_column("measured"), number_column("as it stands")},
       {}};
   if (extended) table.columns.push_back(number_column("extended"));
-  table.columns.push_back(text_column(""));
+  table.columns.push_back(text_column("remark"));
   for (const Loss& loss : report.result.losses) {
     std::vector<std::string> cells{routing_name(report, loss.routing),
                                    to_text(loss.grasp),
@@ -228,16 +228,16 @@ std::vector<std::string> published_sentences(const DiagnosisReport& report) {
       const Loss& loss = report.result.losses[other.loss];
       if (other.sheaths_drawn == other.sheaths) continue;
       std::string text = fmt::format(
-          "{}: the lines lose ln {:.2f} and count {} of {} sheaths; the equations lose {:.2f}, the "
-          "readings {:.2f}",
+          "{}, as ln of the ratio: the lines lose {:.2f} with {} of the {} sheaths that the "
+          "equations have, the equations {:.2f}, the readings {:.2f}",
           stretch_text(report, loss), other.printed, other.sheaths_drawn, other.sheaths,
           other.equations, loss.measured);
       if (sheath != nullptr) {
         const double rig = sheath->parameters.front().value;
-        text += fmt::format(
-            ", which {} sheaths of mu = {} do: {} x {:.3f} = {:.3f} for {} x {:g} = {:g}",
-            other.sheaths, estimate(sheath->parameters.front(), rig), other.sheaths, rig,
-            other.sheaths * rig, other.sheaths_drawn, model.mu, other.sheaths_drawn * model.mu);
+        text += fmt::format("; {} sheaths of mu = {} add up to {:.3f}, and {} of {:g} to {:g}",
+                            other.sheaths, estimate(sheath->parameters.front(), rig),
+                            other.sheaths * rig, other.sheaths_drawn, model.mu,
+                            other.sheaths_drawn * model.mu);
       }
       sentences.push_back(text + ".");
     }

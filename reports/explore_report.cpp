@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "catalog/names.hpp"
 #include "reports/model_text.hpp"
-#include "reports/names.hpp"
 
 namespace reeve {
 namespace {

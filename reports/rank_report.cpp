@@ -49,7 +49,7 @@ Json margins_json(const std::vector<Margin>& margins) {
 void add_details(Json& json, const RankDetails& details) {
   json["best"] = to_json(details.best);
   json["routings"] = Json::array();
-  for (const ShowReport& routing : details.routings) json["routings"].push_back(to_json(routing));
+  for (const ShownRouting& routing : details.routings) json["routings"].push_back(to_json(routing));
   json["tension_distributions"] = Json::array();
   for (const TensionDistribution& distribution : details.distributions.list) {
     json["tension_distributions"].push_back(to_json(distribution));

@@ -7,9 +7,9 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "reports/design_list.hpp"
+#include "reports/distribution_report.hpp"
 #include "reports/sheet.hpp"
 #include "reports/show_report.hpp"
-#include "reports/tension_distribution.hpp"
 #include "search/margin.hpp"
 #include "search/order.hpp"
 #include "search/ranking.hpp"
@@ -21,7 +21,7 @@ namespace reeve {
 // What the page shows besides the ranking.
 struct RankDetails {
   std::vector<BestDesigns> best;
-  std::vector<ShowReport> routings;  // in the order of the designs, in the grasps of the ranking
+  std::vector<ShownRouting> routings;  // in the order of the designs, in the grasps of the ranking
   TensionDistributions distributions;
 };
 

@@ -50,14 +50,14 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
 
 const char* name(Direction direction) { return direction == Direction::pull ? "pull" : "release"; }
 
-std::string heading(const ShowReport& report) {
+std::string heading(const ShownRouting& report) {
   std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
   if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
   return text;
 }
 
 // Friction that depends on the load makes the motor tension matter.
-std::string unit_text(const ShowReport& report) {
+std::string unit_text(const ShownRouting& report) {
   if (report.model.effects.empty()) return "at motor tension 1";
   return fmt::format("over the motor tension of {:.6g} N", report.model.conditions.motor_tension_N);
 }
@@ -66,7 +66,7 @@ std::string held_text(const ShownGrasp& shown) {
   return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
 }
 
-Table tension_table(const ShowReport& report) {
+Table tension_table(const ShownRouting& report) {
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : report.network.segments) {
     table.columns.push_back(number_column(name(segment), "N/N"));
@@ -85,7 +85,7 @@ Table tension_table(const ShowReport& report) {
   return table;
 }
 
-Table share_table(const ShowReport& report) {
+Table share_table(const ShownRouting& report) {
   const std::vector<Segment>& segments = report.network.segments;
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : segments) {
@@ -104,7 +104,7 @@ Table share_table(const ShowReport& report) {
   return table;
 }
 
-Table contact_table(const ShowReport& report) {
+Table contact_table(const ShownRouting& report) {
   Table table{{text_column("contact"), text_column("kind")}, {}};
   for (const ShownGrasp& shown : report.grasps) {
     table.columns.push_back(text_column("held " + to_text(shown.grasp)));
@@ -129,7 +129,7 @@ Table objective_list(const ObjectiveValues& values) {
 
 }  // namespace
 
-std::vector<ShownContact> shown_contacts(const ShowReport& report) {
+std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
   const Network& network = report.network;
   std::vector<ShownContact> contacts;
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
@@ -144,7 +144,7 @@ std::vector<ShownContact> shown_contacts(const ShowReport& report) {
   return contacts;
 }
 
-Sheet show_sheet(const ShowReport& report) {
+Sheet show_sheet(const ShownRouting& report) {
   std::vector<SheetLine> lines{{heading(report)}};
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
@@ -159,7 +159,7 @@ Sheet show_sheet(const ShowReport& report) {
            {"Over these grasps, pulling", objective_list(report.values), {}}}};
 }
 
-Json to_json(const ShowReport& report) {
+Json to_json(const ShownRouting& report) {
   Json json{{"routing", report.word},
             {"name", report.name.empty() ? Json(nullptr) : Json(report.name)},
             {"canonical", report.canonical},
@@ -173,9 +173,9 @@ Json to_json(const ShowReport& report) {
   return json;
 }
 
-std::string show_json(const ShowReport& report) { return print(to_json(report)); }
+std::string show_json(const ShownRouting& report) { return print(to_json(report)); }
 
-std::string show_svg(const ShowReport& report, const ShownGrasp* shown) {
+std::string show_svg(const ShownRouting& report, const ShownGrasp* shown) {
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
   if (shown == nullptr) return schematic_svg(schematic(report.network, title));
   const GraspView view{shown->grasp, report.direction, shown->state};

@@ -1,10 +1,13 @@
 // The page of a diagnosis: what it answers and draws is what diagnosis.json and residuals.csv hold.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { csvRecords } from "./csv.mjs";
 import { open, startBrowser } from "./harness.mjs";
 import {
+  barMarks,
   cell,
+  column,
   countInSvg,
   pngSize,
   pointMarks,
@@ -13,9 +16,10 @@ import {
   saved,
   schematicTitle,
 } from "./looking.mjs";
+import { theSeven } from "./pages.mjs";
 import { besidePage, jsonBesidePage, pageFile } from "./places.mjs";
 
-const verdicts = { cause: "cause", none: "none", alike: "indistinguishable" };
+const verdicts = { seven: "cause", cause: "cause", none: "none", alike: "indistinguishable" };
 
 for (const [kind, verdict] of Object.entries(verdicts)) {
   describe(`diagnose: ${kind}`, () => {
@@ -105,3 +109,62 @@ for (const [kind, verdict] of Object.entries(verdicts)) {
     test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));
   });
 }
+
+// From the file of the readings and from the forecasts beside the page.
+describe("diagnose: the tension distributions of TR1 to TR7", () => {
+  const strands = ["T1", "T2", "T3", "T4"];
+  const shares = (tensions) => {
+    const sum = tensions.reduce((a, b) => a + b);
+    return tensions.map((tension) => tension / sum);
+  };
+  const measured = csvRecords(readFileSync(theSeven, "utf8")).map((row) =>
+    shares(strands.map((strand) => Number(row[`${strand}_N`]))),
+  );
+  const residuals = csvRecords(besidePage("diagnose-seven", "residuals.csv"));
+  const forecast = (key) =>
+    measured.map((_, i) => shares(residuals.slice(4 * i, 4 * i + 4).map((row) => Number(row[key]))));
+  let browser;
+  let page;
+  before(async () => {
+    browser = await startBrowser();
+    ({ page } = await open(browser, pageFile("diagnose-seven")));
+  });
+  after(() => browser.close());
+
+  test("the bars are the readings' shares, the same in each of three rows", async () => {
+    const panels = await readMarks(page.locator("#figure-9"), barMarks);
+    assert.equal(panels.length, 3 * 7);
+    for (const [i, panel] of panels.entries()) {
+      for (const [strand, { top }] of panel.entries()) {
+        assert.ok(Math.abs(top - measured[i % 7][strand]) < 0.002, `${i}, ${strand}: ${top}`);
+      }
+    }
+  });
+
+  test("the line of the last row is the extended model's forecast", async () => {
+    const panels = await readMarks(page.locator("#figure-9"));
+    const after = forecast("after_N");
+    for (const [i, panel] of panels.slice(14).entries()) {
+      assert.equal(panel.length, 4);
+      for (const [strand, { y }] of panel.entries()) {
+        assert.ok(Math.abs(y - after[i][strand]) < 0.002, `${i}, ${strand}: ${y}`);
+      }
+    }
+  });
+
+  test("the table has the error of each routing", async () => {
+    const table = page.locator("#share-errors");
+    for (const [heading, key] of [
+      ["as it stands", "before_N"],
+      ["extended", "after_N"],
+    ]) {
+      const shown = await column(table, heading);
+      const errors = forecast(key).map((model, i) => Math.hypot(...model.map((s, k) => s - measured[i][k])));
+      errors.push(errors.reduce((a, b) => a + b) / errors.length);
+      assert.equal(shown.length, errors.length);
+      for (const [i, error] of errors.entries()) {
+        assert.ok(Math.abs(parseFloat(shown[i]) - 100 * error) < 0.051, `${heading} ${i}: ${shown[i]}`);
+      }
+    }
+  });
+});

@@ -7,6 +7,8 @@ import { executable, sampleExecutable, sources, written } from "./places.mjs";
 const inputs = join(written, "inputs");
 const golden = (name) => join(sources, "tests/golden", `diagnose_${name}.csv`);
 
+export const theSeven = join(sources, "catalog/measured/exo_glove_ii.csv");
+
 const hostileNames = () => ({ REEVE_CATALOG: hostileCatalogue(join(inputs, "catalog")) });
 
 const reeve = (name, words, more = {}) => ({
@@ -37,6 +39,7 @@ export const pages = [
   }),
   reeve("diagnose-cause", () => ["diagnose", golden("cause")]),
   reeve("diagnose-none", () => ["diagnose", golden("none")]),
+  reeve("diagnose-seven", () => ["diagnose", theSeven]),
   reeve("diagnose-alike", () => ["diagnose", golden("indistinguishable")]),
   reeve("diagnose-hostile", () => ["diagnose", hostileData(inputs)]),
 ];

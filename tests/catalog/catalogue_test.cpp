@@ -242,16 +242,5 @@ TEST(PrintedNumber, IsDigitsWithAtMostOnePoint) {
   }
 }
 
-TEST(DefaultCatalogueDirectory, IsChosenByTheEnvironmentOrLiesBesideTheProgram) {
-  ASSERT_EQ(setenv("REEVE_CATALOG", "/some/where", 1), 0);
-  EXPECT_EQ(default_catalogue_directory(), "/some/where");
-  ASSERT_EQ(setenv("REEVE_CATALOG", "", 1), 0);
-  const std::filesystem::path beside =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
-  EXPECT_EQ(default_catalogue_directory(), beside / "share/reeve/catalog");
-  ASSERT_EQ(unsetenv("REEVE_CATALOG"), 0);
-  EXPECT_EQ(default_catalogue_directory(), beside / "share/reeve/catalog");
-}
-
 }  // namespace
 }  // namespace reeve

@@ -206,7 +206,8 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
     options.insert(options.begin(), {"rank", "TR1", "TR7", "--out", "out"});
     return options;
   };
-  const std::string mu = "expected friction coefficients from 0 to 1, such as 0.18,0.09";
+  const std::string mu =
+      "expected friction coefficients from 0 to 1, or 'model', such as 0.18,0.09,model";
   expect_all_bad({
       {rank({"--data", "missing.csv"}), "missing.csv: cannot be read", {}},
       {rank({"--data", ""}), "cannot be read", {}},
@@ -217,6 +218,7 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
       {rank({"--mu", ""}), "--mu '': '': " + mu, {}},
       {rank({"--mu", "-0.1"}), "--mu '-0.1': '-0.1': " + mu, {}},
       {rank({"--mu", "0.1,0.1"}), "--mu '0.1,0.1': 0.1 is given twice", {}},
+      {rank({"--mu", "model,model"}), "--mu 'model,model': model is given twice", {}},
       {{"rank", "TR1", "TR7", "--data", "ok.csv"}, "--data requires --out", {}},
       {{"rank", "TR1", "TR7", "--mu", "0.1"}, "--mu requires --out", {}},
   });

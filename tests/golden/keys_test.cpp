@@ -134,7 +134,9 @@ TEST(KeysOfRank, AddWhatThePageShows) {
   EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
   EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
-  EXPECT_EQ(keys(json["tension_distributions"][0]), "mu held rms_measured routings");
+  EXPECT_EQ(
+      keys(json["tension_distributions"][0]),
+      "mu friction tube_mu sheath_mu held rms_measured share_error published_share_error routings");
   const Json& routing = json["tension_distributions"][0]["routings"][0];
   EXPECT_EQ(keys(routing), "routing name published_source readings strands");
   EXPECT_EQ(keys(routing["strands"][0]),

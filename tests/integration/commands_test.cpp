@@ -259,7 +259,7 @@ TEST(Help, MentionsEveryOption) {
       {"show",
        {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--format"}},
       {"rank", {"routing", "--catalog", "--margin", "--fingers", "--out", "--data", "--mu"}},
-      {"explore", {"--tendons", "--constraint", "--shard", "--top", "--out"}},
+      {"explore", {"--tendons", "--constraint", "--shard", "--top", "--details", "--out"}},
       {"count", {"--format"}},
       {"check", {"--svg", "--format"}},
       {"compare", {"data", "--out", "--hardware", "--format"}},

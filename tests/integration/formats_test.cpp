@@ -54,7 +54,7 @@ TEST(Formats, HaveTheSameTablesInMarkdownAndLatex) {
     SCOPED_TRACE(arguments[0]);
     const std::string markdown = output(arguments, "markdown");
     const std::string latex = output(arguments, "latex");
-    EXPECT_EQ(occurrences(markdown, "\n| -") + markdown.starts_with("| -"), tables);
+    EXPECT_EQ(occurrences(markdown, "\n| --") + markdown.starts_with("| --"), tables);
     EXPECT_EQ(occurrences(latex, "\\begin{tabular}{"), tables);
     EXPECT_EQ(occurrences(latex, "\\end{tabular}\n"), tables);
     for (const char* rule : {"\\toprule\n", "\\midrule\n", "\\bottomrule\n"}) {

@@ -260,6 +260,49 @@ TEST(DiagnosisPage, LabelsSimulatedDataAtTheTopAndUnderEveryFigure) {
   EXPECT_EQ(count(page, "</strong> Simulated data."), count(page, "<figcaption>"));
 }
 
+TEST(DiagnosisPage, DrawsTheTensionDistributionAndHasItsErrors) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  add_effect(report.result.model, report.result.causes[0].effect);
+  report.result.share_errors = {{{0, {}, 3, 1, 0.16, 0.02, 0.025}}, 0.16, 0.02, 0.025};
+  TensionDistribution distribution;
+  distribution.kind = FrictionKind::diagnosed;
+  distribution.tube_mu = 0.09;
+  distribution.sheath_mu = 0.18;
+  distribution.share_errors.model = 0.02;
+  distribution.routings = {{"M-1-T-2-F", "", "", 3, {}}};
+  for (const double share : {0.4, 0.3, 0.2, 0.1}) {
+    distribution.routings[0].strands.push_back(
+        {"T", share, std::nullopt, MeasuredShare{share + 0.01, 0.002}});
+  }
+  const DiagnosisPage page = diagnosis_page(
+      {report, "", {}, TensionDistributions{{distribution}, SharedData{"rig.csv", false, {}}, 0}});
+  EXPECT_TRUE(has(page.html, "(a) as diagnosed: μ of tubes 0.09, of sheaths 0.18"));
+  EXPECT_TRUE(has(page.html, "averaged over the routings, is of the model in (a) 2.0 %."));
+  const ReadPanel panel = chart(page, "figure-9").front();
+  EXPECT_EQ(panel.marks("bars", "measured").size(), 4U);
+  EXPECT_EQ(panel.marks("points", "model").size(), 4U);
+  EXPECT_TRUE(has(page.html, "<td>16.0 %</td><td>2.0 %</td><td>2.5 %</td>"));
+  EXPECT_FALSE(has(html(plain_report()), "id=\"distribution\""));
+}
+
+TEST(DiagnosisPage, SaysWhichStretchStandsApart) {
+  DiagnosisReport report = plain_report();
+  Loss loss;
+  loss.high = parse_segment("T1");
+  loss.low = parse_segment("T2");
+  loss.over = {ContactKind::tube};
+  loss.rows = 3;
+  loss.measured = std::log(2);
+  loss.before = loss.after = std::log(1.25);
+  report.result.losses = {loss};
+  EXPECT_TRUE(has(html(report), "<td>0.500</td><td>0.800</td>"));
+  EXPECT_FALSE(has(html(report), "note apart"));
+  report.result.losses[0].stands_apart = true;
+  EXPECT_TRUE(has(html(report), "<p class=\"note apart\">M-1-T-2-F, T1 to T2: 0.500"));
+  EXPECT_TRUE(has(html(report), "<tr class=\"notable\">"));
+}
+
 TEST(DiagnosisPage, DrawsAPartOfManyValuesAndSaysSo) {
   DiagnosisReport report = plain_report(5000);
   const DiagnosisPage page = diagnosis_page({report, "", {}});

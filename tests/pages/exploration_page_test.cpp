@@ -84,7 +84,7 @@ TEST(ExplorationPage, EscapesWhatUsersWrote) {
   view.command = "reeve explore --hardware '" + hostile + "'";
   view.show_options = " --hardware '" + hostile + "'";
   view.solve = [&report, hostile](const std::string& word) {
-    ShowReport shown = testing::view(report).solve(word);
+    ShownRouting shown = testing::view(report).solve(word);
     shown.name = hostile;
     return shown;
   };
@@ -113,11 +113,11 @@ TEST(ExplorationPage, IsMadeEvenIfNothingIsLeft) {
 
 TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
   const ExploreReport report = testing::large(100'000);
-  const ShowReport shown = cli::shown_routing(parse_routing("1b-P-2b-P-3b-P-1b+4-P-5-P-4"), {},
-                                              single_grasps(5), Direction::pull, Catalogue{});
+  const ShownRouting shown = shown_routing(parse_routing("1b-P-2b-P-3b-P-1b+4-P-5-P-4"), {},
+                                           single_grasps(5), Direction::pull, Catalogue{});
   std::size_t solved = 0;
   const SolveDesign solve = [&](const std::string& word) {
-    ShowReport own = shown;
+    ShownRouting own = shown;
     own.word = word;
     // Noise, so that designs are as unlike as real ones are, and more.
     for (ShownGrasp& grasp : own.grasps) {

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include "cli/shown_routing.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 #include "pages/exploration_page.hpp"
 #include "search/explore.hpp"
+#include "studies/shown_routing.hpp"
 
 namespace reeve::testing {
 
@@ -37,8 +37,8 @@ inline ExploreReport explored(const ExploreOptions& options) {
 inline ExplorationView view(const ExploreReport& report) {
   return {report, "reeve explore", "",
           [&report](const std::string& word) {
-            return cli::shown_routing(parse_routing(word), report.options.model,
-                                      report.options.grasps, Direction::pull, Catalogue{});
+            return shown_routing(parse_routing(word), report.options.model, report.options.grasps,
+                                 Direction::pull, Catalogue{});
           },
           std::nullopt};
 }

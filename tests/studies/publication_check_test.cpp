@@ -33,7 +33,9 @@ class Edited {
     folder_.write(file, text);
   }
 
-  CheckReport check() const { return check_all(read_catalogue(folder_.path()), folder_.path()); }
+  CheckReport check() const {
+    return check_all(read_catalogue(folder_.path()), CatalogueFiles::in(folder_.path()));
+  }
   std::string error() const {
     return folder_.error_of([&] { check(); });
   }
@@ -43,7 +45,8 @@ class Edited {
 };
 
 const CheckReport& shipped() {
-  static const CheckReport report = check_all(read_catalogue(shipped_folder), shipped_folder);
+  static const CheckReport report =
+      check_all(read_catalogue(shipped_folder), CatalogueFiles::in(shipped_folder));
   return report;
 }
 

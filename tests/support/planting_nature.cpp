@@ -107,7 +107,7 @@ class Problem {
   Problem& operator=(const Problem&) = delete;
 
   const ReferenceResult& fixed_point() {
-    for (int step = 0; step < 1000; ++step) {
+    for (int step = 0; step < 4000; ++step) {
       if (move(step) < 1e-10) return result_;
       solve();
     }
@@ -126,7 +126,7 @@ class Problem {
 
   // By how much the greatest step was to change an exponent.
   double move(int step) {
-    const double share = step < 200 ? 1 : step < 600 ? 0.5 : 0.2;
+    const double share = step < 200 ? 1 : step < 600 ? 0.5 : step < 1000 ? 0.2 : 0.05;
     double greatest = 0;
     for (const auto& [name, law] : laws_) {
       const double left = condition_.motor_tension_N * result_.tension.at(name.first);
@@ -202,7 +202,9 @@ std::map<std::string, double> planted_tensions(const Nature& nature, const Condi
 }
 
 bool goes_slack(const Nature& nature, const Condition& recorded) {
-  if (nature.bending_force_N == 0 && nature.drag_force_N == 0) return false;
+  if (nature.bending_force_N == 0 && nature.drag_force_N == 0 && nature.load_exponent == 0) {
+    return false;
+  }
   const Condition condition = actual(nature, recorded);
   const CutRouting cut = cut_of(nature, condition.word);
   if (cut.word.empty()) return false;

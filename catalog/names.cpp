@@ -1,4 +1,4 @@
-#include "reports/names.hpp"
+#include "catalog/names.hpp"
 
 #include "core/canonical.hpp"
 #include "core/notation.hpp"

@@ -1,4 +1,4 @@
-#include "reports/tension_distribution.hpp"
+#include "reports/distribution_report.hpp"
 
 #include "reports/data_text.hpp"
 
@@ -6,6 +6,20 @@ namespace reeve {
 namespace {
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+const char* word(FrictionKind kind) {
+  switch (kind) {
+    case FrictionKind::coefficient:
+      return "coefficient";
+    case FrictionKind::model:
+      return "model";
+    case FrictionKind::diagnosed:
+      return "diagnosed";
+  }
+  return "";
+}
 
 Json to_json(const StrandShare& strand) {
   Json json{{"strand", strand.strand}, {"model", number(strand.model)},
@@ -35,9 +49,15 @@ Json to_json(const RoutingShares& routing) {
 }  // namespace
 
 Json to_json(const TensionDistribution& distribution) {
-  Json json{{"mu", distribution.mu}, {"held", held_fingers(distribution.grasp)}};
-  json["rms_measured"] =
-      distribution.rms_measured ? Json(*distribution.rms_measured) : Json(nullptr);
+  const bool one = distribution.kind == FrictionKind::coefficient;
+  Json json{{"mu", one ? Json(distribution.tube_mu) : Json(nullptr)},
+            {"friction", word(distribution.kind)},
+            {"tube_mu", distribution.tube_mu},
+            {"sheath_mu", distribution.sheath_mu},
+            {"held", held_fingers(distribution.grasp)}};
+  json["rms_measured"] = or_null(distribution.rms_measured);
+  json["share_error"] = or_null(distribution.share_errors.model);
+  json["published_share_error"] = or_null(distribution.share_errors.published);
   json["routings"] = Json::array();
   for (const RoutingShares& routing : distribution.routings) {
     json["routings"].push_back(to_json(routing));

@@ -1,16 +1,16 @@
-#include "cli/shown_routing.hpp"
+#include "studies/shown_routing.hpp"
 
+#include "catalog/names.hpp"
 #include "causes/model_solver.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "reports/names.hpp"
 #include "search/evaluation.hpp"
 
-namespace reeve::cli {
+namespace reeve {
 
-ShowReport shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
-                         Direction direction, const Catalogue& catalogue) {
-  ShowReport report;
+ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                           Direction direction, const Catalogue& catalogue) {
+  ShownRouting report;
   report.model = model;
   report.word = to_word(routing);
   report.canonical = to_word(canonical(routing, FingerIdentity::identical));
@@ -27,4 +27,4 @@ ShowReport shown_routing(const Routing& routing, const Model& model, const Grasp
   return report;
 }
 
-}  // namespace reeve::cli
+}  // namespace reeve

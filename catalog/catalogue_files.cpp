@@ -1,0 +1,86 @@
+#include "catalog/catalogue_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "catalog/embedded_catalogue.hpp"
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::string_view toml_ending = ".toml";
+
+std::vector<std::string> embedded_in(const std::string& folder) {
+  const std::string start = folder.empty() ? "" : folder + "/";
+  std::vector<std::string> paths;
+  for (const auto& [path, text] : embedded_catalogue()) {
+    if (!path.starts_with(start) || !path.ends_with(toml_ending)) continue;
+    if (path.find('/', start.size()) == std::string_view::npos) paths.emplace_back(path);
+  }
+  return paths;
+}
+
+std::vector<std::string> lying_in(const std::filesystem::path& catalogue,
+                                  const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code error;
+  std::filesystem::directory_iterator at(catalogue / folder, error);
+  if (error == std::errc::no_such_file_or_directory && !folder.empty()) return paths;
+  const std::filesystem::directory_iterator end;
+  for (; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->path().extension() == toml_ending && !at->is_directory(ignored)) {
+      paths.push_back((folder / at->path().filename()).string());
+    }
+  }
+  if (error) {
+    throw InputError(
+        fmt::format("catalogue {}: cannot be read: {}", catalogue.string(), error.message()));
+  }
+  if (paths.empty() && folder.empty()) {
+    throw InputError(fmt::format("catalogue {}: has no file *.toml: expected one for each routing",
+                                 catalogue.string()));
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+}  // namespace
+
+CatalogueFiles CatalogueFiles::built_in() { return {}; }
+
+CatalogueFiles CatalogueFiles::in(const std::filesystem::path& folder) {
+  CatalogueFiles files;
+  files.folder_ = folder;
+  return files;
+}
+
+CatalogueFiles CatalogueFiles::shipped() {
+  const char* chosen = std::getenv("REEVE_CATALOG");
+  return chosen != nullptr && *chosen != '\0' ? in(chosen) : built_in();
+}
+
+std::vector<TomlNode> CatalogueFiles::toml(const std::string& folder) const {
+  std::vector<TomlNode> files;
+  for (const std::string& path :
+       folder_.empty() ? embedded_in(folder) : lying_in(folder_, folder)) {
+    const CatalogueFile file = find(path);
+    files.push_back(file.text ? parse_toml(*file.text, file.name) : read_toml(file.name));
+  }
+  return files;
+}
+
+CatalogueFile CatalogueFiles::find(const std::string& path) const {
+  if (!folder_.empty()) return {(folder_ / path).string(), std::nullopt};
+  const auto found = embedded_catalogue().find(path);
+  if (found == embedded_catalogue().end()) {
+    throw InputError(fmt::format("{}: is not in the built-in catalogue", path));
+  }
+  return {"catalog/" + path, std::string(found->second)};
+}
+
+}  // namespace reeve

@@ -1,0 +1,35 @@
+// Where a catalogue's files are: in a folder, or in the program, which carries the one that it was
+// built with. Paths are relative to the catalogue: "tr1.toml", "measured/exo_glove_ii.csv".
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/toml_node.hpp"
+
+namespace reeve {
+
+struct CatalogueFile {
+  std::string name;                 // where it lies, or its path in the program's catalogue
+  std::optional<std::string> text;  // of one in the program
+};
+
+class CatalogueFiles {
+ public:
+  static CatalogueFiles built_in();
+  static CatalogueFiles in(const std::filesystem::path& folder);
+  // In the folder that REEVE_CATALOG names, or else the built-in one.
+  static CatalogueFiles shipped();
+
+  // The *.toml that lie directly in this folder of the catalogue, "" for itself, by name. Throws
+  // InputError.
+  std::vector<TomlNode> toml(const std::string& folder) const;
+  CatalogueFile find(const std::string& path) const;
+
+ private:
+  std::filesystem::path folder_;  // "": built in
+};
+
+}  // namespace reeve

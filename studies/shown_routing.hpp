@@ -1,0 +1,40 @@
+// One routing in full, solved in each of some grasps.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
+#include "core/network.hpp"
+#include "core/performance.hpp"
+#include "core/routing.hpp"
+#include "core/tension.hpp"
+#include "search/objectives.hpp"
+
+namespace reeve {
+
+struct ShownGrasp {
+  Grasp grasp;
+  TensionState state;
+  Performance performance;
+};
+
+struct ShownRouting {
+  std::string word;
+  std::string canonical;
+  std::string name;  // "" if it has none
+  Direction direction = Direction::pull;
+  Model model;
+  std::uint64_t unconverged = 0;  // tension solves
+  Network network;
+  std::vector<ShownGrasp> grasps;
+  ObjectiveValues values{};  // over these grasps
+};
+
+ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                           Direction direction, const Catalogue& catalogue);
+
+}  // namespace reeve

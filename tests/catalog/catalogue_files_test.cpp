@@ -1,0 +1,62 @@
+#include "catalog/catalogue_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "catalog/catalogue.hpp"
+#include "catalog/embedded_catalogue.hpp"
+#include "catalog/publication.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+
+const std::filesystem::path shipped_folder = REEVE_CATALOG_DIR;
+
+// Or a file would be in one of the two alone.
+TEST(BuiltInCatalogue, IsTheFolderOfTheSources) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_folder)) {
+    const std::string path = entry.path().lexically_relative(shipped_folder).string();
+    if (path.starts_with("hardware") || path.starts_with("model")) continue;
+    if (entry.path().extension() != ".toml" && entry.path().extension() != ".csv") continue;
+    ASSERT_TRUE(embedded_catalogue().contains(path)) << path;
+    EXPECT_EQ(embedded_catalogue().at(path), read_text(entry.path())) << path;
+    ++files;
+  }
+  EXPECT_EQ(files, embedded_catalogue().size());
+  EXPECT_EQ(read_publications(CatalogueFiles::built_in()).size(),
+            read_publications(CatalogueFiles::in(shipped_folder)).size());
+}
+
+TEST(BuiltInCatalogue, NamesItsFilesAsTheSourcesDo) {
+  EXPECT_EQ(read_catalogue(CatalogueFiles::built_in()).find_name("TR1")->file, "catalog/tr1.toml");
+}
+
+TEST(ShippedCatalogue, IsThatOfTheEnvironmentOrElseBuiltIn) {
+  const TemporaryFolder folder;
+  folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");
+  ASSERT_EQ(setenv("REEVE_CATALOG", folder.path().c_str(), 1), 0);
+  const Catalogue own = read_catalogue(CatalogueFiles::shipped());
+  ASSERT_EQ(setenv("REEVE_CATALOG", "", 1), 0);
+  const Catalogue empty = read_catalogue(CatalogueFiles::shipped());
+  ASSERT_EQ(unsetenv("REEVE_CATALOG"), 0);
+  const Catalogue none = read_catalogue(CatalogueFiles::shipped());
+  ASSERT_EQ(own.entries.size(), 1U);
+  EXPECT_EQ(own.entries[0].name, "X");
+  EXPECT_EQ(empty.entries.size(), 7U);
+  EXPECT_EQ(none.entries.size(), 7U);
+}
+
+TEST(CatalogueInAFolder, NeedsNoPublications) {
+  const TemporaryFolder folder;
+  folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");
+  EXPECT_TRUE(read_publications(CatalogueFiles::in(folder.path())).empty());
+}
+
+}  // namespace
+}  // namespace reeve

@@ -1,0 +1,115 @@
+#include "studies/diagnosed_distributions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "catalog/names.hpp"
+#include "causes/library.hpp"
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::read_data;
+
+const Catalogue& catalogue() {
+  static const Catalogue read = read_catalogue(REEVE_CATALOG_DIR);
+  return read;
+}
+
+MeasuredData the_seven() {
+  return read_measured_data(
+      std::string(REEVE_CATALOG_DIR) + "/measured/exo_glove_ii.csv",
+      [](const std::string& name) { return catalogue().find_name(name)->routing; });
+}
+
+DiagnosisResult with_friction(double tube, double sheath) {
+  DiagnosisResult result;
+  add_effect(result.model, {find_cause("tube_friction"), {}, {tube}});
+  add_effect(result.model, {find_cause("sheath_friction"), {}, {sheath}});
+  return result;
+}
+
+std::vector<PublishedModel> published(std::vector<double> coefficients) {
+  std::vector<PublishedModel> models;
+  for (const double mu : coefficients) models.push_back({"", mu, {}, 0, 0, {}});
+  return models;
+}
+
+const RoutingShares& of(const TensionDistribution& distribution, const std::string& name) {
+  for (const RoutingShares& shares : distribution.routings) {
+    if (shares.name == name) return shares;
+  }
+  throw std::runtime_error(name);
+}
+
+// What the readings, Tables I to VII and the lines of Fig. 9 (b) say of each other, worked out
+// from them by hand.
+TEST(DiagnosedDistributions, AreThePublishedCasesAndThatOfTheDiagnosis) {
+  const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
+                                           published({0.18, 0.09}), catalogue());
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->list.size(), 3U);
+  EXPECT_EQ(all->list[0].kind, FrictionKind::coefficient);
+  EXPECT_EQ(all->list[2].kind, FrictionKind::diagnosed);
+  EXPECT_EQ(all->list[2].tube_mu, 0.05);
+  EXPECT_EQ(all->list[2].sheath_mu, 0.045);
+  const double model[] = {0.162, 0.060, 0.014};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(*all->list[i].share_errors.model, model[i], 0.001) << i;
+  }
+  EXPECT_NEAR(*all->list[0].share_errors.published, 0.135, 0.001);
+  EXPECT_NEAR(*all->list[1].share_errors.published, 0.034, 0.001);
+  EXPECT_FALSE(all->list[2].share_errors.published);
+}
+
+TEST(DiagnosedDistributions, HaveTheModelsClosedFormAndTheReadingsShares) {
+  const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
+                                           published({0.18, 0.09}), catalogue());
+  const RoutingShares& tr4 = of(all->list[2], "TR4");
+  EXPECT_NEAR(tr4.strands[2].model / tr4.strands[1].model,
+              std::exp(-(2 * 0.045 * 2 + 0.001) * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(tr4.strands[1].model / tr4.strands[0].model, std::exp(-0.05 * std::numbers::pi),
+              1e-9);
+  for (const TensionDistribution& distribution : all->list) {
+    double sum = 0;
+    for (const StrandShare& strand : of(distribution, "TR4").strands) sum += strand.measured->mean;
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+}
+
+TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
+  const MeasuredData data =
+      read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-M,none,4,3,2,1\n");
+  const auto plain = diagnosed_distributions(data, {}, {}, {}, catalogue());
+  ASSERT_TRUE(plain);
+  ASSERT_EQ(plain->list.size(), 1U);
+  EXPECT_EQ(plain->list[0].kind, FrictionKind::model);
+  EXPECT_EQ(plain->list[0].grasp, Grasp{});
+  const auto both = diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, catalogue());
+  ASSERT_EQ(both->list.size(), 2U);
+  EXPECT_EQ(both->list[1].kind, FrictionKind::diagnosed);
+}
+
+TEST(DiagnosedDistributions, AreNoneWhereNoReadingHasAllStrands) {
+  const MeasuredData data =
+      read_data("run,routing,held,T1_N,T2_N\n1,M-1-T-2-M,none,4,3\n1,TR5,none,4,3\n");
+  EXPECT_FALSE(diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, catalogue()));
+}
+
+TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
+  const MeasuredData data = read_data(
+      "run,routing,held,T1_N,T2_N,T3_N,T4_N,T5_N,T6_N\n"
+      "1,M-1-T-2-M,none,4,3,2,1,,\n1,M-1-P-2-P-3-M,none,4,3,2,1,1,1\n");
+  const auto all = diagnosed_distributions(data, {}, {}, {}, catalogue());
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->list.front().routings.size(), 1U);
+  EXPECT_EQ(all->list.front().routings.front().word, "M-1-T-2-M");
+  ASSERT_EQ(all->data->notes.size(), 1U);
+  EXPECT_NE(all->data->notes.front().text.find("M-1-P-2-P-3-M"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace reeve
