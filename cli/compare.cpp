@@ -4,16 +4,16 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 
-#include "catalog/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "diagnosis/comparison.hpp"
 #include "diagnosis/measured_data.hpp"
 #include "reports/compare_report.hpp"
 #include "reports/files.hpp"
+#include "studies/comparison_study.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -28,18 +28,13 @@ struct CompareFlags {
 
 CompareReport report(const CompareFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
-  CompareReport report;
-  report.hardware = flags.hardware.read().hardware;
-  report.data = read_measured_data(
+  const Hardware hardware = flags.hardware.read().hardware;
+  MeasuredData data = read_measured_data(
       flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
   std::vector<Routing> routings;
-  for (const MeasuredRouting& measured : report.data.routings) {
-    routings.push_back(measured.routing);
-    report.names.push_back(name_of(catalogue, measured.word));
-  }
-  require_contacts_to_match(report.hardware, routings);
-  report.comparison = compare(report.data, report.hardware);
-  return report;
+  for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
+  require_contacts_to_match(hardware, routings);
+  return comparison_study(std::move(data), hardware, catalogue);
 }
 
 void write_files(const CompareReport& report, const CompareFlags& flags) {

@@ -1,10 +1,8 @@
-#include "diagnosis/diagnose.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,7 +11,6 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/diagnosis_company.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
@@ -24,6 +21,7 @@
 #include "reports/diagnosis_report.hpp"
 #include "reports/files.hpp"
 #include "studies/diagnosed_distributions.hpp"
+#include "studies/diagnosis_study.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -31,6 +29,7 @@ namespace {
 struct DiagnoseFlags {
   std::string data;
   DiagnosisSettings settings;
+  bool explore = false;
   int threads = 0;
   std::string out;
   std::string save_model;
@@ -63,51 +62,33 @@ void require_places(const DiagnoseFlags& flags) {
   }
 }
 
-DiagnosisResult diagnose_supervised(const DiagnosisReport& report, const DiagnoseFlags& flags,
-                                    const Catalogue& catalogue) {
-  const DiagnosisSettings& settings = report.settings;
-  DiagnoseOptions options;
-  options.alpha = settings.alpha;
-  options.hold_out = settings.hold_out;
-  options.seed = settings.seed;
-  options.replicates = settings.replicates;
-  options.threads = flags.threads;
-  options.routings = measurable_routings(report.data, catalogue, settings.explore);
+DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
+  DiagnosisRequest request;
+  request.hardware = flags.hardware.read().hardware;
+  request.settings = flags.settings;
+  request.with_generated = flags.explore;
+  request.threads = flags.threads;
+  request.data = read_measured_data(
+      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  std::vector<Routing> routings;
+  for (const MeasuredRouting& measured : request.data.routings) {
+    routings.push_back(measured.routing);
+  }
+  require_contacts_to_match(request.hardware, routings);
+  require_places(flags);
   const std::atomic<bool>& stop = stop_on_interrupt();
   StageLine line;
-  options.stage = [&](const char* stage) {
+  request.stage = [&](const char* stage) {
     line.show(stage);
     return stop.load();
   };
-  auto result = diagnose_until(report.data, report.hardware, options);
+  auto result = diagnosis_study(std::move(request), catalogue);
   if (!result) throw Interrupted();
   return std::move(*result);
 }
 
-DiagnosisReport report(const DiagnoseFlags& flags) {
-  const Catalogue catalogue = shipped_catalogue();
-  DiagnosisReport report;
-  report.hardware = flags.hardware.read().hardware;
-  report.settings = flags.settings;
-  report.data = read_measured_data(
-      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
-  std::vector<Routing> routings;
-  for (const MeasuredRouting& measured : report.data.routings) {
-    routings.push_back(measured.routing);
-  }
-  require_contacts_to_match(report.hardware, routings);
-  require_places(flags);
-  for (const CatalogueEntry& entry : catalogue.entries) report.names[entry.word] = entry.name;
-  const auto start = std::chrono::steady_clock::now();
-  report.result = diagnose_supervised(report, flags, catalogue);
-  report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
-  report.published = published_models(catalogue, report.data, report.result);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
-}
-
-void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags) {
-  const Catalogue catalogue = shipped_catalogue();
+void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
+                  const Catalogue& catalogue) {
   const DiagnosisPage page =
       diagnosis_page({report, flags.command, next_routing(report, catalogue),
                       diagnosed_distributions(report.data, report.hardware, report.result,
@@ -120,8 +101,9 @@ void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags) {
 }
 
 void run(const DiagnoseFlags& flags) {
-  const DiagnosisReport result = report(flags);
-  if (flags.out_given->count() > 0) write_folder(result, flags);
+  const Catalogue catalogue = shipped_catalogue();
+  const DiagnosisReport result = report(flags, catalogue);
+  if (flags.out_given->count() > 0) write_folder(result, flags, catalogue);
   if (flags.save_model_given->count() > 0) {
     write_file(flags.save_model, extended_model_toml(result, flags.hardware.read().uncertainty));
   }
@@ -147,7 +129,8 @@ CLI::Validator number(double low, bool or_low, double high) {
       "", "");
 }
 
-void add_settings(CLI::App& command, DiagnosisSettings& settings) {
+void add_settings(CLI::App& command, DiagnoseFlags& flags) {
+  DiagnosisSettings& settings = flags.settings;
   command
       .add_option("--alpha", settings.alpha,
                   "Chance of naming a cause where there is none, over the whole search")
@@ -167,7 +150,7 @@ void add_settings(CLI::App& command, DiagnosisSettings& settings) {
                   "Simulated data sets that a finding is judged by")
       ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
       ->capture_default_str();
-  command.add_flag("--explore", settings.explore,
+  command.add_flag("--explore", flags.explore,
                    "Choose the next measurement from generated routings too, not only from those "
                    "of the catalogue and of the data");
 }
@@ -182,7 +165,7 @@ void add_diagnose(CLI::App& program, int&) {
   command
       ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
       ->required();
-  add_settings(*command, flags->settings);
+  add_settings(*command, *flags);
   command
       ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))

@@ -8,6 +8,7 @@
 #include "core/notation.hpp"
 #include "pages/exploration_page.hpp"
 #include "pages/figure_files.hpp"
+#include "reports/design_list.hpp"
 #include "reports/files.hpp"
 #include "studies/shown_routing.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -16,11 +14,11 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
-#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "reports/explore_report.hpp"
 #include "reports/files.hpp"
 #include "search/uncertainty.hpp"
+#include "studies/exploration_study.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -68,10 +66,7 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   }
   options.top = flags.top;
   options.threads = flags.ranking.threads;
-  for (const CatalogueEntry& entry : catalogue.entries) {
-    if (finger_count(entry.routing) != options.generator.fingers) continue;
-    options.references.push_back(canonical(entry.routing, options.generator.identity));
-  }
+  options.references = known_routings(options.generator, catalogue);
   return options;
 }
 
@@ -79,20 +74,6 @@ UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFil
                                        const ExploreOptions& options) {
   return {file.model,          file.uncertainty,   options.grasps,        options.order,
           flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score};
-}
-
-ExploreResult explore_supervised(const ExploreOptions& options, const std::atomic<bool>& stop) {
-  ProgressLine progress("exploring");
-  return explore(options, {std::ref(progress), &stop});
-}
-
-// Of the longer of top and front: both are the beginning of one ranking.
-std::optional<std::vector<RankDistribution>> draw(const ExploreResult& result,
-                                                  const UncertaintyOptions& options,
-                                                  const std::atomic<bool>& stop) {
-  ProgressLine progress("drawing");
-  const auto& longer = result.front.size() > result.top.size() ? result.front : result.top;
-  return rank_distributions(plain_designs(longer), options, {std::ref(progress), &stop});
 }
 
 int run(const ExploreFlags& flags, const CLI::App& command) {
@@ -103,19 +84,11 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   prepare_directory(flags.out, "--out");
   require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
-  const std::atomic<bool>& stop = stop_on_interrupt();
-  ExploreResult result = explore_supervised(explore_options, stop);
-  std::vector<RankDistribution> distributions;
-  bool draws_stopped = false;
-  if (flags.ranking.uncertainty && !result.partial) {
-    const auto drawn = draw(result, uncertainty, stop);
-    draws_stopped = !drawn;
-    distributions = drawn.value_or(std::vector<RankDistribution>{});
-  }
-  ExploreReport report =
-      explore_report(explore_options, std::move(result), distributions, catalogue);
-  if (flags.ranking.uncertainty) report.uncertainty = uncertainty;
-  report.draws_stopped = draws_stopped;
+  const ExploreReport report = supervised([&](const StudySupervision& supervision) {
+    return exploration_study(explore_options,
+                             flags.ranking.uncertainty ? std::optional(uncertainty) : std::nullopt,
+                             catalogue, supervision);
+  });
   write_exploration(report, command, catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <optional>
 #include <set>
@@ -24,12 +23,10 @@
 #include "pages/figure_files.hpp"
 #include "pages/page.hpp"
 #include "pages/ranking_page.hpp"
+#include "reports/design_list.hpp"
 #include "reports/files.hpp"
 #include "reports/rank_report.hpp"
-#include "search/evaluation.hpp"
-#include "search/margin.hpp"
-#include "search/uncertainty.hpp"
-#include "studies/shown_routing.hpp"
+#include "studies/ranking_study.hpp"
 #include "studies/tension_distributions.hpp"
 
 namespace reeve::cli {
@@ -117,48 +114,6 @@ RankInputs read(const RankFlags& flags) {
   return inputs;
 }
 
-std::vector<RankedDesign> evaluate(const RankInputs& inputs, RankReport& report) {
-  DesignEvaluator evaluator(inputs.file.model, report.grasps, report.score);
-  std::vector<Design> designs;
-  for (const Routing& routing : inputs.routings) {
-    designs.push_back({to_word(routing), evaluator.evaluate(routing)});
-  }
-  report.unconverged = evaluator.unconverged();
-  return rank(designs, report.order);
-}
-
-std::vector<RankDistribution> draw(const RankFlags& flags, const RankInputs& inputs,
-                                   const std::vector<RankedDesign>& ranked, RankReport& report) {
-  report.uncertainty = UncertaintyOptions{
-      inputs.file.model,   inputs.file.uncertainty, report.grasps,         report.order,
-      flags.ranking.draws, flags.ranking.seed,      flags.ranking.threads, report.score};
-  ProgressLine progress("drawing");
-  const auto drawn = rank_distributions(plain_designs(ranked), *report.uncertainty,
-                                        {std::ref(progress), &stop_on_interrupt()});
-  if (!drawn) throw Interrupted();
-  return *drawn;
-}
-
-std::vector<Margin> least_leads(const RankFlags& flags, const RankInputs& inputs,
-                                const std::vector<RankedDesign>& ranked, const RankReport& report) {
-  MarginOptions options{inputs.file.model, inputs.file.uncertainty, report.grasps};
-  options.threads = flags.ranking.threads;
-  const auto result = margins(ranked, options, {{}, &stop_on_interrupt()});
-  if (!result) throw Interrupted();
-  return *result;
-}
-
-RankDetails details(const RankInputs& inputs, const std::vector<RankedDesign>& ranked,
-                    RankReport& report, TensionDistributions distributions) {
-  RankDetails details{best_by_objective(ranked, ranked.size()), {}, std::move(distributions)};
-  for (const RankedDesign& entry : ranked) {
-    details.routings.push_back(shown_routing(parse_routing(entry.design.word), inputs.file.model,
-                                             report.grasps, Direction::pull, inputs.catalogue));
-  }
-  report.unconverged += details.distributions.unconverged;
-  return details;
-}
-
 void print(const RankReport& report, const FormatOption& format) {
   if (format.is("json")) {
     std::cout << rank_json(report);
@@ -177,14 +132,25 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
   write_file(folder / "index.html", page.html);
 }
 
+RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
+  RankRequest request;
+  request.routings = inputs.routings;
+  request.model = inputs.file.model;
+  request.ranges = inputs.file.uncertainty;
+  request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
+  request.order = flags.ranking.read_order();
+  request.score = parse_score(flags.ranking.score);
+  if (flags.ranking.uncertainty) request.draws = Draws{flags.ranking.draws, flags.ranking.seed};
+  if (flags.margin) require_the_two_means(request.order);
+  request.margins = flags.margin;
+  request.details = flags.out.is_given();
+  request.threads = flags.ranking.threads;
+  return request;
+}
+
 int run(const RankFlags& flags, const CLI::App& command) {
   const RankInputs inputs = read(flags);
-  RankReport report;
-  report.order = flags.ranking.read_order();
-  report.score = parse_score(flags.ranking.score);
-  if (flags.margin) require_the_two_means(report.order);
-  report.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
-  report.model = inputs.file.model;
+  const RankRequest asked = request(flags, inputs);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
   std::filesystem::path folder;
@@ -196,16 +162,16 @@ int run(const RankFlags& flags, const CLI::App& command) {
       if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
     }
   }
-  const std::vector<RankedDesign> ranked = evaluate(inputs, report);
-  std::vector<RankDistribution> drawn;
-  if (flags.ranking.uncertainty) drawn = draw(flags, inputs, ranked, report);
-  if (flags.margin) report.margins = least_leads(flags, inputs, ranked, report);
-  report.designs = list_designs(ranked, drawn, inputs.catalogue);
-  if (flags.out.is_given()) {
-    report.details = details(inputs, ranked, report, std::move(distributions));
-    write_page(report, folder, command_line(command, {"--format", "--threads"}));
+  std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
+    return ranking_study(asked, inputs.catalogue, supervision);
+  });
+  if (!report) throw Interrupted();
+  if (report->details) {
+    report->unconverged += distributions.unconverged;
+    report->details->distributions = std::move(distributions);
+    write_page(*report, folder, command_line(command, {"--format", "--threads"}));
   }
-  print(report, flags.format);
+  print(*report, flags.format);
   if (flags.out.is_given()) {
     std::cout << announced("index.html, ranking.json and figures", folder, flags.format);
   }

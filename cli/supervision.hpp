@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "cli/terminal.hpp"
-#include "search/explore.hpp"
+#include "studies/study_supervision.hpp"
 
 namespace reeve::cli {
 
@@ -39,6 +41,29 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
+
+// A progress line for each stage of a study.
+class StagedProgress {
+ public:
+  void operator()(const std::string& stage, const Progress& progress) {
+    if (stage != stage_) {
+      line_.emplace(stage);
+      stage_ = stage;
+    }
+    (*line_)(progress);
+  }
+
+ private:
+  std::string stage_;
+  std::optional<ProgressLine> line_;
+};
+
+// Runs a study with a progress line for each of its stages; Ctrl-C asks it to stop.
+template <typename Study>
+auto supervised(Study study) {
+  StagedProgress progress;
+  return study({std::ref(progress), &stop_on_interrupt()});
+}
 
 // What is being done, on stderr, where how long it takes is not known; silent where stderr is no
 // terminal.

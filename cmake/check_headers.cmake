@@ -1,16 +1,21 @@
 # One source per header of ours, including only that header: it must not lean on what
-# others happened to include before it.
+# others happened to include before it. And one that includes them all: no two may mean different
+# things by one name.
 file(GLOB headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
      numerics/*.hpp core/*.hpp causes/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp studies/*.hpp
      reports/*.hpp
      pages/*.hpp cli/*.hpp)
 set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")
 file(CONFIGURE OUTPUT "${sources}" CONTENT "")
+set(together "")
 foreach(header IN LISTS headers)
+  string(APPEND together "#include \"${header}\"\n")
   string(REPLACE ".hpp" ".cpp" source "${PROJECT_BINARY_DIR}/generated/alone/${header}")
   file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${header}\"\n")
   list(APPEND sources "${source}")
 endforeach()
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/generated/all_headers.cpp" CONTENT "${together}")
+list(APPEND sources "${PROJECT_BINARY_DIR}/generated/all_headers.cpp")
 
 add_library(reeve_headers_alone OBJECT ${sources})
 # Whether they compile is all that is asked; whatever the preset does to code costs time here.

@@ -34,12 +34,16 @@
 
 namespace reeve {
 
-struct DiagnoseOptions {
+// What the result depends on, besides the data and the hardware.
+struct DiagnosisSettings {
   double alpha = 0.02;
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
   std::size_t most_causes = 3;
+};
+
+struct DiagnoseOptions : DiagnosisSettings {
   int threads = 0;
   // To choose the next measurement from, beside those of the data.
   std::vector<MeasurableRouting> routings;

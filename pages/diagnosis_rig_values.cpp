@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/notation.hpp"
+#include "diagnosis/csv_field.hpp"
 #include "pages/diagnosis_values.hpp"
-#include "reports/csv_field.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis_words.hpp"
 
@@ -128,7 +128,7 @@ Json data_values(const DiagnosisPageInput& input) {
           {"hold_out", percent_text(settings.hold_out)},
           {"seed", settings.seed},
           {"replicates", settings.replicates},
-          {"explore", settings.explore},
+          {"explore", report.with_generated},
           {"friction",
            Json::array({friction("tube", hardware.tube), friction("bearing", hardware.bearing),
                         friction("sheath", hardware.sheath)})}};

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/csv.hpp"
-#include "reports/csv_field.hpp"
+#include "diagnosis/csv_field.hpp"
 #include "reports/data_text.hpp"
 #include "reports/json.hpp"
 

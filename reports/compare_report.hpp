@@ -2,21 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "core/hardware.hpp"
-#include "diagnosis/comparison.hpp"
-#include "diagnosis/measured_data.hpp"
 #include "reports/sheet.hpp"
+#include "studies/comparison_study.hpp"
 
 namespace reeve {
-
-struct CompareReport {
-  MeasuredData data;
-  std::vector<std::string> names;  // of data.routings; "" where there is none
-  Hardware hardware;
-  Comparison comparison;
-};
 
 Sheet compare_sheet(const CompareReport& report);
 std::string compare_json(const CompareReport& report);

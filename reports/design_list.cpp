@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "catalog/names.hpp"
-#include "reports/csv_field.hpp"
+#include "diagnosis/csv_field.hpp"
 #include "search/shown_objectives.hpp"
 
 namespace reeve {
@@ -64,17 +63,6 @@ std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool
 }
 
 }  // namespace
-
-std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
-                                       const std::vector<RankDistribution>& distributions,
-                                       const Catalogue& catalogue) {
-  std::vector<ListedDesign> designs;
-  for (std::size_t i = 0; i < ranked.size(); ++i) {
-    designs.push_back({ranked[i], name_of(catalogue, ranked[i].design.word), std::nullopt});
-    if (!distributions.empty()) designs.back().distribution = distributions[i];
-  }
-  return designs;
-}
 
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score) {

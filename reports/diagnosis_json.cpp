@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "reports/csv_field.hpp"
+#include "diagnosis/csv_field.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis_report.hpp"
 #include "reports/json.hpp"
@@ -96,9 +96,9 @@ Json noise_json(const Noise& noise) {
 
 Json settings_json(const DiagnosisReport& report) {
   const DiagnosisSettings& settings = report.settings;
-  return {{"data", report.data.file},      {"alpha", settings.alpha},
-          {"hold_out", settings.hold_out}, {"seed", settings.seed},
-          {"explore", settings.explore},   {"hardware", to_json(report.hardware)}};
+  return {{"data", report.data.file},         {"alpha", settings.alpha},
+          {"hold_out", settings.hold_out},    {"seed", settings.seed},
+          {"explore", report.with_generated}, {"hardware", to_json(report.hardware)}};
 }
 
 void add_findings(Json& json, const DiagnosisReport& report) {

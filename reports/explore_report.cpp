@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "catalog/names.hpp"
+#include "reports/design_list.hpp"
 #include "reports/model_text.hpp"
 
 namespace reeve {
@@ -123,20 +123,6 @@ Json explore_settings(const ExploreReport& report) {
 }
 
 }  // namespace
-
-ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
-                             const std::vector<RankDistribution>& distributions,
-                             const Catalogue& catalogue) {
-  ExploreReport report;
-  report.options = options;
-  report.top = list_designs(result.top, distributions, catalogue);
-  report.front = list_designs(result.front, distributions, catalogue);
-  for (const ReferenceStanding& reference : result.references) {
-    report.reference_names.push_back(name_of(catalogue, reference.design.word));
-  }
-  report.result = std::move(result);
-  return report;
-}
 
 Sheet explore_sheet(const ExploreReport& report) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);

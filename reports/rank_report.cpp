@@ -1,7 +1,10 @@
 #include "reports/rank_report.hpp"
 
+#include "reports/design_list.hpp"
+#include "reports/distribution_report.hpp"
 #include "reports/json.hpp"
 #include "reports/model_text.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve {
 namespace {

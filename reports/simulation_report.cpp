@@ -6,7 +6,7 @@
 
 #include "causes/named_effect.hpp"
 #include "diagnosis/csv.hpp"
-#include "reports/csv_field.hpp"
+#include "diagnosis/csv_field.hpp"
 #include "reports/json.hpp"
 
 namespace reeve {

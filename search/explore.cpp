@@ -218,7 +218,7 @@ class Exploration {
   ShardRange range_;
   Workers workers_;
   Archive archive_;
-  Sample sample_;
+  DesignSample sample_;
   std::vector<std::uint64_t> constraint_failures_;
   bool needs_release_;
   std::vector<DesignEvaluator> evaluators_;

@@ -15,12 +15,12 @@ double lot(std::uint64_t place) { return uniform(seed, stream, place); }
 
 }  // namespace
 
-bool Sample::would_enter(std::uint64_t place) const {
+bool DesignSample::would_enter(std::uint64_t place) const {
   if (members_.size() < size_) return true;
   return size_ > 0 && lot(place) < members_.front().lot;
 }
 
-void Sample::add(std::uint64_t place, Design design) {
+void DesignSample::add(std::uint64_t place, Design design) {
   if (!would_enter(place)) return;
   if (members_.size() == size_) {
     std::pop_heap(members_.begin(), members_.end());
@@ -30,7 +30,7 @@ void Sample::add(std::uint64_t place, Design design) {
   std::push_heap(members_.begin(), members_.end());
 }
 
-std::vector<Design> Sample::designs() const {
+std::vector<Design> DesignSample::designs() const {
   std::vector<Member> members = members_;
   std::sort(members.begin(), members.end(),
             [](const Member& a, const Member& b) { return a.place < b.place; });

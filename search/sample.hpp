@@ -12,9 +12,9 @@
 
 namespace reeve {
 
-class Sample {
+class DesignSample {
  public:
-  explicit Sample(std::size_t size) : size_(size) {}
+  explicit DesignSample(std::size_t size) : size_(size) {}
 
   // Whether the routing at this place of the enumeration would enter now; may be asked from many
   // threads.

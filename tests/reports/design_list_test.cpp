@@ -66,7 +66,7 @@ TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
   ListedDesign uncertain = design("");
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
-  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",10.5,,,,\n"));
+  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",16.5,,,,\n"));
 }
 
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {

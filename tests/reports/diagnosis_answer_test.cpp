@@ -21,7 +21,7 @@ DiagnosisReport report_of(Verdict verdict) {
   report.result.verdict = verdict;
   report.result.p_value = 0.4;
   report.result.structure_p_value = 0.7;
-  report.result.cells = {{{}, false, 1, 0, 0.1, 10, 0}};
+  report.result.cells = {{{}, false, 1, 0, 0.1, 10, 0, std::nullopt}};
   return report;
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 Design numbered(std::uint64_t place) { return {std::to_string(place), {}}; }
 
-Sample of(std::size_t size, std::uint64_t begin, std::uint64_t end) {
-  Sample sample(size);
+DesignSample of(std::size_t size, std::uint64_t begin, std::uint64_t end) {
+  DesignSample sample(size);
   for (std::uint64_t place = begin; place < end; ++place) sample.add(place, numbered(place));
   return sample;
 }

@@ -1,24 +1,17 @@
-#include "cli/diagnosis_company.hpp"
+#include "studies/diagnosis_study.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <chrono>
 #include <set>
+#include <utility>
 
-#include "catalog/model_file.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "core/version.hpp"
-#include "diagnosis/csv.hpp"
-#include "reports/data_text.hpp"
-#include "reports/diagnosis_words.hpp"
 #include "search/evaluation.hpp"
 #include "search/generator.hpp"
 #include "search/ranking.hpp"
-#include "studies/shown_routing.hpp"
 
-namespace reeve::cli {
+namespace reeve {
 namespace {
 
 constexpr std::size_t most_generated = 200;
@@ -59,8 +52,6 @@ std::vector<std::string> order(const Model& model, const Catalogue& catalogue) {
   return names;
 }
 
-}  // namespace
-
 std::vector<MeasurableRouting> measurable_routings(const MeasuredData& data,
                                                    const Catalogue& catalogue, bool generated) {
   std::vector<MeasurableRouting> routings;
@@ -88,6 +79,31 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
   }
 }
 
+}  // namespace
+
+std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
+                                               const Catalogue& catalogue) {
+  const auto start = std::chrono::steady_clock::now();
+  DiagnosisReport report;
+  report.data = std::move(request.data);
+  report.hardware = std::move(request.hardware);
+  report.settings = request.settings;
+  report.with_generated = request.with_generated;
+  for (const CatalogueEntry& entry : catalogue.entries) report.names[entry.word] = entry.name;
+  DiagnoseOptions options;
+  static_cast<DiagnosisSettings&>(options) = request.settings;
+  options.threads = request.threads;
+  options.routings = measurable_routings(report.data, catalogue, request.with_generated);
+  options.stage = std::move(request.stage);
+  auto result = diagnose_until(report.data, report.hardware, options);
+  if (!result) return std::nullopt;
+  report.result = std::move(*result);
+  report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  report.published = published_models(catalogue, report.data, report.result);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
 std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
                                          const Catalogue& catalogue) {
   if (!report.result.next_measurement) return std::nullopt;
@@ -102,19 +118,4 @@ std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
   }
 }
 
-std::string extended_model_toml(const DiagnosisReport& report,
-                                const UncertaintyRanges& uncertainty) {
-  const DiagnosisResult& result = report.result;
-  const Version build = version();
-  std::vector<std::string> lines{fmt::format("Extended by reeve {} from the readings in {}",
-                                             build.number, one_line(report.data.file))};
-  if (report.data.simulated) lines.push_back(fmt::format("The data are {}.", simulated_text));
-  lines.push_back(fmt::format("Verdict: {}", name(result.verdict)));
-  for (const NamedCause& cause : result.causes) lines.push_back(cause_text(cause));
-  for (const auto& names : result.indistinguishable) {
-    lines.push_back(fmt::format("The data cannot tell apart: {}", fmt::join(names, ", ")));
-  }
-  return model_toml(result.model, lines, uncertainty);
-}
-
-}  // namespace reeve::cli
+}  // namespace reeve

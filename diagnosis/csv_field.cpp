@@ -1,4 +1,4 @@
-#include "reports/csv_field.hpp"
+#include "diagnosis/csv_field.hpp"
 
 namespace reeve {
 

@@ -1,0 +1,21 @@
+#include "studies/comparison_study.hpp"
+
+#include <utility>
+
+#include "catalog/names.hpp"
+
+namespace reeve {
+
+CompareReport comparison_study(MeasuredData data, const Hardware& hardware,
+                               const Catalogue& catalogue) {
+  CompareReport report;
+  report.data = std::move(data);
+  report.hardware = hardware;
+  for (const MeasuredRouting& measured : report.data.routings) {
+    report.names.push_back(name_of(catalogue, measured.word));
+  }
+  report.comparison = compare(report.data, hardware);
+  return report;
+}
+
+}  // namespace reeve

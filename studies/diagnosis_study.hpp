@@ -1,0 +1,61 @@
+// Readings diagnosed, and set beside what the catalogue knows: whether its ranking changes, and
+// what publications draw of the same routings.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/measured_data.hpp"
+#include "studies/published_models.hpp"
+#include "studies/shown_routing.hpp"
+
+namespace reeve {
+
+struct DiagnosisRequest {
+  MeasuredData data;
+  Hardware hardware;
+  DiagnosisSettings settings;
+  // Whether the next measurement may be of a generated routing: of one tendon, with the data's
+  // numbers of fingers, of all known parts, at most 200. Otherwise of the catalogue's and the
+  // data's.
+  bool with_generated = false;
+  int threads = 0;
+  std::function<bool(const char* stage)> stage;  // DiagnoseOptions::stage
+};
+
+// Names of the catalogue's routings of two fingers, best first by mean uniformity and efficiency,
+// before and after the model is extended.
+struct CatalogueRanking {
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+
+  bool changes() const { return before != after; }
+};
+
+struct DiagnosisReport {
+  MeasuredData data;
+  Hardware hardware;
+  DiagnosisSettings settings;
+  bool with_generated = false;
+  DiagnosisResult result;
+  std::map<std::string, std::string> names;  // of the catalogue, by word
+  // Only where a cause extends the model, to one that has tensions in all these routings.
+  std::optional<CatalogueRanking> ranking;
+  std::vector<PublishedModel> published;  // of the data's routings in their grasps
+  double seconds = 0;
+};
+
+// Nothing if it was stopped. Throws InputError if no row can be compared.
+std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
+                                               const Catalogue& catalogue);
+
+// The routing of the next measurement, by the extended model in the measurement's grasp and
+// conditions; nothing if there is no such measurement, or the model has no tensions in it.
+std::optional<ShownRouting> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
+
+}  // namespace reeve

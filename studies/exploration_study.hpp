@@ -1,0 +1,43 @@
+// Every routing of a set of parts, ranked, beside the routings that are known.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "search/explore.hpp"
+#include "search/uncertainty.hpp"
+#include "studies/listed_design.hpp"
+#include "studies/study_supervision.hpp"
+
+namespace reeve {
+
+struct ExploreReport {
+  ExploreOptions options;
+  ExploreResult result;
+  std::vector<ListedDesign> front;
+  std::vector<ListedDesign> top;
+  std::vector<std::string> reference_names;  // parallel to result.references
+  // Only where uncertainty was asked for.
+  std::optional<UncertaintyOptions> uncertainty;
+  bool draws_stopped = false;  // before there were distributions
+};
+
+// The catalogue's routings with as many fingers as the options ask for, as the generator writes
+// them.
+std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue);
+
+// With `uncertainty` also the spread of the ranks, of the longer of top and front. What was stopped
+// says so, and holds what there was.
+ExploreReport exploration_study(const ExploreOptions& options,
+                                const std::optional<UncertaintyOptions>& uncertainty,
+                                const Catalogue& catalogue,
+                                const StudySupervision& supervision = {});
+
+// Distributions are parallel to the longer of top and front, or empty.
+ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
+                             const std::vector<RankDistribution>& distributions,
+                             const Catalogue& catalogue);
+
+}  // namespace reeve

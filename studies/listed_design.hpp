@@ -1,0 +1,26 @@
+// A ranked design with what the catalogue and drawn coefficients say of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "search/ranking.hpp"
+#include "search/uncertainty.hpp"
+
+namespace reeve {
+
+struct ListedDesign {
+  RankedDesign ranked;
+  std::string name;  // "" if it has none
+  // Only where uncertainty was asked for.
+  std::optional<RankDistribution> distribution;
+};
+
+// `distributions` is parallel to `ranked`, or empty.
+std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
+                                       const std::vector<RankDistribution>& distributions,
+                                       const Catalogue& catalogue);
+
+}  // namespace reeve

@@ -1,0 +1,65 @@
+#include "studies/ranking_study.hpp"
+
+#include <utility>
+
+#include "core/notation.hpp"
+#include "search/evaluation.hpp"
+
+namespace reeve {
+namespace {
+
+std::vector<RankedDesign> ranked(const RankRequest& request, std::uint64_t& unconverged) {
+  DesignEvaluator evaluator(request.model, request.grasps, request.score);
+  std::vector<Design> designs;
+  for (const Routing& routing : request.routings) {
+    designs.push_back({to_word(routing), evaluator.evaluate(routing)});
+  }
+  unconverged += evaluator.unconverged();
+  return rank(designs, request.order);
+}
+
+UncertaintyOptions uncertainty(const RankRequest& request) {
+  return {request.model,        request.ranges,      request.grasps,  request.order,
+          request.draws->count, request.draws->seed, request.threads, request.score};
+}
+
+RankDetails details(const RankRequest& request, const std::vector<RankedDesign>& designs,
+                    const Catalogue& catalogue) {
+  RankDetails details{best_by_objective(designs, designs.size()), {}, {}};
+  for (const RankedDesign& entry : designs) {
+    details.routings.push_back(shown_routing(parse_routing(entry.design.word), request.model,
+                                             request.grasps, Direction::pull, catalogue));
+  }
+  return details;
+}
+
+}  // namespace
+
+std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,
+                                        const StudySupervision& supervision) {
+  RankReport report;
+  report.order = request.order;
+  report.score = request.score;
+  report.grasps = request.grasps;
+  report.model = request.model;
+  const std::vector<RankedDesign> designs = ranked(request, report.unconverged);
+  std::vector<RankDistribution> drawn;
+  if (request.draws) {
+    report.uncertainty = uncertainty(request);
+    auto distributions = rank_distributions(plain_designs(designs), *report.uncertainty,
+                                            supervision.during("drawing"));
+    if (!distributions) return std::nullopt;
+    drawn = std::move(*distributions);
+  }
+  if (request.margins) {
+    MarginOptions options{request.model, request.ranges, request.grasps};
+    options.threads = request.threads;
+    report.margins = margins(designs, options, {{}, supervision.stop});
+    if (!report.margins) return std::nullopt;
+  }
+  report.designs = list_designs(designs, drawn, catalogue);
+  if (request.details) report.details = details(request, designs, catalogue);
+  return report;
+}
+
+}  // namespace reeve

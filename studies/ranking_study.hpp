@@ -1,0 +1,70 @@
+// Routings that somebody has in mind, compared: ranked, and where asked for with the spread of
+// their ranks and with the least lead of the first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
+#include "core/routing.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "search/margin.hpp"
+#include "search/order.hpp"
+#include "search/ranking.hpp"
+#include "search/score.hpp"
+#include "search/uncertainty.hpp"
+#include "studies/listed_design.hpp"
+#include "studies/shown_routing.hpp"
+#include "studies/study_supervision.hpp"
+#include "studies/tension_distributions.hpp"
+
+namespace reeve {
+
+// Of coefficients, for the spread of the ranks.
+struct Draws {
+  std::size_t count = 1000;
+  std::uint64_t seed = 1;
+};
+
+struct RankRequest {
+  std::vector<Routing> routings;  // as many fingers each
+  Model model;
+  UncertaintyRanges ranges;
+  GraspSet grasps;
+  Order order;
+  Score score = authors_score();
+  std::optional<Draws> draws;
+  bool margins = false;  // needs the order of mean uniformity and mean efficiency
+  bool details = false;
+  int threads = 0;
+};
+
+// What the page shows besides the ranking.
+struct RankDetails {
+  std::vector<BestDesigns> best;
+  std::vector<ShownRouting> routings;  // in the order of the designs, in the grasps of the ranking
+  TensionDistributions distributions;
+};
+
+struct RankReport {
+  std::vector<ListedDesign> designs;
+  Order order;
+  Score score = authors_score();
+  GraspSet grasps;
+  Model model;
+  std::uint64_t unconverged = 0;  // tension solves
+  // Only where they were asked for.
+  std::optional<UncertaintyOptions> uncertainty;
+  std::optional<std::vector<Margin>> margins;
+  std::optional<RankDetails> details;
+};
+
+// Nothing if it was stopped. The details have no distributions yet.
+std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,
+                                        const StudySupervision& supervision = {});
+
+}  // namespace reeve
