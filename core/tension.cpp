@@ -58,11 +58,11 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   }
 }
 
+// The forces at a loop's contacts are determined up to one that goes round: it can be chosen such
+// that some still contact carries none and no other pulls the wrong way. The chain that is opened
+// there has the loop's tensions, which lie in that contact's cone.
 void TensionSolver::solve_loop(const TendonSpan& tendon, const Mechanics& mechanics,
                                TensionState& state) {
-  std::size_t best = 0;
-  double least_excess = 0;
-  bool found = false;
   for (std::size_t k = 0; k < tendon.contacts; ++k) {
     if (motion_.slip[tendon.first_contact + k] != 0) continue;
     const auto [left, right] = ends_of(tendon, k);
@@ -70,13 +70,7 @@ void TensionSolver::solve_loop(const TendonSpan& tendon, const Mechanics& mechan
     const double excess = cone_excess(state.tension[left], state.tension[right],
                                       mechanics.decay[tendon.first_contact + k]);
     if (excess <= cone_tolerance) return;
-    if (!found || excess < least_excess) {
-      best = right - tendon.first_segment;
-      least_excess = excess;
-    }
-    found = true;
   }
-  solve_open(tendon, mechanics, best, state);
 }
 
 void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics,

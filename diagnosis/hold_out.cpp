@@ -91,8 +91,9 @@ std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size
   for (const std::size_t i : readings) by_run[data.readings[i].run].push_back(i);
   const double share = static_cast<double>(most) / static_cast<double>(readings.size());
   std::vector<std::size_t> kept;
+  // Goes on from run to run: rounded in each, many short runs would keep more than `most`.
+  double due = 0.5;
   for (const auto& [run, list] : by_run) {
-    double due = 0.5;
     for (const std::size_t i : list) {
       due += share;
       if (due < 1) continue;

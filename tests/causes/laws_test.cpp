@@ -118,6 +118,17 @@ TEST(Temperature, LowersFrictionInProportion) {
   EXPECT_NEAR(bench(model), 1, tolerance);
 }
 
+TEST(LawsOfConditions, SpareBearings) {
+  for (const Effect& law : {effect("speed_dependent_friction", {0.2}), effect("wear", {-0.4, 500}),
+                            effect("temperature", {0.02})}) {
+    Model model = model_with({law});
+    model.conditions = {10, 100, 1000, 45};
+    const Solved s = solved(model, "M-1b-B-2b-F");
+    EXPECT_NEAR(s["T4"] / s["T1"], std::exp(-3 * bearing), 1e-12) << name(law);
+    EXPECT_GT(std::abs(s["T1"] / std::exp(-sheath) - 1), 0.1) << name(law);
+  }
+}
+
 TEST(BendingStiffness, TakesAConstantForceAtEachTubeAndSheath) {
   const Model model = model_with({effect("bending_stiffness", {0.3})});
   EXPECT_NEAR(10 * bench(model), 10 * std::exp(-sheath) - 0.3, 10 * tolerance);

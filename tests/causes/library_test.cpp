@@ -67,6 +67,30 @@ TEST(CauseLibrary, HasSensibleParameters) {
   }
 }
 
+// One recorded grasp was really one other: of two effects about it, one is too many.
+TEST(Effects, AreAboutTheSameThingWhateverTheySayOfIt) {
+  const auto wrong_grasp = [](int recorded, int actual) {
+    Subject subject;
+    subject.routing = "M-1-T-2-T-3-F";
+    subject.recorded = hold({recorded});
+    subject.actual = hold({actual});
+    return testing::effect("wrong_grasp", {}, subject);
+  };
+  EXPECT_TRUE(is_about_the_same(wrong_grasp(1, 2), wrong_grasp(1, 3)));
+  EXPECT_FALSE(is_about_the_same(wrong_grasp(1, 3), wrong_grasp(2, 3)));
+  const auto gain = [](const char* channel, double value) {
+    Subject subject;
+    subject.channel = parse_segment(channel);
+    return testing::effect("sensor_gain", {value}, subject);
+  };
+  EXPECT_TRUE(is_about_the_same(gain("T1", 1.1), gain("T1", 1.2)));
+  EXPECT_FALSE(is_about_the_same(gain("T1", 1.1), gain("T2", 1.1)));
+  EXPECT_FALSE(is_about_the_same(gain("T1", 1.1), gain("a", 1.1)));
+  Effect offset = gain("T1", 1.1);
+  offset.cause = find_cause("sensor_offset");
+  EXPECT_FALSE(is_about_the_same(gain("T1", 1.1), offset));
+}
+
 // What the seam promises to whoever keeps or prints a model.
 TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
   const Trial trial = testing::random_trial(3);

@@ -175,6 +175,50 @@ TEST(ModelSolver, AgreesWithAnIndependentSolverInAnOuterIteration) {
   EXPECT_GT(released, 10);
 }
 
+// A loop that is opened at a seized contact begins elsewhere: its contacts keep their friction.
+TEST(ModelSolver, GivesContactsThatSlideBesideASeizedOneTheirOwnRatios) {
+  const std::string word = "1-T-2b-P-3-B-1";
+  const Network network = expand(parse_routing(word));
+  const Mechanics m = mechanics(network, {});
+  int sliding = 0;
+  for (std::size_t seized = 0; seized < network.contacts.size(); ++seized) {
+    Subject subject;
+    subject.routing = word;
+    subject.contact = contact_name(network, seized);
+    const Solved s = testing::solved(testing::model_with({effect("seized_contact", {}, subject)}),
+                                     word, hold({2}));
+    if (s.state.jams) continue;
+    for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+      const auto [left, right] = ends_of(network.tendons[0], k);
+      const double slip = s.state.slip[k];
+      if (slip == 0 || s.state.tension[left] == 0) continue;
+      EXPECT_NEAR(std::log(s.state.tension[right] / s.state.tension[left]),
+                  std::copysign(m.phi[k], slip), 1e-9)
+          << contact_name(network, k) << " beside " << subject.contact;
+      ++sliding;
+    }
+  }
+  EXPECT_GT(sliding, 20);
+}
+
+// No solution begins where another ended: the same bytes come out whatever was solved before.
+TEST(ModelSolver, ForgetsTheSolveBefore) {
+  Model model = testing::model_with(
+      {effect("load_dependent_friction", {0.3}), effect("bending_stiffness", {0.1})});
+  const std::string word = "M-1-P-2-F";
+  const Network network = expand(parse_routing(word));
+  ModelSolver used(model, model.hardware, word, network);
+  for (const double motor : {3.0, 30.0, 10.0}) {
+    for (const WeightedGrasp& grasp : single_grasps(2)) {
+      for (const Direction direction : {Direction::pull, Direction::release}) {
+        model.conditions.motor_tension_N = motor;
+        EXPECT_EQ(used.solve(grasp.grasp, direction, model.conditions).tension,
+                  testing::solved(model, word, grasp.grasp, direction).state.tension);
+      }
+    }
+  }
+}
+
 // One after the other in one solver is each in a solver of its own.
 TEST(ModelSolver, GoesFromRoutingToRouting) {
   Model model = testing::model_with({effect("load_dependent_friction", {0.2})});

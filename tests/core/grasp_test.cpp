@@ -99,11 +99,16 @@ TEST(GraspSet, ReadsHeldListsWithWeights) {
 
 TEST(GraspSetError, NamesTheItemWhoseWeightIsWrong) {
   for (const std::string item :
-       {"1:0", "1:-1", "1:nan", "1:inf", "1:1e7", "1:", "1:x", "1:1:1", "1:2 "}) {
+       {"1:0", "1:9.9e-7", "1:-1", "1:nan", "1:inf", "1:1.1e6", "1:", "1:x", "1:1:1", "1:2 "}) {
     EXPECT_EQ(set_message("none/" + item, 2),
               "grasps 'none/" + item + "': '" + item +
                   "': expected a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5");
   }
+}
+
+TEST(GraspSet, TakesTheLeastAndTheGreatestWeightThatItNames) {
+  EXPECT_EQ(parse_grasps("1:1e-6", 2).at(0).weight, 1e-6);
+  EXPECT_EQ(parse_grasps("1:1e6", 2).at(0).weight, 1e6);
 }
 
 TEST(GraspSetError, NamesTheFingerThatDoesNotExist) {

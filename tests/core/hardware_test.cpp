@@ -256,6 +256,14 @@ TEST(HardwareError, AFingersExponentsAreThoseWithItsOverrides) {
               f.sheath_angle_rad = 3;
             }),
             "hardware: finger.2 sheath: mu * angle = 15: expected at most 10");
+  // Whichever tip the finger has in a routing: here a tube would do, a bearing would not.
+  EXPECT_EQ(message([](Hardware& h) {
+              h.bearing = {4, 2};
+              FingerHardware second = only_finger(2);
+              second.tip_angle_rad = 3;
+              h.fingers = {second};
+            }),
+            "hardware: finger.2 tip: mu * angle = 12: expected at most 10");
 }
 
 TEST(HardwareError, NamesTheContact) {

@@ -36,6 +36,19 @@ TEST(Forecast, WithoutMotorTensionAddsUpToTheMeasuredTensions) {
   EXPECT_NEAR(forecast.reading_N[1] / forecast.reading_N[0], beyond_tube, 1e-12);
 }
 
+// 4 and 2 N with an offset of 1 N on the first are 3 and 2 N of tension.
+TEST(Forecast, WithoutMotorTensionScalesTheTensionsAndNotTheOffsets) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,4,2\n");
+  Model model;
+  Subject first;
+  first.channel = parse_segment("T1");
+  add_effect(model, {find_cause("sensor_offset"), first, {1}});
+  const Forecast forecast = reeve::forecast(all_of(data), model);
+  EXPECT_NEAR(forecast.reading_N.sum(), 6, 1e-12);
+  EXPECT_NEAR(forecast.reading_N[1] / (forecast.reading_N[0] - 1), tube, 1e-12);
+  EXPECT_NEAR(forecast.by_scale[1] / forecast.by_scale[0], tube, 1e-12);
+}
+
 // The scale of such a row comes from the readings, at which the exponent then is taken.
 TEST(Forecast, OfALoadDependentLawTakesTheLoadFromTheReadingsThemselves) {
   const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,40,30\n");

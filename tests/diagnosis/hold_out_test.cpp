@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -95,6 +96,33 @@ TEST(Thinned, TakesFromEveryRunAlike) {
   EXPECT_NEAR(static_cast<double>(of_long), 16, 1);
   EXPECT_NEAR(static_cast<double>(kept.size()), 20, 1);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+}
+
+// A run of three gives one or two of its readings, none gives all or none of them.
+TEST(Thinned, KeepsAsManyAsItMayOfManyShortRuns) {
+  std::string text = "run,routing,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 300; ++i) {
+    text += std::to_string(i / 3) + ",TR3,10," + std::to_string(i) + "e-2\n";
+  }
+  const MeasuredData data = read_data(text);
+  const Split split = split_by_run(data, 0, 1);
+  for (const std::size_t most : {100U, 170U, 299U}) {
+    const auto kept = thinned(data, split.training, most);
+    EXPECT_EQ(kept.size(), most);
+    std::map<std::size_t, std::size_t> by_run;
+    for (const std::size_t i : kept) ++by_run[data.readings[i].run];
+    EXPECT_EQ(by_run.size(), 100U) << most;
+    for (const auto& [run, count] : by_run) {
+      EXPECT_NEAR(static_cast<double>(count), static_cast<double>(most) / 100, 1) << most;
+    }
+  }
+}
+
+TEST(Thinned, LeavesAloneWhatIsNotTooMuch) {
+  const MeasuredData data = read_data(seven_runs());
+  const Split split = split_by_run(data, 0, 1);
+  EXPECT_EQ(thinned(data, split.training, 28), split.training);
+  EXPECT_EQ(thinned(data, split.training, 27).size(), 27U);
 }
 
 }  // namespace

@@ -53,5 +53,13 @@ TEST(LeftOutRuns, NeedAParameterAndThreeRuns) {
   EXPECT_EQ(left_out(bench_data(more), with_gain(1.1)).size(), 3U);
 }
 
+TEST(LeftOutRuns, AreAtMostForty) {
+  std::vector<BenchReading> readings;
+  for (int run = 0; run < 40; ++run) readings.push_back({std::to_string(run), 10.0 + run, 11});
+  EXPECT_EQ(left_out(bench_data(readings), with_gain(1.1)).size(), 40U);
+  readings.push_back({"40", 60, 66});
+  EXPECT_TRUE(left_out(bench_data(readings), with_gain(1.1)).empty());
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "causes/library.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {
@@ -108,6 +111,136 @@ TEST(Losses, OneThatIsFarFromTheOthersStandsApart) {
     EXPECT_EQ(loss.stands_apart, loss.measured > tube_loss + 0.2);
   }
   EXPECT_EQ(marked, 1U);
+}
+
+TEST(Losses, AreMeansOverTheRowsOfAGraspAndDirection) {
+  const MeasuredData data = read_data(
+      "run,routing,direction,T1_N,T2_N\n1,M-1-F,pull,40,20\n1,M-1-F,pull,40,10\n"
+      "1,M-1-F,release,20,40\n");
+  const auto found = losses(data, Model{}, compared(data));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].rows, 2U);
+  EXPECT_NEAR(found[0].measured, std::log(40 / std::sqrt(200.0)), 1e-12);
+  EXPECT_NEAR(found[0].before, 2 * found[0].measured, 1e-12);
+  // Of a mean of two, of two tensions each.
+  EXPECT_NEAR(found[0].deviation, 0.01, 1e-12);
+  EXPECT_EQ(found[1].rows, 1U);
+  EXPECT_EQ(found[1].direction, Direction::release);
+  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T2T1");
+}
+
+TEST(Losses, LeaveOutRowsWithATensionThatMayBeNone) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-F,40,20\n1,M-1-F,40,0.5\n");
+  std::vector<ComparedCell> cells = compared(data);
+  for (ComparedCell& cell : cells) cell.deviation_N = 0.2;
+  const auto found = losses(data, Model{}, cells);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].rows, 1U);
+}
+
+Effect effect_on(const char* cause, const Subject& subject) {
+  return {find_cause(cause), subject, {}};
+}
+
+TEST(Losses, AreNotKnownBehindASeizedContact) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-F,40,20\n1,F-1-M,20,40\n");
+  Model model;
+  Subject tip;
+  tip.routing = "M-1-F";
+  tip.contact = "T1-T2";
+  add_effect(model, effect_on("seized_contact", tip));
+  const auto found = losses(data, model, compared(data));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(data.routings[found[0].routing].word, "F-1-M");
+}
+
+// With the grasp that was written down nothing is known of the sheaths.
+TEST(Losses, AreThoseOfTheGraspThatItReallyWas) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N,T3_N,T4_N\n1,M-1-P-2-F,50,28,3,2\n");
+  const auto over_sheaths = [&](const Model& model) {
+    std::size_t count = 0;
+    for (const Loss& loss : losses(data, model, compared(data))) {
+      count += loss.over.size() == 3 ? 1 : 0;
+    }
+    return count;
+  };
+  Model wrong;
+  Subject grasp;
+  grasp.routing = "M-1-P-2-F";
+  grasp.recorded = Grasp{};
+  grasp.actual = hold({1});
+  add_effect(wrong, effect_on("wrong_grasp", grasp));
+  EXPECT_EQ(over_sheaths(wrong) - over_sheaths(Model{}), 1U);
+}
+
+// Stretches of one tube each, that lose so much more than tubes do, of which the model expects
+// some.
+std::vector<bool> apart(const std::vector<double>& more, double noise,
+                        const std::vector<double>& expected = std::vector<double>(9)) {
+  std::string text = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
+  const char* grasps[] = {"", "1", "2"};
+  for (std::size_t k = 0; k < more.size(); k += 3) {
+    double tension = 40;
+    text += fmt::format("1,M-1-T-2-F,{},{}", grasps[k / 3], tension);
+    for (std::size_t i = k; i < k + 3; ++i) {
+      tension *= std::exp(-tube - more[i]);
+      text += fmt::format(",{}", tension);
+    }
+    text += '\n';
+  }
+  const MeasuredData data = read_data(text);
+  std::vector<ComparedCell> cells = compared(data);
+  for (ComparedCell& cell : cells) {
+    cell.after_N = 40;
+    for (std::size_t i = 0; i < cell.cell.channel; ++i) {
+      cell.after_N *= std::exp(-tube - expected[3 * cell.cell.reading + i]);
+    }
+    cell.deviation_N = noise * cell.cell.measured_N;
+  }
+  std::vector<bool> result;
+  for (const Loss& loss : losses(data, Model{}, cells)) result.push_back(loss.stands_apart);
+  return result;
+}
+
+// Median and typical distance 0.01: that of 0.07 is 4 of them by the score, that of 0.05 is 2.7.
+TEST(Losses, OneStandsApartBeyondAScoreOfThreeAndAHalf) {
+  const std::vector<double> more{0, 0.02, 0, 0.02, 0.01, 0, 0.02, 0.01, 0.07};
+  std::vector<bool> expected(9, false);
+  EXPECT_EQ(apart({0, 0.02, 0, 0.02, 0.01, 0, 0.02, 0.01, 0.05}, 1e-4), expected);
+  expected.back() = true;
+  EXPECT_EQ(apart(more, 1e-4), expected);
+  // 0.06 from the median is less than two standard deviations of √2 · 0.03.
+  EXPECT_EQ(apart(more, 0.03), std::vector<bool>(9, false));
+}
+
+// The median is 0.05, and so are all distances but one, of 0.45: a score of 6. From 0.1, the upper
+// of the two in the middle, half of the distances would be 0.1, and the score 2.7.
+TEST(Losses, OfAnEvenNumberHaveTheirMedianBetweenTheTwoInTheMiddle) {
+  EXPECT_EQ(apart({0, 0, 0, 0.1, 0.1, 0.5}, 1e-4),
+            (std::vector<bool>{false, false, false, false, false, true}));
+}
+
+TEST(Losses, OfFewNoneStandsApart) {
+  EXPECT_EQ(apart({0, 0.01, 0.5}, 1e-4), std::vector<bool>(3, false));
+}
+
+TEST(Losses, AreComparedByWhatTheModelDoesNotExpect) {
+  const std::vector<double> more{0, 0.01, 0.02, 0.01, 0, 0.5};
+  std::vector<bool> apart_by_itself(6, false);
+  apart_by_itself.back() = true;
+  EXPECT_EQ(apart(more, 1e-4), apart_by_itself);
+  EXPECT_EQ(apart(more, 1e-4, {0, 0, 0, 0, 0, 0.5}), std::vector<bool>(6, false));
+}
+
+// Releasing TR2, the tendon sticks at the tip between T3 and T4 with less friction than there is.
+TEST(Losses, LeaveOutContactsThatHoldWithLess) {
+  const MeasuredData data = read_data(
+      "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-M,1,release,10,15,20,25\n");
+  const auto found = losses(data, Model{}, compared(data));
+  EXPECT_FALSE(found.empty());
+  for (const Loss& loss : found) {
+    EXPECT_FALSE(name(loss.high) == "T4" || name(loss.low) == "T4");
+  }
 }
 
 }  // namespace

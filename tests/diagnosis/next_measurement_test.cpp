@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -60,6 +61,19 @@ TEST(SeparatingMeasurement, DoesNotExistBetweenEqualModels) {
   const MeasuredData data = read_data(few_conditions);
   const Model model = with("tube_friction", {0.1});
   EXPECT_FALSE(separating_measurement(plan(data), model, "a", model, "b").has_value());
+}
+
+// Releasing, T4 of M-1-T-2-F is 17 times the motor tension: there the two differ most.
+TEST(SeparatingMeasurement, AsksForNoReadingFarBeyondWhatTheRigHasShown) {
+  const MeasuredData data = read_data(few_conditions);
+  const auto measurement = separating_measurement(plan(data), with("tube_friction", {0.18}), "a",
+                                                  with("tube_friction", {0.15}), "b");
+  ASSERT_TRUE(measurement.has_value());
+  ASSERT_FALSE(measurement->expected.empty());
+  const double load = measurement->measurement.conditions.motor_tension_N;
+  for (const ExpectedReading& reading : measurement->expected) {
+    EXPECT_LE(std::max(reading.expected_N, reading.other_N), 3 * std::max(6.1, load));
+  }
 }
 
 TEST(ShrinkingMeasurement, IsExpectedToNarrowWhatItSaysItNarrows) {

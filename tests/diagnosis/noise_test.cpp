@@ -44,6 +44,18 @@ TEST(Noise, IsFoundInRepeats) {
   EXPECT_NEAR(noise->absolute_N, absolute, 0.15 * absolute);
 }
 
+// Two readings are half a difference from their mean. 400 pairs: 3.5 % of what is found.
+TEST(Noise, IsFoundInPairs) {
+  const MeasuredData data =
+      read_data(rows(400, [](int i) { return 10.0 + 0.1 * static_cast<double>(i / 2); }));
+  const auto noise = noise_without_model(all_of(data));
+  ASSERT_TRUE(noise.has_value());
+  EXPECT_EQ(noise->source, NoiseSource::repeats);
+  EXPECT_NEAR(noise->degrees_of_freedom, 400, 1e-6);
+  EXPECT_NEAR(noise->deviation(20), std::hypot(20 * relative, absolute),
+              0.12 * std::hypot(20 * relative, absolute));
+}
+
 TEST(Noise, IsFoundBesideASmoothLaw) {
   const MeasuredData data = read_data(rows_of_loads(
       600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));
@@ -52,6 +64,86 @@ TEST(Noise, IsFoundBesideASmoothLaw) {
   EXPECT_EQ(noise->source, NoiseSource::smoothing);
   EXPECT_NEAR(noise->relative, relative, 0.1 * relative);
   EXPECT_NEAR(noise->absolute_N, absolute, 0.15 * absolute);
+}
+
+// One strand at one load, which follows a column; nothing is measured twice.
+TEST(Noise, OfReadingsThatDifferInOneConditionAloneIsNotThatOfRepeats) {
+  const std::vector<std::pair<std::string, std::function<double(double)>>> laws{
+      {"speed_mm_s", [](double v) { return 1 + 0.1 * std::log(v); }},
+      {"cycle", [](double n) { return 1 + 0.3 * std::log1p(n / 100); }},
+      {"temperature_C", [](double t) { return 1 + 0.01 * t; }},
+      {"sheath_angle_rad", [](double a) { return 1 + 0.01 * a; }}};
+  for (const auto& [column, law] : laws) {
+    std::string text = "run,routing,motor_tension_N," + column + ",T1_N\n";
+    for (int i = 0; i < 100; ++i) {
+      const double at = 1 + 29 * uniform(7, 4, static_cast<std::uint64_t>(i));
+      text += fmt::format("1,TR3,20,{},{}\n", at,
+                          6 * law(at) * (1 + 0.01 * normal(7, 5, static_cast<std::uint64_t>(i))));
+    }
+    const MeasuredData data = read_data(text);
+    const auto noise = noise_without_model(all_of(data));
+    ASSERT_TRUE(noise.has_value()) << column;
+    EXPECT_EQ(noise->source, NoiseSource::smoothing) << column;
+    EXPECT_NEAR(noise->deviation(6), 0.06, 0.02) << column;
+  }
+}
+
+TEST(Noise, OfReadingsInAnotherGraspDirectionOrRoutingIsNotThatOfRepeats) {
+  for (const char* others : {"TR3,2,pull", "TR3,1,release", "TR5,1,pull"}) {
+    std::string text = "run,routing,held,direction,motor_tension_N,T1_N\n";
+    for (int i = 0; i < 100; ++i) {
+      const double level = i % 2 == 0 ? 4 : 8;
+      text += fmt::format("1,{},20,{}\n", i % 2 == 0 ? "TR3,1,pull" : others,
+                          level * (1 + 0.01 * normal(7, 6, static_cast<std::uint64_t>(i))));
+    }
+    const MeasuredData data = read_data(text);
+    const auto noise = noise_without_model(all_of(data));
+    ASSERT_TRUE(noise.has_value()) << others;
+    EXPECT_EQ(noise->source, NoiseSource::repeats) << others;
+    EXPECT_NEAR(noise->deviation(6), 0.06, 0.02) << others;
+  }
+}
+
+// Groups of ten readings, of which a regression on seven columns leaves three: 16 strands in nine
+// grasps, so 432 degrees of freedom, and a standard deviation of 3.4 % of what is found.
+TEST(Noise, AllowsForWhatTheRegressionTakes) {
+  std::string text = "run,routing,held,motor_tension_N,speed_mm_s,cycle,temperature_C";
+  for (int strand = 1; strand <= 16; ++strand) text += fmt::format(",T{}_N", strand);
+  text += '\n';
+  std::uint64_t index = 0;
+  const auto level = [&](double middle) { return middle * (0.5 + uniform(7, 7, index++)); };
+  for (int row = 0; row < 90; ++row) {
+    const double motor = level(20);
+    text += fmt::format("1,M-1-T-2-T-3-T-4-T-5-T-6-T-7-T-8-F,{},{},{},{},{}",
+                        row % 9 == 0 ? "" : std::to_string(row % 9), motor, level(10), level(100),
+                        level(20));
+    for (int strand = 1; strand <= 16; ++strand) {
+      text += fmt::format(",{}", 0.3 * motor * (1 + relative * normal(7, 8, index++)));
+    }
+    text += '\n';
+  }
+  const MeasuredData data = read_data(text);
+  const auto noise = noise_without_model(all_of(data));
+  ASSERT_TRUE(noise.has_value());
+  EXPECT_NEAR(noise->degrees_of_freedom, 432, 1e-6);
+  EXPECT_NEAR(noise->deviation(6), 6 * relative, 0.1 * 6 * relative);
+}
+
+// Noise in proportion alone: a reading of 0 still must not weigh infinitely.
+TEST(Noise, IsNeverLessThanAThousandthOfTheMedianReading) {
+  std::string text = "run,routing,motor_tension_N,T1_N,T3_N\n";
+  for (int i = 0; i < 200; ++i) {
+    const auto index = static_cast<std::uint64_t>(i);
+    text += fmt::format("1,TR3,{},{},{}\n", 20 + i % 2, 5 * (1 + relative * normal(7, 9, index)),
+                        1e-4 * (1 + relative * normal(7, 10, index)));
+  }
+  const MeasuredData data = read_data(text);
+  const auto noise = noise_without_model(all_of(data));
+  ASSERT_TRUE(noise.has_value());
+  // The median of as many readings about 5 N as about 0.1 mN is the least of the former, or so.
+  EXPECT_GT(noise->absolute_N, 1e-3 * 4);
+  EXPECT_LT(noise->absolute_N, 1e-3 * 5);
+  EXPECT_NEAR(noise->relative, relative, 0.15 * relative);
 }
 
 TEST(Noise, OfTooFewReadingsNeedsAModel) {

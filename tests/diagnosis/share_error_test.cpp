@@ -70,5 +70,28 @@ TEST(ShareErrors, OfRunsLeftOutAreThereOnlyIfAllAre) {
   EXPECT_FALSE(errors.left_out.has_value());
 }
 
+TEST(ShareErrors, AreOfStrandsAlone) {
+  const MeasuredData data =
+      read_data("run,routing,Ta_N,T1_N,T2_N,T3_N,T4_N\n1,TR3,80,40,30,20,10\n");
+  const ShareErrors errors =
+      share_errors(data, compared(data, {1, 4, 3, 2, 1}, {1, 40, 30, 20, 10}));
+  ASSERT_EQ(errors.groups.size(), 1U);
+  EXPECT_NEAR(errors.before, 0, 1e-12);
+}
+
+TEST(ShareErrors, AreOfEachGraspByItself) {
+  const MeasuredData data = read_data(
+      "run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,TR3,1,40,30,20,10\n1,TR3,2,40,30,20,10\n"
+      "2,TR3,2,40,30,20,10\n");
+  std::vector<ComparedCell> cells = compared(data, {4, 3, 2, 1}, {4, 3, 2, 1});
+  for (ComparedCell& cell : cells) cell.held_out = cell.cell.reading == 2;
+  const ShareErrors errors = share_errors(data, cells);
+  ASSERT_EQ(errors.groups.size(), 2U);
+  EXPECT_EQ(errors.groups[0].grasp, hold({1}));
+  EXPECT_EQ(errors.groups[1].rows, 2U);
+  EXPECT_EQ(errors.groups[0].held_out_rows, 0U);
+  EXPECT_EQ(errors.groups[1].held_out_rows, 1U);
+}
+
 }  // namespace
 }  // namespace reeve::testing

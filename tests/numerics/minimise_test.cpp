@@ -59,5 +59,19 @@ TEST(Minimise, LetsExceptionsThrough) {
                std::domain_error);
 }
 
+// From the middle of the box it would go to the other valley.
+TEST(Refine, GoesDownhillFromWhereItBegins) {
+  const auto two_valleys = [](const std::vector<double>& x) {
+    return std::min(std::pow(x[0] - 0.2, 2) + 0.1, 4 * std::pow(x[0] - 0.9, 2));
+  };
+  EXPECT_NEAR(refine(two_valleys, {{0, 1}}, {0.15}, 200).at[0], 0.2, 1e-4);
+  EXPECT_NEAR(refine(two_valleys, {{0, 1}}, {0.95}, 200).at[0], 0.9, 1e-4);
+}
+
+TEST(Refine, BeginsWithinTheBox) {
+  const auto distance = [](const std::vector<double>& x) { return std::pow(x[0] - 7, 2); };
+  EXPECT_NEAR(refine(distance, {{0, 1}}, {5}, 100).at[0], 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace reeve

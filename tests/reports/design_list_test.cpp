@@ -63,6 +63,12 @@ TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
   EXPECT_TRUE(csv.ends_with(",16.5,0.25,4,1,9\n"));
 }
 
+TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
+  ListedDesign uncertain = design("");
+  uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
+  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",16.5,,,,\n"));
+}
+
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
   ListedDesign listed = design("");
   EXPECT_TRUE(to_json(listed)["name"].is_null());

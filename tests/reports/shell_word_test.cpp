@@ -27,8 +27,10 @@ TEST(ShellWord, ReachesTheProgramAsItIs) {
                            "\\'",   "-n",      "a=b",
                            "<b>&",  "Röhre µ", "(x)",
                            "[a]",   "{a,b}",   "a\tb"}) {
-    const std::string command = std::string("printf '%s' ") + shell_word(text);
-    EXPECT_EQ(testing::run_process({"/bin/sh", "-c", command}).out, text) << command;
+    const std::string command = std::string("printf '[%s]' ") + shell_word(text) + " next";
+    EXPECT_EQ(testing::run_process({"/bin/sh", "-c", command}).out,
+              "[" + std::string(text) + "][next]")
+        << command;
   }
 }
 

@@ -158,6 +158,31 @@ TEST(Archive, MayBeReadBetweenAdditions) {
   }
 }
 
+// Twins that were left out on the front are no longer of it once something dominates them.
+TEST(Archive, ForgetsTheTwinsOfWhatHasLeftTheFront) {
+  for (const Objectives& objectives :
+       {Objectives{Objective::sheaths, Objective::travel},
+        Objectives{Objective::sheaths, Objective::travel, Objective::knots}}) {
+    for (const std::size_t keep : {1U, 3U, 20U}) {
+      SCOPED_TRACE(std::to_string(objectives.size()) + " objectives, keep " + std::to_string(keep));
+      Archive archive(objectives, keep);
+      Design design{"w", {}};
+      const auto add = [&](std::size_t count, double sheaths) {
+        design.values[static_cast<std::size_t>(Objective::sheaths)] = sheaths;
+        for (std::size_t i = 0; i < count; ++i) {
+          design.word = "w" + std::to_string(sheaths) + std::to_string(i);
+          archive.add(design);
+        }
+        return archive.content().front_equals_left_out;
+      };
+      EXPECT_EQ(add(keep + 5, 4), 5U);
+      EXPECT_EQ(add(2, 4), 7U);
+      EXPECT_EQ(add(1, 3), 0U);
+      EXPECT_EQ(add(keep + 1, 3), 2U);
+    }
+  }
+}
+
 TEST(Archive, OfNothingIsEmpty) {
   Archive archive({Objective::travel}, 3);
   EXPECT_TRUE(archive.may_rank(ObjectiveValues{}));
@@ -194,6 +219,29 @@ TEST(Archive, NeverTurnsAwayADesignThatBelongsToTheFirst) {
     }
   }
   EXPECT_GT(turned_away, 60000U);
+}
+
+// So long a list is not looked through for every design that asks.
+TEST(Archive, NeverTurnsAwayADesignThatBelongsToAVeryLongList) {
+  std::mt19937_64 engine(18);
+  for (const Stream& stream : {Stream{{Objective::uniformity_mean}, 1000000, 24000},
+                               Stream{{Objective::sheaths, Objective::travel}, 1000000, 24000}}) {
+    SCOPED_TRACE(to_text(stream));
+    const std::vector<Design> designs = random_designs(engine, stream);
+    const std::vector<RankedDesign> expected = rank(designs, stream.objectives);
+    constexpr std::size_t keep = 9000;
+    for (const bool best_first : {true, false}) {
+      Archive archive(stream.objectives, keep);
+      std::size_t asked = 0;
+      for (const Design& design : in_order(expected, best_first)) {
+        if (archive.may_rank(design.values)) archive.add(design);
+        if (++asked % 6000 == 0) archive.content();
+      }
+      const Archive::Content content = archive.content();
+      expect_same_beginning(content.ranked, expected, keep);
+      expect_whole_front(content, expected, stream.objectives, keep);
+    }
+  }
 }
 
 // Nothing may be lost to the filter later either: what ranks among all is admitted when all are in.

@@ -272,6 +272,7 @@ TEST(ExploreShards, TogetherAreTheWhole) {
     for (std::uint64_t index = 1; index <= count; ++index) {
       options.shard = {index, count};
       const ExploreResult part = explore(options);
+      EXPECT_FALSE(part.partial) << index << " of " << count;
       total += part.total;
       generated += part.generated;
       evaluated += part.evaluated;
@@ -348,6 +349,15 @@ TEST(Explore, StoppedItIsPartialAndTrueToWhatItSaw) {
 
 TEST(Explore, ToldNotToStopItFinishes) {
   const std::atomic<bool> stop{false};
+  Supervision supervision;
+  supervision.stop = &stop;
+  const ExploreResult result = explore(options_for(full_parts(), 2), supervision);
+  EXPECT_FALSE(result.partial);
+  EXPECT_EQ(result.generated, result.total);
+}
+
+TEST(Explore, ToldToStopWhenAllIsDoneItIsWhole) {
+  const std::atomic<bool> stop{true};
   Supervision supervision;
   supervision.stop = &stop;
   const ExploreResult result = explore(options_for(full_parts(), 2), supervision);

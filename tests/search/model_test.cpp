@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluation.hpp"
+#include "search/explore.hpp"
 #include "search/margin.hpp"
 #include "search/uncertainty.hpp"
 
@@ -94,12 +95,48 @@ TEST(DesignUnderAModel, MayBeMovedWithItsEvaluator) {
   EXPECT_EQ(second.evaluate(parse_routing("M-1-T-2-F")), expected);
 }
 
+// Friction that grows with the load, and bearings that take a force which is all that arrives.
+Model unsettled() {
+  Model model;
+  add_effect(model, effect("load_dependent_friction", {-0.3}));
+  add_effect(model, effect("bearing_drag", {2}));
+  return model;
+}
+
 TEST(DesignUnderAModel, CountsSolvesThatDoNotConverge) {
   Model model;
   add_effect(model, effect("load_dependent_friction", {0.2}));
-  DesignEvaluator evaluator(model, single_grasps(2));
-  evaluator.evaluate(parse_routing("1-P-2-P-1"));
-  EXPECT_EQ(evaluator.unconverged(), 0U);
+  DesignEvaluator settled(model, single_grasps(2));
+  settled.evaluate(parse_routing("1-P-2-P-1"));
+  EXPECT_EQ(settled.unconverged(), 0U);
+  const std::string word = "M-1b-T-2b-M";
+  std::size_t expected = 0;
+  for (const WeightedGrasp& grasp : single_grasps(2)) {
+    for (const Direction direction : {Direction::pull, Direction::release}) {
+      const Model other = unsettled();
+      ModelSolver solver(other, other.hardware, word, expand(parse_routing(word)));
+      solver.solve(grasp.grasp, direction, other.conditions);
+      expected += solver.converged() ? 0 : 1;
+    }
+  }
+  ASSERT_GT(expected, 0U);
+  DesignEvaluator evaluator(unsettled(), single_grasps(2));
+  evaluator.evaluate(parse_routing(word));
+  EXPECT_EQ(evaluator.unconverged(), expected);
+  evaluator.evaluate(parse_routing(word));
+  EXPECT_EQ(evaluator.unconverged(), 2 * expected);
+}
+
+TEST(ExploreThreads, DoNotChangeHowManySolvesDidNotConverge) {
+  ExploreOptions options;
+  options.generator = {full_parts(), 3, FingerIdentity::identical, false};
+  options.grasps = single_grasps(3);
+  options.model = unsettled();
+  options.threads = 1;
+  const std::uint64_t one = explore(options).unconverged;
+  EXPECT_GT(one, 0U);
+  options.threads = 3;
+  EXPECT_EQ(explore(options).unconverged, one);
 }
 
 // The draw varies the hardware; a coefficient that an effect sets stays.

@@ -173,6 +173,20 @@ TEST(Constraint, LooksAtItsOwnObjectiveOnly) {
   EXPECT_FALSE(constraint.admits(with(Objective::sheaths, 3)));
 }
 
+// Values lie on the grid (4 / 3 is 1.3333333333), bounds come with all the digits of a double.
+TEST(Constraint, HasItsBoundOnTheGridOfTheValues) {
+  DesignOutcome outcome = hand_made();
+  for (const char* comparison : {"<=", ">=", "=="}) {
+    for (const char* bound : {"1.3333333333333333", "1.33333333326", "1.33333333334"}) {
+      outcome.travel = 4.0 / 3.0;
+      EXPECT_TRUE(
+          parse_constraint(std::string("travel") + comparison + bound).admits(computed(outcome)))
+          << comparison << bound;
+    }
+  }
+  EXPECT_FALSE(parse_constraint("travel==1.3333333334").admits(computed(outcome)));
+}
+
 TEST(ParseConstraint, ReadsObjectiveComparisonAndNumber) {
   const Constraint constraint = parse_constraint("efficiency>=0.25");
   EXPECT_EQ(constraint.objective, Objective::efficiency_mean);

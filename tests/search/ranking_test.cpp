@@ -149,5 +149,38 @@ TEST(Ranking, KeepsWordAndValuesTogether) {
 
 TEST(Ranking, OfNothingIsEmpty) { EXPECT_TRUE(rank({}, both_means).empty()); }
 
+const BestDesigns& best(const std::vector<BestDesigns>& all, Objective objective) {
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const BestDesigns& best) { return best.objective == objective; });
+}
+
+TEST(BestByObjective, NamesTheFirstOfTheRankAndCountsAllThatAreAsGood) {
+  const std::vector<Design> designs{design("a", {0.1, 0.5, 2}), design("b", {0.9, 0.5, 1}),
+                                    design("c", {0.8, 0.5, 1}), design("d", {0.7, 0.5, 1}),
+                                    design("e", {0.6, 0.5, 1})};
+  const auto all = best_by_objective(rank(designs, {Objective::knots}), 2);
+  ASSERT_EQ(all.size(), objective_count);
+  const BestDesigns& sheaths = best(all, Objective::sheaths);
+  EXPECT_EQ(sheaths.value, 1);
+  EXPECT_EQ(sheaths.words, (std::vector<std::string>{"b", "c"}));
+  EXPECT_EQ(sheaths.count, 4U);
+  const BestDesigns& uniformity = best(all, Objective::uniformity_mean);
+  EXPECT_EQ(uniformity.value, 0.9);
+  EXPECT_EQ(uniformity.words, std::vector<std::string>{"b"});
+  EXPECT_EQ(uniformity.count, 1U);
+  EXPECT_EQ(best(all, Objective::efficiency_mean).count, 5U);
+}
+
+TEST(BestByObjective, HasARowForEveryObjectiveInTheOrderOfTheTable) {
+  const auto all = best_by_objective(rank({design("a", {})}, both), 1);
+  ASSERT_EQ(all.size(), objective_count);
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    EXPECT_EQ(all[i].objective, objective_table()[i].objective);
+    EXPECT_EQ(all[i].words, std::vector<std::string>{"a"});
+  }
+}
+
+TEST(BestByObjective, OfNothingIsNothing) { EXPECT_TRUE(best_by_objective({}, 3).empty()); }
+
 }  // namespace
 }  // namespace reeve

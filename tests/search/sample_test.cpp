@@ -76,6 +76,24 @@ TEST(ExploreThreads, DoNotChangeTheSample) {
   }
 }
 
+TEST(ExploreShards, HaveTheSampleOfTheWholeAmongTheirs) {
+  ExploreOptions options = four_fingers();
+  const std::vector<Design> whole = explore(options).sample;
+  ASSERT_EQ(whole.size(), 100U);
+  for (const std::uint64_t count : {2U, 5U}) {
+    std::map<std::string, ObjectiveValues> parts;
+    for (std::uint64_t index = 1; index <= count; ++index) {
+      options.shard = {index, count};
+      const std::vector<Design> part = explore(options).sample;
+      for (const Design& design : part) parts[design.word] = design.values;
+    }
+    for (const Design& design : whole) {
+      ASSERT_EQ(parts.count(design.word), 1U) << design.word << " of " << count;
+      EXPECT_EQ(parts[design.word], design.values);
+    }
+  }
+}
+
 // Return friction too, which is computed only for what is kept.
 TEST(Explore, SamplesWhatTheConstraintsAdmitWithAllValues) {
   ExploreOptions options = four_fingers();

@@ -9,6 +9,7 @@
 #include "search/evaluation.hpp"
 #include "search/explore.hpp"
 #include "search/ranking.hpp"
+#include "search/uncertainty.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
@@ -150,6 +151,37 @@ TEST(Score, OfReturnFrictionIsComputedForEveryDesign) {
     EXPECT_EQ(value(design.design.values, Objective::score),
               value(design.design.values, Objective::return_friction));
   }
+}
+
+TEST(Score, IsThereForAConstraintToo) {
+  ExploreOptions options = two_fingers();
+  options.constraints = {parse_constraint("score>0")};
+  for (const char* score : {"authors", "return_friction"}) {
+    options.score = parse_score(score);
+    EXPECT_EQ(explore(options).top.size(), 7U) << score;
+  }
+}
+
+// M-1-T-2-F has one sheath, 1-P-2-P-1 is as uniform as can be; neither ever jams.
+TEST(Score, OrdersTheDrawsOfAnUncertainRanking) {
+  UncertaintyOptions options;
+  options.grasps = parse_grasps("paper", 2);
+  options.draws = 5;
+  DesignEvaluator evaluator(Hardware{}, options.grasps);
+  std::vector<Design> designs;
+  for (const char* word : {"M-1-T-2-F", "1-P-2-P-1"}) {
+    designs.push_back({word, evaluator.evaluate(parse_routing(word))});
+  }
+  const auto first_by = [&](const std::string& score) {
+    options.score = parse_score(score);
+    const auto ranks = *rank_distributions(designs, options);
+    EXPECT_EQ(ranks[0].first + ranks[1].first, 1) << score;
+    return ranks[0].first;
+  };
+  // One front of both, so that what orders within it decides.
+  options.order = Order({Objective::jams}, true);
+  EXPECT_EQ(first_by("sheaths"), 1);
+  EXPECT_EQ(first_by("uniformity"), 0);
 }
 
 }  // namespace

@@ -1,0 +1,333 @@
+#include "diagnosis/cause_search.hpp"
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "causes/library.hpp"
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Changed = std::function<void(Problem&, const Model&)>;
+using Causes = std::vector<const PatternCause*>;
+
+const PatternCause on_T1("on_T1", {1});
+const PatternCause on_T2("on_T2", {0, 1});
+const PatternCause on_T3("on_T3", {0, 0, 1});
+
+CauseSearchResult found(
+    Bench& bench, const Causes& causes, const CauseSearchOptions& options = {},
+    const Changed& changed = [](Problem&, const Model&) {}) {
+  std::vector<Candidate> candidates;
+  for (const PatternCause* cause : causes) candidates.push_back(cause->candidate());
+  Workers workers(1);
+  return *search_causes(bench.problem, {}, candidates, options, workers, changed,
+                        [] { return false; });
+}
+
+std::vector<std::string> names(const CauseSearchResult& result) {
+  std::vector<std::string> names;
+  for (const AcceptedCause& accepted : result.accepted) names.push_back(name(accepted.effect));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(CauseSearch, AcceptsEachCauseThatTheDataHaveAndFitsIt) {
+  Bench bench({1, 0.4});
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3});
+  ASSERT_EQ(names(result), (Names{"on_T1", "on_T2"}));
+  EXPECT_EQ(name(result.accepted[0].effect), "on_T1");
+  ASSERT_EQ(result.model.effects.size(), 2U);
+  // Means of 30 readings.
+  const double sd = bench_noise_N / std::sqrt(30);
+  EXPECT_NEAR(result.model.effects[0].values[0], 1, 4 * sd);
+  EXPECT_NEAR(result.model.effects[1].values[0], 0.4, 4 * sd);
+  EXPECT_GT(result.p_value_of_next, 0.01);
+}
+
+// In noise alone: with alpha 1 whatever is best is accepted, with alpha 0 nothing is.
+TEST(CauseSearch, AcceptsTheFirstCauseAtAlphaAndFurtherOnesAtTheirOwn) {
+  CauseSearchOptions first_only;
+  first_only.alpha = 1;
+  first_only.further_alpha = 0;
+  CauseSearchOptions all = first_only;
+  all.further_alpha = 1;
+  CauseSearchOptions none;
+  none.alpha = 0;
+  none.further_alpha = 1;
+  std::size_t more_than_one = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto accepted = [&](const CauseSearchOptions& options) {
+      Bench bench(Pattern{}, {5, 6, seed});
+      return found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.size();
+    };
+    EXPECT_EQ(accepted(first_only), 1U) << seed;
+    EXPECT_EQ(accepted(none), 0U) << seed;
+    more_than_one += accepted(all) > 1 ? 1 : 0;
+  }
+  EXPECT_GT(more_than_one, 5U);
+}
+
+// Of 200 sets of noise alone: as many alarms as alpha says, within three standard deviations.
+TEST(CauseSearch, IsAlarmedByNoiseAsOftenAsAlphaSays) {
+  constexpr int sets = 200;
+  CauseSearchOptions options;
+  options.alpha = 0.2;
+  options.replicates = 100;
+  options.most_causes = 1;
+  int alarms = 0;
+  for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+    Bench bench(Pattern{}, {5, 4, 1000 + seed});
+    options.seed = seed;
+    alarms += found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.empty() ? 0 : 1;
+  }
+  EXPECT_NEAR(alarms, 0.2 * sets, 3 * std::sqrt(0.2 * 0.8 * sets));
+}
+
+// To first order an offset of 0.3 N explains everything; but the cause cannot be larger than 2 mN.
+TEST(CauseSearch, DoesNotAcceptWhatGainsTooLittleOnceItIsFittedInFull) {
+  const PatternCause small("small", {1}, {0, 0.002});
+  Bench bench({0.3});
+  const CauseSearchResult result = found(bench, {&small});
+  EXPECT_TRUE(result.accepted.empty());
+  EXPECT_TRUE(result.model.effects.empty());
+  EXPECT_LT(result.p_value_of_next, 0.01);
+}
+
+// Its first step is a thousandth on T2; on T1 it is its size cubed.
+class Late final : public Cause {
+ public:
+  const char* name() const override { return "late"; }
+  Reach reach() const override { return Reach::reading; }
+  const char* meaning() const override { return ""; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"size", "N", 0, {0, 5}, std::nullopt}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
+    const double x = effect.values[0];
+    return tension_N + (segment.number == 1 ? x * x * x : segment.number == 2 ? 1e-3 * x : 0);
+  }
+};
+
+// Chance is judged by what the screening sees, in the replicates as in the data: a fit that finds
+// more than that has no replicates to be compared with.
+TEST(CauseSearch, DoesNotAcceptWhatTheScreeningTakesForChance) {
+  const Late late;
+  Workers workers(1);
+  std::size_t accepted = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Bench bench({1}, {5, 6, seed});
+    const auto result = search_causes(
+        bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
+        [](Problem&, const Model&) {}, [] { return false; });
+    for (const AcceptedCause& cause : result->accepted) EXPECT_LE(cause.p_value, 0.05) << seed;
+    accepted += result->accepted.size();
+  }
+  EXPECT_LE(accepted, 1U);
+}
+
+// What M-1-T-2-F with this friction reads more than the hardware says, at 20 N.
+Pattern by_friction(double tube, double sheath) {
+  const Network network = expand(parse_routing("M-1-T-2-F"));
+  Hardware hardware;
+  hardware.tube.mu = tube;
+  hardware.sheath.mu = sheath;
+  const TensionState thought = tensions(network, mechanics(network, {}), Grasp{});
+  const TensionState real = tensions(network, mechanics(network, hardware), Grasp{});
+  Pattern more;
+  for (std::size_t i = 1; i <= 4; ++i) more.push_back(20 * (real.tension[i] - thought.tension[i]));
+  return more;
+}
+
+Eigen::Vector4d vector_of(const Pattern& pattern) {
+  return Eigen::Vector4d(pattern[0], pattern[1], pattern[2], pattern[3]);
+}
+
+// The same in the hardware: tubes by its size cubed, and at first a thousandth of what tubes and
+// sheaths do where they look least like that.
+class LateFriction final : public Cause {
+ public:
+  explicit LateFriction(double tube_for_sheath) : tube_for_sheath_(tube_for_sheath) {}
+
+  const char* name() const override { return "late_friction"; }
+  Reach reach() const override { return Reach::hardware; }
+  const char* meaning() const override { return ""; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"size", "1", 0, {0, 1}, std::nullopt}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  void change_hardware(Hardware& hardware, const Effect& effect) const override {
+    const double x = effect.values[0];
+    hardware.sheath.mu += 1e-3 * x;
+    hardware.tube.mu += x * x * x - 1e-3 * tube_for_sheath_ * x;
+  }
+
+ private:
+  double tube_for_sheath_;
+};
+
+TEST(CauseSearch, AcceptsACoefficientByItsFitInFull) {
+  const Pattern far = by_friction(0.3, 0.18);
+  const Eigen::Vector4d seen = vector_of(far);
+  const LateFriction late(seen.dot(vector_of(by_friction(0.18, 0.1801))) /
+                          seen.dot(vector_of(by_friction(0.1801, 0.18))));
+  Workers workers(1);
+  Bench bench(far);
+  const auto result = search_causes(
+      bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
+      [](Problem&, const Model&) {}, [] { return false; });
+  ASSERT_EQ(result->accepted.size(), 1U);
+  EXPECT_NEAR(std::pow(result->model.effects[0].values[0], 3), 0.12, 0.01);
+}
+
+Candidate coefficient(const char* name, const Hardware& hardware) {
+  const Cause* cause = find_cause(name);
+  const auto parameters = cause->parameters(hardware);
+  return {{cause, {}, {*parameters.front().nominal}}, parameters, name};
+}
+
+// The coefficients of tubes, sheaths and bearings beside another cause.
+std::vector<std::string> beside_coefficients(Bench& bench, const PatternCause& other,
+                                             std::size_t most, const Hardware& hardware = {}) {
+  Model nominal;
+  nominal.hardware = hardware;
+  std::vector<Candidate> candidates{other.candidate()};
+  for (const char* name : {"tube_friction", "sheath_friction", "bearing_friction"}) {
+    candidates.push_back(coefficient(name, hardware));
+  }
+  CauseSearchOptions options;
+  options.most_causes = most;
+  Workers workers(1);
+  return names(*search_causes(
+      bench.problem, nominal, candidates, options, workers, [](Problem&, const Model&) {},
+      [] { return false; }));
+}
+
+const Pattern smooth = by_friction(0.16, 0.17);
+
+// One cause that does what both coefficients do, but for so much that neither of them does: beside
+// it, each of them alone gains nothing.
+PatternCause stand_in(double off_N) {
+  Eigen::Matrix<double, 4, 3> done;
+  done << vector_of(smooth), vector_of(by_friction(0.16, 0.18)), vector_of(by_friction(0.18, 0.17));
+  const Eigen::Vector4d any(1, -1, 1, 1);
+  const Eigen::Vector4d other = any - done * done.colPivHouseholderQr().solve(any);
+  const Eigen::Vector4d pattern = vector_of(smooth) + off_N * other.normalized();
+  return {"stand_in", {pattern.begin(), pattern.end()}};
+}
+
+TEST(CauseSearch, TakesCoefficientsTogetherForWhatNoneOfThemExplainsAlone) {
+  Bench bench(smooth);
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 3),
+            (Names{"sheath_friction", "tube_friction"}));
+}
+
+TEST(CauseSearch, TakesCoefficientsTogetherOnlyIfTheyExplainMore) {
+  Bench bench(smooth);
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0), 3), Names{"stand_in"});
+}
+
+TEST(CauseSearch, TakesNoMoreCoefficientsTogetherThanItMay) {
+  Bench bench(smooth);
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 1), Names{"stand_in"});
+}
+
+TEST(CauseSearch, DoesNotTryACoefficientTogetherThatTheHardwareHasNot) {
+  Bench bench(smooth);
+  Hardware hardware;
+  hardware.bearing.mu = 0;
+  EXPECT_EQ(beside_coefficients(bench, stand_in(0.05), 2, hardware),
+            (Names{"sheath_friction", "tube_friction"}));
+}
+
+// Until the offset of T1 is known it tells the other cause from the coefficient; after that noise
+// makes the other one the better in some data sets, never by what the data can tell.
+TEST(CauseSearch, LeavesACoefficientItsPlaceIfTheDataDoNotTellItFromAnother) {
+  Pattern tube = by_friction(0.12, 0.18);
+  tube[0] -= 0.5;
+  tube[1] += 0.006;
+  tube[3] -= 0.006;
+  const PatternCause like_tube("like_tube", tube);
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Pattern offset = by_friction(0.12, 0.18);
+    offset[0] += 1;
+    Bench bench(offset, {5, 6, seed});
+    Workers workers(1);
+    const std::vector<Candidate> candidates{on_T1.candidate(), like_tube.candidate(),
+                                            coefficient("tube_friction", {})};
+    const auto result = search_causes(
+        bench.problem, {}, candidates, {}, workers, [](Problem&, const Model&) {},
+        [] { return false; });
+    EXPECT_EQ(names(*result), (Names{"on_T1", "tube_friction"})) << seed;
+  }
+}
+
+// Alone, the pattern of all three explains more of 1, 1, 0 N than either offset; beside one of
+// them, the other does.
+TEST(CauseSearch, GivesAPlaceToWhatExplainsMoreBesideTheOthers) {
+  const PatternCause all("all", {1, 1, 1});
+  Bench alone({1, 1});
+  CauseSearchOptions options;
+  options.most_causes = 1;
+  EXPECT_EQ(names(found(alone, {&all, &on_T1, &on_T2}, options)), Names{"all"});
+  Bench bench({1, 1});
+  options.most_causes = 2;
+  EXPECT_EQ(names(found(bench, {&all, &on_T1, &on_T2}, options)), (Names{"on_T1", "on_T2"}));
+}
+
+// Once the second cause is known, T1 turns out to scatter by 1.5 N: an offset of 0.3 N is nothing.
+TEST(CauseSearch, DropsACauseThatNoLongerGainsEnough) {
+  Bench bench({0.3, 0.2});
+  const auto scatter = [&](Problem& problem, const Model& model) {
+    if (model.effects.size() < 2) return;
+    for (std::size_t i = 0; i < bench.dataset.cells.size(); ++i) {
+      if (bench.dataset.cells[i].channel == 0)
+        problem.deviation_N[static_cast<Eigen::Index>(i)] = 1.5;
+    }
+  };
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2}, {}, scatter);
+  EXPECT_EQ(names(result), Names{"on_T2"});
+  EXPECT_EQ(result.model.effects.size(), 1U);
+}
+
+// x = 2 on_T1 + on_T2 - 0.8 on_T3, so that x + 1.6 on_T3 is (2, 1, 0.8) N, which the three offsets
+// explain one after the other, each more than x would.
+const PatternCause x("x", {2, 1, -0.8});
+
+TEST(CauseSearch, PrefersTwoCausesThatExplainWhatThreeDo) {
+  Bench bench({2, 1, 0.8});
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3, &x});
+  EXPECT_EQ(names(result), (Names{"on_T3", "x"}));
+  EXPECT_EQ(result.model.effects.size(), 2U);
+}
+
+TEST(CauseSearch, KeepsThreeCausesWhereNoTwoExplainAsMuch) {
+  Bench bench({2, 1.5, 0.8});
+  EXPECT_EQ(found(bench, {&on_T1, &on_T2, &on_T3, &x}).accepted.size(), 3U);
+}
+
+TEST(CauseSearch, AcceptsNoMoreCausesThanItMay) {
+  Bench bench({2, 1.5, 0.8});
+  CauseSearchOptions options;
+  options.most_causes = 2;
+  EXPECT_EQ(names(found(bench, {&on_T1, &on_T2, &on_T3}, options)), (Names{"on_T1", "on_T2"}));
+}
+
+TEST(CauseSearch, GivesNothingOnceItIsStopped) {
+  Bench bench({1});
+  Workers workers(1);
+  const auto result = search_causes(
+      bench.problem, {}, {on_T1.candidate()}, {}, workers, [](Problem&, const Model&) {},
+      [] { return true; });
+  EXPECT_FALSE(result.has_value());
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,140 @@
+#include "diagnosis/screening.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnosis/outlook.hpp"
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+const PatternCause on_T1("on_T1", {1});
+const PatternCause on_T2("on_T2", {0, 1});
+const PatternCause only_more("only_more", {1}, {0, 20});
+const PatternCause only_less("only_less", {1}, {-20, 0});
+
+// Is there or not: reads half a newton more on T1.
+class Half final : public Cause {
+ public:
+  const char* name() const override { return "half"; }
+  Reach reach() const override { return Reach::reading; }
+  const char* meaning() const override { return ""; }
+  std::vector<Parameter> parameters(const Hardware&) const override { return {}; }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  double reading(double tension_N, const Segment& segment, const Effect&) const override {
+    return tension_N + (segment.number == 1 ? 0.5 : 0);
+  }
+};
+const Half half;
+const Candidate half_candidate{{&half, {}, {}}, {}, "half"};
+
+// With readings without noise off by this on T1 and by 0.2 N on T2, all in units of 0.05 N.
+struct Seen {
+  Bench bench;
+  Workers workers{1};
+  std::vector<Candidate> candidates;
+  Model model;
+  Outlook outlook;
+
+  Seen(double offset_N, std::vector<Candidate> among, Model before = {})
+      : bench({offset_N, 0.2}, {5, 6, 1, 0}),
+        candidates(std::move(among)),
+        model(std::move(before)),
+        outlook(bench.problem, model, candidates, workers) {}
+
+  std::vector<double> gains() const { return outlook.screening().gains(outlook.residuals()); }
+};
+
+// 30 readings of each strand: |e|² = 30 (x² + 4²), of which an offset on T1 takes 30 x².
+double gain(double x, double taken) {
+  const double all = 30 * (x * x + 16);
+  return 120.0 / 2 * std::log(all / (all - taken));
+}
+
+TEST(Screening, GivesTheGainOfTheFirstOrderAtTheNoiseThatIsSeen) {
+  const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()});
+  EXPECT_NEAR(seen.gains()[0], gain(2, 30 * 4), 1e-3);
+  EXPECT_NEAR(seen.gains()[1], gain(2, 30 * 16), 1e-3);
+  EXPECT_EQ(seen.outlook.screening().greatest_gain(seen.outlook.residuals()), seen.gains()[1]);
+}
+
+TEST(Screening, GivesNothingToASizeThatTheCauseCannotHave) {
+  const Seen more(0.1, {only_more.candidate(), only_less.candidate()});
+  EXPECT_GT(more.gains()[0], 5);
+  EXPECT_EQ(more.gains()[1], 0);
+  const Seen less(-0.1, {only_more.candidate(), only_less.candidate()});
+  EXPECT_EQ(less.gains()[0], 0);
+  EXPECT_GT(less.gains()[1], 5);
+}
+
+// d·e − |d|²/2 with d = 10 and e = x: nothing up to x = 5, 30 (100 - 50) at x = 10.
+TEST(Screening, TakesACauseWithoutSizeAsAWhole) {
+  EXPECT_EQ(Seen(0.2, {half_candidate}).gains()[0], 0);
+  EXPECT_NEAR(Seen(0.5, {half_candidate}).gains()[0], gain(10, 2 * 30 * 50), 1e-3);
+  EXPECT_NEAR(Seen(0.3, {half_candidate}).gains()[0], gain(6, 2 * 30 * (60 - 50)), 1e-3);
+}
+
+TEST(Screening, TakesOutWhatTheModelsParametersExplain) {
+  const PatternCause both("both", {1, 1});
+  // Beside an offset on T2, "both" is an offset on T1.
+  const Seen seen(0.1, {both.candidate()}, on_T2.model(0.2));
+  const double all = 30 * 4;
+  EXPECT_GT(seen.gains()[0], 119.0 / 2 * std::log(all / 1e-6));
+}
+
+TEST(Screening, StartsAFitAtTheSizeOfTheFirstOrderWithinTheRange) {
+  const PatternCause small("small", {1}, {0, 0.06});
+  const Seen seen(0.1, {on_T1.candidate(), small.candidate(), half_candidate});
+  const auto starts = [&](std::size_t candidate) {
+    return seen.outlook.screening().starts(candidate, seen.outlook.residuals());
+  };
+  ASSERT_EQ(starts(0).size(), 3U);
+  EXPECT_NEAR(starts(0)[0][0], 0.1, 1e-6);
+  EXPECT_EQ(starts(1)[0][0], 0.06);
+  EXPECT_EQ(starts(2), std::vector<std::vector<double>>{{}});
+}
+
+TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
+  EXPECT_EQ(gain_from_misfits(10, 10, 5), 0);
+  EXPECT_EQ(gain_from_misfits(10, 11, 5), 0);
+  EXPECT_EQ(gain_from_misfits(0, 0, 5), 0);
+  EXPECT_NEAR(gain_from_misfits(10, 5, 6), 3 * std::log(2), 1e-12);
+  EXPECT_TRUE(std::isfinite(gain_from_misfits(10, 0, 6)));
+}
+
+// Of three that gain, the two that gain most; with the laws of friction, these in any case.
+TEST(Outlook, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
+  const PatternCause on_T3("on_T3", {0, 0, 1});
+  const PatternCause weak("weak", {0.05, 1, 1});
+  Bench bench({0.1, 0.2}, {5, 6, 1, 0});
+  std::vector<Candidate> among;
+  for (const Candidate& candidate : candidates(survey(bench.data), {})) {
+    if (candidate.name == "tube_friction") among.push_back(candidate);
+  }
+  ASSERT_EQ(among.size(), 1U);
+  for (const PatternCause* cause : {&on_T1, &on_T2, &on_T3, &weak}) {
+    among.push_back(cause->candidate());
+  }
+  Workers workers(1);
+  const Model model;
+  const Outlook outlook(bench.problem, model, among, workers);
+  const std::vector<double> gains = outlook.screening().gains(outlook.residuals());
+  const auto two = outlook.contenders(2, Outlook::Laws::by_gain);
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_EQ(two[0], 2U);  // on_T2
+  EXPECT_GE(gains[two[0]], gains[two[1]]);
+  const auto none = outlook.contenders(0, Outlook::Laws::by_gain);
+  EXPECT_TRUE(none.empty());
+  EXPECT_EQ(outlook.contenders(0, Outlook::Laws::always), std::vector<std::size_t>{0});
+}
+
+TEST(Outlook, LooksAtWhatTheModelDoesNotHave) {
+  const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()}, on_T2.model(0.2));
+  ASSERT_EQ(seen.outlook.candidates().size(), 1U);
+  EXPECT_EQ(seen.outlook.candidates()[0].name, "on_T1");
+}
+
+}  // namespace
+}  // namespace reeve::testing

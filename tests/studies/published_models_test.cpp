@@ -1,0 +1,97 @@
+#include "studies/published_models.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "catalog/catalogue.hpp"
+#include "diagnosis/losses.hpp"
+#include "diagnosis/share_error.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr double tube = 0.18 * std::numbers::pi;
+constexpr double sheath = 2 * tube;
+constexpr double bearing = 0.001 * std::numbers::pi;
+
+const Catalogue& catalogue() {
+  static const Catalogue shipped = read_catalogue(REEVE_CATALOG_DIR);
+  return shipped;
+}
+
+std::vector<PublishedModel> published(const std::string& rows) {
+  const MeasuredData data = parse_measured_data(
+      "run,routing,held,T1_N,T2_N,T3_N,T4_N\n" + rows, "d.csv",
+      [](const std::string& name) { return catalogue().find_name(name)->routing; });
+  DiagnosisResult result;
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    const Reading& reading = data.readings[i];
+    for (std::size_t c = 0; c < data.channels.size(); ++c) {
+      ComparedCell cell;
+      cell.cell = {i, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]};
+      cell.before_N = cell.after_N = cell.cell.measured_N;
+      result.cells.push_back(cell);
+    }
+  }
+  result.share_errors = share_errors(data, result.cells);
+  result.losses = losses(data, result.model, result.cells);
+  return published_models(catalogue(), data, result);
+}
+
+// The readings of TR4 and TR7, and a mounting of TR4 in a grasp of which nothing is published.
+const std::string readings =
+    "4,TR4,1,36.11,30.84,18.35,14.54\n7,TR7,1,24.56,25.61,25.07,24.63\n8,TR4,2,30,28,22,20\n";
+
+TEST(PublishedModels, AreTablesAndFiguresOfTheRoutingsInTheirGrasp) {
+  const auto models = published(readings);
+  ASSERT_EQ(models.size(), 2U);
+  EXPECT_EQ(models[0].name, "Table IV to Table VII");
+  EXPECT_EQ(models[0].mu, 0.18);
+  EXPECT_EQ(models[1].name, "Fig. 9 (b)");
+  EXPECT_EQ(models[1].mu, 0.09);
+  for (const PublishedModel& model : models) ASSERT_EQ(model.lines.size(), 2U);
+  EXPECT_EQ(models[0].lines[0].shares, (std::vector<double>{0.54, 0.31, 0.10, 0.06}));
+  EXPECT_EQ(models[0].lines[1].group, 1U);
+}
+
+TEST(PublishedModels, AreOffByTheSharesAsPrintedAndByThoseOfTheEquations) {
+  const PublishedLine line = published(readings)[0].lines[0];
+  const double read[] = {36.11 / 99.84, 30.84 / 99.84, 18.35 / 99.84, 14.54 / 99.84};
+  const double t = std::exp(-tube), two = std::exp(-2 * sheath - bearing);
+  const double whole = 1 + t + t * two + t * t * two;
+  const double equations[] = {1 / whole, t / whole, t * two / whole, t * t * two / whole};
+  double printed_squares = 0, squares = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    printed_squares += std::pow(read[i] - line.shares[i], 2);
+    squares += std::pow(read[i] - equations[i], 2);
+  }
+  EXPECT_NEAR(line.error, std::sqrt(printed_squares), 1e-12);
+  EXPECT_NEAR(line.equations, std::sqrt(squares), 1e-12);
+  const PublishedModel model = published(readings)[0];
+  EXPECT_NEAR(model.error, (model.lines[0].error + model.lines[1].error) / 2, 1e-12);
+  EXPECT_NEAR(model.equations, (model.lines[0].equations + model.lines[1].equations) / 2, 1e-12);
+}
+
+// From T2 to T3 of TR4 one of two sheaths is drawn; from T3 to T4, both behind it, the shares of
+// 10 and 6 % are rounded; from T1 to T2 nothing differs.
+TEST(PublishedModels, NameTheLossesThatTheirLinesHaveOtherwise) {
+  const std::vector<PublishedLoss> losses = published(readings)[0].losses;
+  ASSERT_EQ(losses.size(), 2U);
+  EXPECT_NEAR(losses[0].printed, std::log(31.0 / 10), 1e-12);
+  EXPECT_NEAR(losses[0].equations, 2 * sheath + bearing, 1e-9);
+  EXPECT_EQ(losses[0].sheaths, 2);
+  EXPECT_EQ(losses[0].sheaths_drawn, 1);
+  EXPECT_NEAR(losses[1].equations, tube, 1e-9);
+  EXPECT_EQ(losses[1].sheaths, 0);
+  EXPECT_EQ(losses[1].sheaths_drawn, 0);
+}
+
+TEST(PublishedModels, OfReadingsInAnotherGraspAreNone) {
+  EXPECT_TRUE(published("8,TR4,2,30,28,22,20\n").empty());
+}
+
+}  // namespace
+}  // namespace reeve
