@@ -15,10 +15,6 @@ namespace {
 using Changed = std::function<void(Problem&, const Model&)>;
 using Causes = std::vector<const PatternCause*>;
 
-const PatternCause on_T1("on_T1", {1});
-const PatternCause on_T2("on_T2", {0, 1});
-const PatternCause on_T3("on_T3", {0, 0, 1});
-
 CauseSearchResult found(
     Bench& bench, const Causes& causes, const CauseSearchOptions& options = {},
     const Changed& changed = [](Problem&, const Model&) {}) {
@@ -299,18 +295,18 @@ TEST(CauseSearch, DropsACauseThatNoLongerGainsEnough) {
 
 // x = 2 on_T1 + on_T2 - 0.8 on_T3, so that x + 1.6 on_T3 is (2, 1, 0.8) N, which the three offsets
 // explain one after the other, each more than x would.
-const PatternCause x("x", {2, 1, -0.8});
+const PatternCause three_at_once("x", {2, 1, -0.8});
 
 TEST(CauseSearch, PrefersTwoCausesThatExplainWhatThreeDo) {
   Bench bench({2, 1, 0.8});
-  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3, &x});
+  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3, &three_at_once});
   EXPECT_EQ(names(result), (Names{"on_T3", "x"}));
   EXPECT_EQ(result.model.effects.size(), 2U);
 }
 
 TEST(CauseSearch, KeepsThreeCausesWhereNoTwoExplainAsMuch) {
   Bench bench({2, 1.5, 0.8});
-  EXPECT_EQ(found(bench, {&on_T1, &on_T2, &on_T3, &x}).accepted.size(), 3U);
+  EXPECT_EQ(found(bench, {&on_T1, &on_T2, &on_T3, &three_at_once}).accepted.size(), 3U);
 }
 
 TEST(CauseSearch, AcceptsNoMoreCausesThanItMay) {

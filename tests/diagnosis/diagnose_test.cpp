@@ -26,7 +26,7 @@ DiagnoseOptions quick(double alpha) {
   return options;
 }
 
-constexpr int sets = 60;
+constexpr int alarm_sets = 60;
 
 // Of noise alone a quarter of alpha of the data sets is said to be unexplained: here 7.5 of 60, and
 // with a probability below 1 in 1000 more than 16. At alpha itself it would be 30.
@@ -35,7 +35,7 @@ TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
   DiagnoseOptions options = quick(0.5);
   options.most_causes = 0;
   options.hold_out = 0;
-  for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+  for (std::uint64_t seed = 1; seed <= alarm_sets; ++seed) {
     options.seed = seed;
     const DiagnosisResult result =
         diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{}; }), options);
@@ -55,7 +55,7 @@ TEST(Diagnose, GivesASecondNameAtHalfOfAlpha) {
   DiagnoseOptions options = quick(0.5);
   options.most_causes = 2;
   options.hold_out = 0;
-  for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+  for (std::uint64_t seed = 1; seed <= alarm_sets; ++seed) {
     options.seed = seed;
     const DiagnosisResult result =
         diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{2}; }), options);
@@ -88,10 +88,11 @@ std::string with_held_out(const Offsets& offsets, const BenchPlan& plan) {
   });
 }
 
-constexpr BenchPlan seven_runs{7, 6, 3};
+constexpr BenchPlan seven_short_runs{7, 6, 3};
 
 TEST(Diagnose, SaysWhatACauseGainsOnTheHeldOutRuns) {
-  const DiagnosisResult result = diagnosed(with_held_out({1, {1, 1}}, seven_runs), quick(0.05));
+  const DiagnosisResult result =
+      diagnosed(with_held_out({1, {1, 1}}, seven_short_runs), quick(0.05));
   ASSERT_EQ(result.causes.size(), 1U);
   ASSERT_TRUE(result.held_out.has_value());
   EXPECT_GT(result.held_out->reduction, 0.8);
@@ -103,7 +104,8 @@ TEST(Diagnose, SaysWhatACauseGainsOnTheHeldOutRuns) {
 // loses.
 TEST(Diagnose, LetsHeldOutRunsDecideNothing) {
   for (const std::vector<double>& held_out : {std::vector<double>{1.2, 0}, {0, 0}}) {
-    const DiagnosisResult result = diagnosed(with_held_out({1, held_out}, seven_runs), quick(0.05));
+    const DiagnosisResult result =
+        diagnosed(with_held_out({1, held_out}, seven_short_runs), quick(0.05));
     ASSERT_EQ(result.causes.size(), 1U);
     EXPECT_EQ(result.causes[0].held_out->log_likelihood_gain > 0, held_out[0] > 0);
     EXPECT_LT(result.causes[0].held_out->gain_low, 0);

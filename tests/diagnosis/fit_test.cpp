@@ -35,7 +35,6 @@ Model with(const Cause& cause, double value) {
 }
 
 TEST(Fit, IsTheMeanForAnOffset) {
-  const PatternCause on_T1("on_T1", {1});
   const Bench bench({1});
   const Fit found = fit(bench.problem, on_T1.model(0.1));
   double mean = 0;

@@ -45,8 +45,8 @@ TEST(Forecast, WithoutMotorTensionScalesTheTensionsAndNotTheOffsets) {
   add_effect(model, {find_cause("sensor_offset"), first, {1}});
   const Forecast forecast = reeve::forecast(all_of(data), model);
   EXPECT_NEAR(forecast.reading_N.sum(), 6, 1e-12);
-  EXPECT_NEAR(forecast.reading_N[1] / (forecast.reading_N[0] - 1), tube, 1e-12);
-  EXPECT_NEAR(forecast.by_scale[1] / forecast.by_scale[0], tube, 1e-12);
+  EXPECT_NEAR(forecast.reading_N[1] / (forecast.reading_N[0] - 1), beyond_tube, 1e-12);
+  EXPECT_NEAR(forecast.by_scale[1] / forecast.by_scale[0], beyond_tube, 1e-12);
 }
 
 // The scale of such a row comes from the readings, at which the exponent then is taken.

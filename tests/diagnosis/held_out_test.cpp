@@ -9,8 +9,6 @@
 namespace reeve::testing {
 namespace {
 
-const PatternCause on_T1("on_T1", {1});
-
 // Readings without noise, off by so much on T1 in each run.
 HeldOut gain_of(const std::vector<double>& offset_by_run, std::size_t rows, double size) {
   const Bench bench({offset_by_run.size(), rows, 1, 0},

@@ -14,9 +14,6 @@
 namespace reeve::testing {
 namespace {
 
-const PatternCause on_T1("on_T1", {1});
-const PatternCause nearly_on_T1("nearly_on_T1", {1, 0.03});
-
 using Intervals = std::vector<std::vector<ParameterInterval>>;
 
 Intervals intervals(const Problem& problem, const Model& model) {
@@ -52,18 +49,18 @@ Coverage coverage(std::uint64_t sets, std::size_t runs, std::size_t rows, double
   return result;
 }
 
-constexpr std::uint64_t sets = 300;
+constexpr std::uint64_t covered_sets = 300;
 // 95 % of 300, less three standard deviations.
 constexpr int expected_at_least = 274;
 
 TEST(ParameterIntervals, CoverTheTruthWhereReadingsAreIndependent) {
-  const Coverage found = coverage(sets, 6, 5, 0);
+  const Coverage found = coverage(covered_sets, 6, 5, 0);
   EXPECT_GE(found.covered, expected_at_least);
   EXPECT_LT(found.half_width, 2 * 1.96 * bench_noise_N / std::sqrt(30));
 }
 
 TEST(ParameterIntervals, CoverTheTruthWhereRunsDiffer) {
-  const Coverage found = coverage(sets, 8, 3, 0.3);
+  const Coverage found = coverage(covered_sets, 8, 3, 0.3);
   EXPECT_GE(found.covered, expected_at_least);
   // Student's t of seven degrees of freedom, 2.36, times the standard error of eight runs.
   EXPECT_NEAR(found.half_width, 2.36 * 0.3 / std::sqrt(8), 0.15 * 2.36 * 0.3 / std::sqrt(8));
@@ -176,7 +173,6 @@ TEST(ParameterIntervals, OfWhatTwoRunsTellTakeTheScatterOfAllParameters) {
       square += 3 * std::pow((normal(seed, 0x5ca7, run) - mean) / bench_noise_N, 2) / (10 - 2);
     }
   }
-  const PatternCause on_T2("on_T2", {0, 1});
   Model two = on_T1.model(0.5);
   add_effect(two, on_T2.model(0.5).effects[0]);
   const Intervals found = intervals(bench.problem, two);
@@ -189,7 +185,6 @@ TEST(ParameterIntervals, OfThreeRunsAreThoseOfIndependentReadings) {
   const Bench bench({3, 8}, [](std::size_t run) {
     return Pattern{1 + 0.3 * normal(1, 0x5ca7, run), 1 + 0.3 * normal(2, 0x5ca7, run)};
   });
-  const PatternCause on_T2("on_T2", {0, 1});
   Model both = on_T1.model(0.5);
   add_effect(both, on_T2.model(0.5).effects[0]);
   const Model fitted = fit(bench.problem, both).model;
@@ -211,7 +206,6 @@ TEST(ParameterIntervals, OfWhatNoReadingDependsOnAreTheRangeOfTheParameter) {
 // T1 scatters from run to run, T2 does not.
 TEST(ParameterIntervals, OfFourRunsAreThoseOfTheParametersOwnScatter) {
   const Bench bench({4, 8}, [](std::size_t run) { return Pattern{1 + normal(1, 0x5ca7, run), 1}; });
-  const PatternCause on_T2("on_T2", {0, 1});
   Model both = on_T1.model(0.5);
   add_effect(both, on_T2.model(0.5).effects[0]);
   Bench cleaned({4, 8}, [](std::size_t) { return Pattern{0, 1}; });

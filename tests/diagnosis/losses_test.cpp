@@ -183,7 +183,7 @@ std::vector<bool> apart(const std::vector<double>& more, double noise,
     double tension = 40;
     text += fmt::format("1,M-1-T-2-F,{},{}", grasps[k / 3], tension);
     for (std::size_t i = k; i < k + 3; ++i) {
-      tension *= std::exp(-tube - more[i]);
+      tension *= std::exp(-tube_loss - more[i]);
       text += fmt::format(",{}", tension);
     }
     text += '\n';
@@ -193,7 +193,7 @@ std::vector<bool> apart(const std::vector<double>& more, double noise,
   for (ComparedCell& cell : cells) {
     cell.after_N = 40;
     for (std::size_t i = 0; i < cell.cell.channel; ++i) {
-      cell.after_N *= std::exp(-tube - expected[3 * cell.cell.reading + i]);
+      cell.after_N *= std::exp(-tube_loss - expected[3 * cell.cell.reading + i]);
     }
     cell.deviation_N = noise * cell.cell.measured_N;
   }

@@ -47,7 +47,7 @@ TEST(Noise, IsFoundInRepeats) {
 // Two readings are half a difference from their mean. 400 pairs: 3.5 % of what is found.
 TEST(Noise, IsFoundInPairs) {
   const MeasuredData data =
-      read_data(rows(400, [](int i) { return 10.0 + 0.1 * static_cast<double>(i / 2); }));
+      read_data(rows_of_loads(400, [](int i) { return 10.0 + 0.1 * static_cast<double>(i / 2); }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
   EXPECT_EQ(noise->source, NoiseSource::repeats);

@@ -10,7 +10,6 @@
 namespace reeve::testing {
 namespace {
 
-const PatternCause on_T1("on_T1", {1});
 constexpr std::size_t replicates = 400;
 
 std::vector<Eigen::VectorXd> drawn(const Bench& bench, const Model& model, std::uint64_t seed = 1,

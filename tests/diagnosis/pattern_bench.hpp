@@ -103,4 +103,9 @@ struct Bench {
   Bench& operator=(const Bench&) = delete;
 };
 
+inline const PatternCause on_T1("on_T1", {1});
+inline const PatternCause on_T2("on_T2", {0, 1});
+inline const PatternCause on_T3("on_T3", {0, 0, 1});
+inline const PatternCause nearly_on_T1("nearly_on_T1", {1, 0.03});
+
 }  // namespace reeve::testing

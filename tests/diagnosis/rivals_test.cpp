@@ -11,9 +11,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const PatternCause on_T1("on_T1", {1});
-const PatternCause nearly_on_T1("nearly_on_T1", {1, 0.03});
-const PatternCause on_T2("on_T2", {0, 1});
 const PatternCause on_both("on_both", {1, 1});
 
 Rival rival(const char* name, double deficit, double size) {

@@ -10,8 +10,6 @@
 namespace reeve::testing {
 namespace {
 
-const PatternCause on_T1("on_T1", {1});
-const PatternCause on_T2("on_T2", {0, 1});
 const PatternCause only_more("only_more", {1}, {0, 20});
 const PatternCause only_less("only_less", {1}, {-20, 0});
 
@@ -106,7 +104,6 @@ TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
 
 // Of three that gain, the two that gain most; with the laws of friction, these in any case.
 TEST(Outlook, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
-  const PatternCause on_T3("on_T3", {0, 0, 1});
   const PatternCause weak("weak", {0.05, 1, 1});
   Bench bench({0.1, 0.2}, {5, 6, 1, 0});
   std::vector<Candidate> among;

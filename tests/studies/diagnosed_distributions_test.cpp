@@ -14,7 +14,7 @@ namespace {
 
 using testing::read_data;
 
-const Catalogue& catalogue() {
+const Catalogue& the_catalogue() {
   static const Catalogue read = read_catalogue(REEVE_CATALOG_DIR);
   return read;
 }
@@ -22,7 +22,7 @@ const Catalogue& catalogue() {
 MeasuredData the_seven() {
   return read_measured_data(
       std::string(REEVE_CATALOG_DIR) + "/measured/exo_glove_ii.csv",
-      [](const std::string& name) { return catalogue().find_name(name)->routing; });
+      [](const std::string& name) { return the_catalogue().find_name(name)->routing; });
 }
 
 DiagnosisResult with_friction(double tube, double sheath) {
@@ -32,7 +32,7 @@ DiagnosisResult with_friction(double tube, double sheath) {
   return result;
 }
 
-std::vector<PublishedModel> published(std::vector<double> coefficients) {
+std::vector<PublishedModel> published_with(std::vector<double> coefficients) {
   std::vector<PublishedModel> models;
   for (const double mu : coefficients) models.push_back({"", mu, {}, 0, 0, {}});
   return models;
@@ -49,7 +49,7 @@ const RoutingShares& of(const TensionDistribution& distribution, const std::stri
 // from them by hand.
 TEST(DiagnosedDistributions, AreThePublishedCasesAndThatOfTheDiagnosis) {
   const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
-                                           published({0.18, 0.09}), catalogue());
+                                           published_with({0.18, 0.09}), the_catalogue());
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.size(), 3U);
   EXPECT_EQ(all->list[0].kind, FrictionKind::coefficient);
@@ -67,7 +67,7 @@ TEST(DiagnosedDistributions, AreThePublishedCasesAndThatOfTheDiagnosis) {
 
 TEST(DiagnosedDistributions, HaveTheModelsClosedFormAndTheReadingsShares) {
   const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
-                                           published({0.18, 0.09}), catalogue());
+                                           published_with({0.18, 0.09}), the_catalogue());
   const RoutingShares& tr4 = of(all->list[2], "TR4");
   EXPECT_NEAR(tr4.strands[2].model / tr4.strands[1].model,
               std::exp(-(2 * 0.045 * 2 + 0.001) * std::numbers::pi), 1e-9);
@@ -83,12 +83,13 @@ TEST(DiagnosedDistributions, HaveTheModelsClosedFormAndTheReadingsShares) {
 TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
   const MeasuredData data =
       read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-M,none,4,3,2,1\n");
-  const auto plain = diagnosed_distributions(data, {}, {}, {}, catalogue());
+  const auto plain = diagnosed_distributions(data, {}, {}, {}, the_catalogue());
   ASSERT_TRUE(plain);
   ASSERT_EQ(plain->list.size(), 1U);
   EXPECT_EQ(plain->list[0].kind, FrictionKind::model);
   EXPECT_EQ(plain->list[0].grasp, Grasp{});
-  const auto both = diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, catalogue());
+  const auto both =
+      diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, the_catalogue());
   ASSERT_EQ(both->list.size(), 2U);
   EXPECT_EQ(both->list[1].kind, FrictionKind::diagnosed);
 }
@@ -96,14 +97,14 @@ TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
 TEST(DiagnosedDistributions, AreNoneWhereNoReadingHasAllStrands) {
   const MeasuredData data =
       read_data("run,routing,held,T1_N,T2_N\n1,M-1-T-2-M,none,4,3\n1,TR5,none,4,3\n");
-  EXPECT_FALSE(diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, catalogue()));
+  EXPECT_FALSE(diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, the_catalogue()));
 }
 
 TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
   const MeasuredData data = read_data(
       "run,routing,held,T1_N,T2_N,T3_N,T4_N,T5_N,T6_N\n"
       "1,M-1-T-2-M,none,4,3,2,1,,\n1,M-1-P-2-P-3-M,none,4,3,2,1,1,1\n");
-  const auto all = diagnosed_distributions(data, {}, {}, {}, catalogue());
+  const auto all = diagnosed_distributions(data, {}, {}, {}, the_catalogue());
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.front().routings.size(), 1U);
   EXPECT_EQ(all->list.front().routings.front().word, "M-1-T-2-M");
