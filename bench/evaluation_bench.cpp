@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
 
 namespace reeve::bench {
 namespace {

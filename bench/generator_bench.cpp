@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
-#include "search/generator.hpp"
+#include "search/enumerate/generator.hpp"
 
 namespace reeve::bench {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/notation.hpp"
-#include "search/generator.hpp"
+#include "search/enumerate/generator.hpp"
 
 namespace reeve::bench {
 

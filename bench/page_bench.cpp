@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bench/hand.hpp"
-#include "pages/exploration_page.hpp"
+#include "pages/exploration/exploration_page.hpp"
 #include "search/explore.hpp"
 #include "studies/shown_routing.hpp"
 

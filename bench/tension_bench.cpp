@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve::bench {
 namespace {

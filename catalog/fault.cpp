@@ -95,16 +95,16 @@ std::optional<std::string> explain(const RepeatsFault& fault, const DifferingNum
                      noun(number.list.kind), number.list.source, theirs->source, other->name);
 }
 
-struct Range {
+struct ScaleRange {
   double low = 0;
   double high = std::numeric_limits<double>::infinity();
 
-  void narrow(Range other) { *this = {std::max(low, other.low), std::min(high, other.high)}; }
+  void narrow(ScaleRange other) { *this = {std::max(low, other.low), std::min(high, other.high)}; }
   bool empty() const { return low > high; }
 };
 
 // What times `base`, itself known to ± half_unit, can give the printed number.
-Range scales(const PrintedNumber& printed, double base, double half_unit) {
+ScaleRange scales(const PrintedNumber& printed, double base, double half_unit) {
   const double most = base - half_unit;
   return {(printed.value - printed.half_unit) / (base + half_unit),
           most > 0 ? (printed.value + printed.half_unit) / most
@@ -117,8 +117,8 @@ std::optional<std::string> explain(const ProportionalFault& fault, const Differi
     return std::nullopt;
   }
   const std::vector<PrintedNumber>& own = number.entry.table->tension;
-  Range to_printed;
-  Range to_computed;
+  ScaleRange to_printed;
+  ScaleRange to_computed;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const PrintedNumber& theirs = other->table->tension[i];
     to_printed.narrow(scales(own[i], theirs.value, theirs.half_unit));

@@ -7,7 +7,7 @@
 
 #include "core/hardware.hpp"
 #include "core/network.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve {
 namespace {

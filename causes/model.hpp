@@ -8,8 +8,8 @@
 #include "causes/cause.hpp"
 #include "core/hardware.hpp"
 #include "core/mechanics.hpp"
-#include "core/seizure.hpp"
-#include "core/tension.hpp"
+#include "core/tension/seizure.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve {
 

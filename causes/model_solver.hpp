@@ -15,8 +15,8 @@
 
 #include "causes/model.hpp"
 #include "core/mechanics.hpp"
-#include "core/seizure.hpp"
-#include "core/tension.hpp"
+#include "core/tension/seizure.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "diagnosis/experiment.hpp"
-#include "diagnosis/simulation.hpp"
+#include "diagnosis/plan/experiment.hpp"
+#include "diagnosis/plan/simulation.hpp"
 
 namespace reeve::cli {
 

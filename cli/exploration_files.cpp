@@ -6,10 +6,10 @@
 #include "cli/command_line.hpp"
 #include "cli/supervision.hpp"
 #include "core/notation.hpp"
-#include "pages/exploration_page.hpp"
-#include "pages/figure_files.hpp"
-#include "reports/design_list.hpp"
+#include "pages/exploration/exploration_page.hpp"
+#include "pages/shell/figure_files.hpp"
 #include "reports/files.hpp"
+#include "reports/results/design_list.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve::cli {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "catalog/catalogue.hpp"
-#include "reports/explore_report.hpp"
+#include "reports/results/explore_report.hpp"
 
 namespace reeve::cli {
 

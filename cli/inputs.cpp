@@ -163,10 +163,12 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
 GeneratorOptions GeneratorFlags::read() const {
   GeneratorOptions options;
   options.parts = parts == "paper" ? paper_parts() : full_parts();
-  if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
-  if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
-  if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
-  validate(options.parts);
+  for_option("--", [&] {
+    if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
+    if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
+    if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
+    validate(options.parts);
+  });
   options.fingers = fingers;
   options.identity = distinct ? FingerIdentity::distinct : FingerIdentity::identical;
   options.one_tendon = tendons == "one";
@@ -207,10 +209,14 @@ void RankingFlags::add_to(CLI::App& command) {
       ->capture_default_str();
 }
 
+Score RankingFlags::read_score() const {
+  return for_option("--", [&] { return parse_score(score); });
+}
+
 Order RankingFlags::read_order() const {
   const bool by_score = score_given_->count() > 0;
   if (by_score && objectives_given_->count() == 0) return {{Objective::score}, true};
-  return {parse_objectives(objectives), by_score};
+  return {for_option("--", [&] { return parse_objectives(objectives); }), by_score};
 }
 
 GraspSet RankingFlags::read_grasps(int fingers) const {

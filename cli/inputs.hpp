@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/hardware_file.hpp"
-#include "catalog/model_file.hpp"
+#include "catalog/rig/hardware_file.hpp"
+#include "catalog/rig/model_file.hpp"
 #include "core/error.hpp"
-#include "search/generator.hpp"
-#include "search/order.hpp"
-#include "search/score.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/judge/order.hpp"
+#include "search/judge/score.hpp"
 
 namespace reeve::cli {
 
@@ -120,6 +120,7 @@ struct RankingFlags {
 
   void add_to(CLI::App& command);
   GraspSet read_grasps(int fingers) const;
+  Score read_score() const;
   // By the score alone if it is given and the objectives are not.
   Order read_order() const;
 

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "cli/commands.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "cli/terminal.hpp"
-#include "reports/sheet_latex.hpp"
-#include "reports/sheet_markdown.hpp"
-#include "reports/sheet_text.hpp"
+#include "reports/sheet/sheet_latex.hpp"
+#include "reports/sheet/sheet_markdown.hpp"
+#include "reports/sheet/sheet_text.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -1,10 +1,9 @@
 # One source per header of ours, including only that header: it must not lean on what
 # others happened to include before it. And one that includes them all: no two may mean different
 # things by one name.
-file(GLOB headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
-     numerics/*.hpp core/*.hpp causes/*.hpp search/*.hpp catalog/*.hpp diagnosis/*.hpp studies/*.hpp
-     reports/*.hpp
-     pages/*.hpp cli/*.hpp)
+set(folders numerics core causes search catalog diagnosis studies reports pages cli)
+list(TRANSFORM folders APPEND "/*.hpp")
+file(GLOB_RECURSE headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS ${folders})
 set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")
 file(CONFIGURE OUTPUT "${sources}" CONTENT "")
 set(together "")

@@ -1,7 +1,8 @@
 # reeve_library(<folder> <link libraries...>): the static library reeve_<folder>, alias
-# reeve::<folder>, of every .cpp file in the current folder.
+# reeve::<folder>, of every .cpp file in the current
+# folder and its rooms.
 function(reeve_library folder)
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   if(NOT sources)
     # A static library needs a source; a young folder may have headers only.
     set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")

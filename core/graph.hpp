@@ -10,7 +10,7 @@
 
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve {
 

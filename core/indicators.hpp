@@ -17,7 +17,7 @@
 #pragma once
 
 #include "core/network.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 namespace reeve {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/prediction.hpp"
+#include "diagnosis/model/prediction.hpp"
 
 namespace reeve {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
-#include "diagnosis/measured_data.hpp"
+#include "diagnosis/data/measured_data.hpp"
 
 namespace reeve {
 

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/cause_search.hpp"
-#include "diagnosis/cross_validation.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/intervals.hpp"
-#include "diagnosis/null_model.hpp"
-#include "diagnosis/problem.hpp"
-#include "diagnosis/rivals.hpp"
-#include "diagnosis/sample.hpp"
+#include "diagnosis/data/sample.hpp"
+#include "diagnosis/model/fit.hpp"
+#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/model/problem.hpp"
+#include "diagnosis/search/candidates.hpp"
+#include "diagnosis/search/cause_search.hpp"
+#include "diagnosis/search/cross_validation.hpp"
+#include "diagnosis/search/rivals.hpp"
 
 namespace reeve {
 namespace {

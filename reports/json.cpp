@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/version.hpp"
-#include "reports/model_text.hpp"
+#include "reports/results/model_text.hpp"
 
 namespace reeve {
 namespace {

@@ -9,8 +9,8 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
-#include "search/objectives.hpp"
-#include "search/uncertainty.hpp"
+#include "search/judge/objectives.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve {
 

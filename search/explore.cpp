@@ -9,9 +9,9 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
-#include "search/archive.hpp"
-#include "search/evaluation.hpp"
-#include "search/pareto.hpp"
+#include "search/judge/archive.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/judge/pareto.hpp"
 #include "search/sample.hpp"
 
 namespace reeve {
@@ -244,7 +244,7 @@ Shard parse_shard(const std::string& text) {
       return shard;
     }
   }
-  throw InputError(fmt::format("--shard '{}': expected i/N with 1 <= i <= N, such as 2/8", text));
+  throw InputError(fmt::format("shard '{}': expected i/N with 1 <= i <= N, such as 2/8", text));
 }
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {

@@ -13,9 +13,9 @@
 
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
-#include "search/generator.hpp"
-#include "search/ranking.hpp"
-#include "search/score.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/judge/ranking.hpp"
+#include "search/judge/score.hpp"
 
 namespace reeve {
 

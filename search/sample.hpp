@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/ranking.hpp"
+#include "search/judge/ranking.hpp"
 
 namespace reeve {
 

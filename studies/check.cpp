@@ -4,7 +4,7 @@
 
 #include "catalog/publication.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/measured_data.hpp"
+#include "diagnosis/data/measured_data.hpp"
 #include "studies/publication_check.hpp"
 
 namespace reeve {

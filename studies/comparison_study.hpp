@@ -7,7 +7,7 @@
 #include "catalog/catalogue.hpp"
 #include "core/hardware.hpp"
 #include "diagnosis/comparison.hpp"
-#include "diagnosis/measured_data.hpp"
+#include "diagnosis/data/measured_data.hpp"
 
 namespace reeve {
 

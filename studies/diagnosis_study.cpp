@@ -7,9 +7,9 @@
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
-#include "search/generator.hpp"
-#include "search/ranking.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/judge/ranking.hpp"
 
 namespace reeve {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/measured_data.hpp"
 #include "studies/published_models.hpp"
 #include "studies/shown_routing.hpp"
 

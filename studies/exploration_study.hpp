@@ -7,7 +7,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "search/explore.hpp"
-#include "search/uncertainty.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/study_supervision.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "search/ranking.hpp"
-#include "search/uncertainty.hpp"
+#include "search/judge/ranking.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve {
 

@@ -9,8 +9,8 @@
 
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
-#include "diagnosis/share_error.hpp"
-#include "search/counting.hpp"
+#include "diagnosis/verdict/share_error.hpp"
+#include "search/enumerate/counting.hpp"
 #include "studies/fixed_order_designs.hpp"
 #include "studies/indicator_check.hpp"
 #include "studies/strand_readings.hpp"

@@ -9,7 +9,7 @@
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
-#include "diagnosis/measured_shares.hpp"
+#include "diagnosis/data/measured_shares.hpp"
 
 namespace reeve {
 namespace {

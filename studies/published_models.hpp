@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/measured_data.hpp"
 
 namespace reeve {
 
-// One stretch of the diagnosis' losses (diagnosis/losses.hpp) as the lines have it.
+// One stretch of the diagnosis' losses (diagnosis/verdict/losses.hpp) as the lines have it.
 struct PublishedLoss {
   std::size_t loss = 0;   // in DiagnosisResult::losses
   double printed = 0;     // ln of the ratio of the printed shares

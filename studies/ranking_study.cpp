@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
 
 namespace reeve {
 namespace {

@@ -4,7 +4,7 @@
 #include "causes/model_solver.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
 
 namespace reeve {
 

@@ -11,8 +11,8 @@
 #include "core/network.hpp"
 #include "core/performance.hpp"
 #include "core/routing.hpp"
-#include "core/tension.hpp"
-#include "search/objectives.hpp"
+#include "core/tension/tension.hpp"
+#include "search/judge/objectives.hpp"
 
 namespace reeve {
 

@@ -12,8 +12,8 @@
 #include "catalog/fault.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/measured_shares.hpp"
-#include "diagnosis/share_error.hpp"
+#include "diagnosis/data/measured_shares.hpp"
+#include "diagnosis/verdict/share_error.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve {

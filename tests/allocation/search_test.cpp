@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "causes/library.hpp"
-#include "search/evaluation.hpp"
-#include "search/generator.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/judge/evaluation.hpp"
 #include "tests/allocation/allocations.hpp"
 
 namespace reeve {

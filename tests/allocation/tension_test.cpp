@@ -1,5 +1,5 @@
 // From a routing to its tensions without the heap, once the memory of the first calls is there.
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 #include <cstdint>
 #include <vector>

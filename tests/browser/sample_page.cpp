@@ -10,11 +10,11 @@
 #include "core/hardware.hpp"
 #include "core/mechanics.hpp"
 #include "core/notation.hpp"
-#include "core/tension.hpp"
-#include "pages/page.hpp"
-#include "reports/chart_svg.hpp"
+#include "core/tension/tension.hpp"
+#include "pages/shell/page.hpp"
+#include "reports/chart/chart_svg.hpp"
 #include "reports/files.hpp"
-#include "reports/schematic_svg.hpp"
+#include "reports/schematic/schematic_svg.hpp"
 #include "reports/svg.hpp"
 
 namespace reeve {

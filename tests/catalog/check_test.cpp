@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/check_words.hpp"
+#include "reports/results/check_words.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {

@@ -1,4 +1,4 @@
-#include "catalog/hardware_file.hpp"
+#include "catalog/rig/hardware_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "catalog/model_file.hpp"
+#include "catalog/rig/model_file.hpp"
 
 #include <gtest/gtest.h>
 

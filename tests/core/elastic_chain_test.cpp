@@ -1,4 +1,4 @@
-#include "core/elastic_chain.hpp"
+#include "core/tension/elastic_chain.hpp"
 
 #include <gtest/gtest.h>
 

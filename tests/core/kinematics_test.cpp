@@ -1,4 +1,4 @@
-#include "core/kinematics.hpp"
+#include "core/tension/kinematics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Seized contacts by hand, and against routings in which the tendon ends where it is seized.
-#include "core/seizure.hpp"
+#include "core/tension/seizure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How fingers close whose strands lie on two tendons, against the conditions of the least motion.
-#include "core/split_kinematics.hpp"
+#include "core/tension/split_kinematics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "core/seizure.hpp"
+#include "core/tension/seizure.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {

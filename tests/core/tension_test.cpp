@@ -1,4 +1,4 @@
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/candidates.hpp"
+#include "diagnosis/search/candidates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "causes/library.hpp"
-#include "diagnosis/dataset.hpp"
+#include "diagnosis/data/dataset.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/cause_search.hpp"
+#include "diagnosis/search/cause_search.hpp"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/cross_validation.hpp"
+#include "diagnosis/search/cross_validation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/csv_number.hpp"
+#include "diagnosis/data/csv_number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/csv.hpp"
+#include "diagnosis/data/csv.hpp"
 
 #include <gtest/gtest.h>
 

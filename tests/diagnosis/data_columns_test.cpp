@@ -1,4 +1,4 @@
-#include "diagnosis/data_columns.hpp"
+#include "diagnosis/data/data_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/data_notes.hpp"
+#include "diagnosis/data/data_notes.hpp"
 
 #include <gtest/gtest.h>
 

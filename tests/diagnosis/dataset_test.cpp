@@ -1,4 +1,4 @@
-#include "diagnosis/dataset.hpp"
+#include "diagnosis/data/dataset.hpp"
 
 #include <gtest/gtest.h>
 

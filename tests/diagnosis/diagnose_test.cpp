@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "diagnosis/hold_out.hpp"
+#include "diagnosis/data/hold_out.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/experiment.hpp"
+#include "diagnosis/plan/experiment.hpp"
 
 #include <gtest/gtest.h>
 

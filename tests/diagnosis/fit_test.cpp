@@ -1,4 +1,4 @@
-#include "diagnosis/fit.hpp"
+#include "diagnosis/model/fit.hpp"
 
 #include <gtest/gtest.h>
 

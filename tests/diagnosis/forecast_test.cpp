@@ -1,4 +1,4 @@
-#include "diagnosis/forecast.hpp"
+#include "diagnosis/model/forecast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/comparison.hpp"
-#include "diagnosis/problem.hpp"
+#include "diagnosis/model/problem.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "causes/library.hpp"
-#include "diagnosis/problem.hpp"
+#include "diagnosis/model/problem.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/held_out.hpp"
+#include "diagnosis/verdict/held_out.hpp"
 
 #include <gtest/gtest.h>
 

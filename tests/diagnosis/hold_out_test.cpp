@@ -1,4 +1,4 @@
-#include "diagnosis/hold_out.hpp"
+#include "diagnosis/data/hold_out.hpp"
 
 #include <gtest/gtest.h>
 

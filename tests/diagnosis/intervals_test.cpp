@@ -1,6 +1,6 @@
 // What an interval has to do, however it is computed: cover the truth as often as it says, and be
 // as wide as noise, misfit and scatter from run to run ask for.
-#include "diagnosis/intervals.hpp"
+#include "diagnosis/model/intervals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "diagnosis/fit.hpp"
+#include "diagnosis/model/fit.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/left_out.hpp"
+#include "diagnosis/verdict/left_out.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/losses.hpp"
+#include "diagnosis/verdict/losses.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

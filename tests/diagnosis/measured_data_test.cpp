@@ -1,4 +1,4 @@
-#include "diagnosis/measured_data.hpp"
+#include "diagnosis/data/measured_data.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/measured_shares.hpp"
+#include "diagnosis/data/measured_shares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/next_measurement.hpp"
+#include "diagnosis/plan/next_measurement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/noise_limit.hpp"
+#include "diagnosis/verdict/noise_limit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "causes/library.hpp"
-#include "diagnosis/run_gain.hpp"
+#include "diagnosis/verdict/run_gain.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

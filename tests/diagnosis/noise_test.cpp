@@ -1,5 +1,5 @@
 // Noise of a known size is put on readings of a law that the estimate does not know.
-#include "diagnosis/noise.hpp"
+#include "diagnosis/model/noise.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/null_model.hpp"
+#include "diagnosis/model/null_model.hpp"
 
 #include <gtest/gtest.h>
 

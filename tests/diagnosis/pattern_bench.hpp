@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/tension.hpp"
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/problem.hpp"
+#include "core/tension/tension.hpp"
+#include "diagnosis/model/problem.hpp"
+#include "diagnosis/search/candidates.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_data.hpp"
 

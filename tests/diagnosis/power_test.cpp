@@ -1,4 +1,4 @@
-#include "diagnosis/power.hpp"
+#include "diagnosis/plan/power.hpp"
 
 #include <gtest/gtest.h>
 

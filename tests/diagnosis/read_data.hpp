@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "diagnosis/dataset.hpp"
-#include "diagnosis/measured_data.hpp"
+#include "diagnosis/data/dataset.hpp"
+#include "diagnosis/data/measured_data.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {

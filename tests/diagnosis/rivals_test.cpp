@@ -1,4 +1,4 @@
-#include "diagnosis/rivals.hpp"
+#include "diagnosis/search/rivals.hpp"
 
 #include <gtest/gtest.h>
 

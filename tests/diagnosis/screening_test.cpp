@@ -1,10 +1,10 @@
-#include "diagnosis/screening.hpp"
+#include "diagnosis/search/screening.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/outlook.hpp"
+#include "diagnosis/plan/outlook.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/share_error.hpp"
+#include "diagnosis/verdict/share_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/simulation.hpp"
+#include "diagnosis/plan/simulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "causes/model_solver.hpp"
 #include "causes/named_effect.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 #include "numerics/random.hpp"
 #include "tests/support/planned.hpp"
 

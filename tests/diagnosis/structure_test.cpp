@@ -1,6 +1,6 @@
 // Residuals that are written down, not computed: noise of standard deviation 1, and on top of it
 // whatever a test is about.
-#include "diagnosis/structure.hpp"
+#include "diagnosis/verdict/structure.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

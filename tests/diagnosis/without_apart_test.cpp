@@ -1,4 +1,4 @@
-#include "diagnosis/without_apart.hpp"
+#include "diagnosis/verdict/without_apart.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "causes/library.hpp"
-#include "diagnosis/share_error.hpp"
+#include "diagnosis/verdict/share_error.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

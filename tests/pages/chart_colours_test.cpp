@@ -1,12 +1,12 @@
 // The colours of charts stand in three places: in the chart writer, in the style sheet for the
 // dark, and in the theme of those that come alive. They have to agree.
-#include "reports/chart_colours.hpp"
+#include "reports/chart/chart_colours.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "pages/asset_table.hpp"
+#include "pages/shell/asset_table.hpp"
 #include "reports/json.hpp"
 
 namespace reeve {

@@ -1,4 +1,4 @@
-#include "pages/diagnosis_page.hpp"
+#include "pages/diagnosis/diagnosis_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pages/exploration_page.hpp"
+#include "pages/exploration/exploration_page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "pages/exploration_designs.hpp"
-#include "search/shown_objectives.hpp"
+#include "pages/exploration/exploration_designs.hpp"
+#include "search/judge/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {

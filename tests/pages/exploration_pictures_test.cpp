@@ -1,5 +1,5 @@
 // The plots of an exploration without its script: which designs they show, and where.
-#include "pages/exploration_pictures.hpp"
+#include "pages/exploration/exploration_pictures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "search/shown_objectives.hpp"
+#include "search/judge/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"
 

@@ -1,4 +1,4 @@
-#include "pages/exploration_words.hpp"
+#include "pages/exploration/exploration_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "pages/exploration_page.hpp"
+#include "pages/exploration/exploration_page.hpp"
 #include "search/explore.hpp"
 #include "studies/shown_routing.hpp"
 

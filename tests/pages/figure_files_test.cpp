@@ -1,4 +1,4 @@
-#include "pages/figure_files.hpp"
+#include "pages/shell/figure_files.hpp"
 
 #include <gtest/gtest.h>
 

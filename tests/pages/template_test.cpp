@@ -1,4 +1,4 @@
-#include "pages/template.hpp"
+#include "pages/shell/template.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "pages/asset_table.hpp"
-#include "pages/page.hpp"
+#include "pages/shell/asset_table.hpp"
+#include "pages/shell/page.hpp"
 
 namespace reeve {
 namespace {

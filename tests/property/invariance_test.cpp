@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/performance.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {

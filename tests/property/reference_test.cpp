@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "core/tension.hpp"
+#include "core/tension/tension.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_model.hpp"
 

@@ -1,5 +1,5 @@
 // Scales and axes: values go to pixels and come back, and an axis ends where it should.
-#include "reports/chart_axis.hpp"
+#include "reports/chart/chart_axis.hpp"
 
 #include <gtest/gtest.h>
 

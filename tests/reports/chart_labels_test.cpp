@@ -1,4 +1,4 @@
-#include "reports/chart_labels.hpp"
+#include "reports/chart/chart_labels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The geometry of random charts: no text over another, all within the picture, marks within their
 // frames, and marks where the ticks say.
-#include "reports/chart_layout.hpp"
+#include "reports/chart/chart_layout.hpp"
 
 #include <gtest/gtest.h>
 

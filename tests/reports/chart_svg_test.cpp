@@ -1,4 +1,4 @@
-#include "reports/chart_svg.hpp"
+#include "reports/chart/chart_svg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/chart_layout.hpp"
+#include "reports/chart/chart_layout.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::chart {

@@ -1,5 +1,5 @@
 // Ticks against cases worked by hand.
-#include "reports/chart_ticks.hpp"
+#include "reports/chart/chart_ticks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "reports/design_list.hpp"
+#include "reports/results/design_list.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "reports/text_table.hpp"
+#include "reports/sheet/text_table.hpp"
 
 namespace reeve {
 namespace {

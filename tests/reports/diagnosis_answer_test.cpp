@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "causes/library.hpp"
-#include "reports/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_report.hpp"
 
 namespace reeve {
 namespace {

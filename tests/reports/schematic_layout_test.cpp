@@ -1,6 +1,6 @@
 // The geometry of schematics of random routings: every segment once and from contact to contact,
 // nothing over anything else.
-#include "reports/schematic_layout.hpp"
+#include "reports/schematic/schematic_layout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "reports/schematic_measures.hpp"
+#include "reports/schematic/schematic_measures.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {

@@ -1,4 +1,4 @@
-#include "reports/schematic_svg.hpp"
+#include "reports/schematic/schematic_svg.hpp"
 
 #include <gtest/gtest.h>
 

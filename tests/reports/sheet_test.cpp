@@ -1,11 +1,11 @@
 // One sheet, three writers.
-#include "reports/sheet.hpp"
+#include "reports/sheet/sheet.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reports/sheet_latex.hpp"
-#include "reports/sheet_markdown.hpp"
-#include "reports/sheet_text.hpp"
+#include "reports/sheet/sheet_latex.hpp"
+#include "reports/sheet/sheet_markdown.hpp"
+#include "reports/sheet/sheet_text.hpp"
 
 namespace reeve {
 namespace {

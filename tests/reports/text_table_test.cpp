@@ -1,4 +1,4 @@
-#include "reports/text_table.hpp"
+#include "reports/sheet/text_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "reports/text_width.hpp"
+#include "reports/sheet/text_width.hpp"
 
 namespace reeve {
 namespace {

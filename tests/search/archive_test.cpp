@@ -1,4 +1,4 @@
-#include "search/archive.hpp"
+#include "search/judge/archive.hpp"
 
 #include <gtest/gtest.h>
 

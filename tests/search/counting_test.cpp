@@ -1,4 +1,4 @@
-#include "search/counting.hpp"
+#include "search/enumerate/counting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "search/checked.hpp"
+#include "search/enumerate/checked.hpp"
 #include "tests/support/counting.hpp"
 #include "tests/support/input_error.hpp"
 

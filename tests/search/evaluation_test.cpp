@@ -1,4 +1,4 @@
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/generator.hpp"
+#include "search/enumerate/generator.hpp"
 
 namespace reeve {
 namespace {

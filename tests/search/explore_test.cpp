@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
-#include "search/pareto.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/judge/pareto.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
@@ -499,7 +499,7 @@ TEST(ParseShardError, SaysWhatAShardIs) {
                                  "99999999999999999999/2",
                                  "1/99999999999999999999"}) {
     EXPECT_EQ(testing::input_error([&] { parse_shard(text); }),
-              "--shard '" + text + "': expected i/N with 1 <= i <= N, such as 2/8");
+              "shard '" + text + "': expected i/N with 1 <= i <= N, such as 2/8");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "search/generator.hpp"
+#include "search/enumerate/generator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -620,9 +620,9 @@ TEST(Generator, ImpossibleOptionsAreRefused) {
             "--fingers -1: expected a number from 1 to 64");
   EXPECT_EQ(error_of(options(paper, 65, distinct)), "--fingers 65: expected a number from 1 to 64");
   EXPECT_EQ(error_of(options({{}, paper.joins, paper.ends}, 2, identical)),
-            "--tips '': expected at least one of tube, bearing");
+            "tips '': expected at least one of tube, bearing");
   EXPECT_EQ(error_of(options({paper.tips, {}, {}}, 2, identical)),
-            "--joins '' --ends '': expected at least one join or one end");
+            "joins '', ends '': expected at least one join or one end");
 }
 
 TEST(Generator, MoreThanTwoToThe63RoutingsAreRefused) {

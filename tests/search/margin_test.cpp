@@ -1,4 +1,4 @@
-#include "search/margin.hpp"
+#include "search/uncertainty/margin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/coefficient_box.hpp"
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve {
 namespace {

@@ -8,10 +8,10 @@
 #include "causes/library.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/margin.hpp"
-#include "search/uncertainty.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/uncertainty/margin.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/numbering.hpp"
+#include "search/enumerate/numbering.hpp"
 
 #include <gtest/gtest.h>
 

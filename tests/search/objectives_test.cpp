@@ -1,4 +1,4 @@
-#include "search/objectives.hpp"
+#include "search/judge/objectives.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(ObjectiveTable, EveryObjectiveIsFoundByItsValueAndByItsName) {
     const ObjectiveRow& entry = objective_table()[i];
     EXPECT_EQ(static_cast<std::size_t>(entry.objective), i);
     EXPECT_STREQ(row(entry.objective).name, entry.name);
-    EXPECT_EQ(parse_objective(entry.name, "--objectives"), entry.objective);
+    EXPECT_EQ(parse_objective(entry.name, "objectives"), entry.objective);
     EXPECT_STRNE(entry.unit, "");
     EXPECT_STRNE(entry.meaning, "");
     names.insert(entry.name);
@@ -129,23 +129,23 @@ TEST(ParseObjectives, UniformityAndEfficiencyAreShortForTheirMeans) {
 
 TEST(ParseObjectivesError, NamesAnUnknownObjectiveAndListsAll) {
   EXPECT_EQ(objectives_message("uniformity,speed"),
-            unknown("--objectives 'uniformity,speed'", "speed"));
+            unknown("objectives 'uniformity,speed'", "speed"));
   for (const std::string name : {"Sheaths", "she aths", "sheath", "mean", "uniformity_", "-"}) {
-    EXPECT_EQ(objectives_message(name), unknown("--objectives '" + name + "'", name));
+    EXPECT_EQ(objectives_message(name), unknown("objectives '" + name + "'", name));
   }
 }
 
 TEST(ParseObjectivesError, AnEmptyListOrItemIsUnknown) {
   for (const std::string text : {"", ",", "sheaths,", ",sheaths", "sheaths,,jams"}) {
-    EXPECT_EQ(objectives_message(text), unknown("--objectives '" + text + "'", ""));
+    EXPECT_EQ(objectives_message(text), unknown("objectives '" + text + "'", ""));
   }
 }
 
 TEST(ParseObjectivesError, NamesAnObjectiveThatIsNamedTwice) {
   EXPECT_EQ(objectives_message("jams,sheaths,jams"),
-            "--objectives 'jams,sheaths,jams': 'jams' is named twice");
+            "objectives 'jams,sheaths,jams': 'jams' is named twice");
   EXPECT_EQ(objectives_message("uniformity,uniformity_mean"),
-            "--objectives 'uniformity,uniformity_mean': 'uniformity_mean' is named twice");
+            "objectives 'uniformity,uniformity_mean': 'uniformity_mean' is named twice");
 }
 
 TEST(Constraint, AdmitsBySideOfItsBound) {
@@ -210,7 +210,7 @@ TEST(ParseConstraintError, SaysWhatAConstraintIsMadeOf) {
        {"", " ", "sheaths", "sheaths<=", "sheaths2", "sheaths<=two", "sheaths<=2x", "sheaths<=0x2",
         "sheaths<=2<=3", "1<=sheaths<=2", "sheaths<=2,5", "sheaths<=+2", "<=", "<", "2"}) {
     EXPECT_EQ(constraint_message(text),
-              "--constraint '" + text +
+              "constraint '" + text +
                   "': expected an objective, one of <= >= < > ==, and a number, such as "
                   "sheaths<=2");
   }
@@ -234,9 +234,9 @@ TEST(ParseConstraintError, ABoundIsAFiniteNumber) {
 }
 
 TEST(ParseConstraintError, NamesAnUnknownObjectiveAndListsAll) {
-  EXPECT_EQ(constraint_message("speed<=2"), unknown("--constraint 'speed<=2'", "speed"));
-  EXPECT_EQ(constraint_message("<=2"), unknown("--constraint '<=2'", ""));
-  EXPECT_EQ(constraint_message("speed <= 2"), unknown("--constraint 'speed <= 2'", "speed"));
+  EXPECT_EQ(constraint_message("speed<=2"), unknown("constraint 'speed<=2'", "speed"));
+  EXPECT_EQ(constraint_message("<=2"), unknown("constraint '<=2'", ""));
+  EXPECT_EQ(constraint_message("speed <= 2"), unknown("constraint 'speed <= 2'", "speed"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "search/pareto.hpp"
+#include "search/judge/pareto.hpp"
 
 #include <gtest/gtest.h>
 

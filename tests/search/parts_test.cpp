@@ -1,4 +1,4 @@
-#include "search/parts.hpp"
+#include "search/enumerate/parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,22 +44,22 @@ TEST(Parts, ParsedListsAreSortedAndWithoutRepeats) {
 
 TEST(Parts, UnknownItemsAreNamedWithWhatWasExpected) {
   EXPECT_EQ(testing::input_error([] { parse_tips("tube,ring"); }),
-            "--tips 'tube,ring': 'ring': expected a comma-separated list of tube, bearing");
+            "tips 'tube,ring': 'ring': expected a comma-separated list of tube, bearing");
   EXPECT_EQ(testing::input_error([] { parse_joins("T,X,P"); }),
-            "--joins 'T,X,P': 'X': expected a comma-separated list of T, B, P");
+            "joins 'T,X,P': 'X': expected a comma-separated list of T, B, P");
   EXPECT_EQ(testing::input_error([] { parse_ends("m"); }),
             "--ends 'm': 'm': expected a comma-separated list of M, F");
 }
 
 TEST(Parts, EmptyItemsAndBlanksAreErrors) {
   EXPECT_EQ(testing::input_error([] { parse_joins(","); }),
-            "--joins ',': '': expected a comma-separated list of T, B, P");
+            "joins ',': '': expected a comma-separated list of T, B, P");
   EXPECT_EQ(testing::input_error([] { parse_tips("tube,"); }),
-            "--tips 'tube,': '': expected a comma-separated list of tube, bearing");
+            "tips 'tube,': '': expected a comma-separated list of tube, bearing");
   EXPECT_EQ(testing::input_error([] { parse_ends("M,,F"); }),
             "--ends 'M,,F': '': expected a comma-separated list of M, F");
   EXPECT_EQ(testing::input_error([] { parse_joins("T, P"); }),
-            "--joins 'T, P': ' P': expected a comma-separated list of T, B, P");
+            "joins 'T, P': ' P': expected a comma-separated list of T, B, P");
 }
 
 TEST(Parts, SomeRoutingMustBePossible) {
@@ -67,11 +67,11 @@ TEST(Parts, SomeRoutingMustBePossible) {
   EXPECT_EQ(testing::input_error([&] {
               validate({{}, paper.joins, paper.ends});
             }),
-            "--tips '': expected at least one of tube, bearing");
+            "tips '': expected at least one of tube, bearing");
   EXPECT_EQ(testing::input_error([&] {
               validate({paper.tips, {}, {}});
             }),
-            "--joins '' --ends '': expected at least one join or one end");
+            "joins '', ends '': expected at least one join or one end");
   EXPECT_NO_THROW(validate({paper.tips, paper.joins, {}}));
   EXPECT_NO_THROW(validate({paper.tips, {}, paper.ends}));
 }

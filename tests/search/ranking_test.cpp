@@ -1,4 +1,4 @@
-#include "search/ranking.hpp"
+#include "search/judge/ranking.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
-#include "search/score.hpp"
+#include "search/judge/score.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "core/notation.hpp"
-#include "search/archive.hpp"
-#include "search/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/ranking.hpp"
-#include "search/uncertainty.hpp"
+#include "search/judge/archive.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/judge/ranking.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
@@ -50,12 +50,12 @@ TEST(Score, SaysWhatIsWrongWithIt) {
   const auto error = [](const std::string& text) {
     return input_error([&] { parse_score(text); });
   };
-  EXPECT_EQ(error("travel,travel=2"), "--score 'travel,travel=2': 'travel' is named twice");
+  EXPECT_EQ(error("travel,travel=2"), "score 'travel,travel=2': 'travel' is named twice");
   EXPECT_EQ(error("score"),
-            "--score 'score': a score is no part of itself; expected other objectives");
+            "score 'score': a score is no part of itself; expected other objectives");
   for (const char* weight : {"0", "-1", "nan", "inf", "1e9", "", "2x"}) {
     const std::string text = std::string("travel=") + weight;
-    EXPECT_EQ(error(text), "--score '" + text + "': '" + text +
+    EXPECT_EQ(error(text), "score '" + text + "': '" + text +
                                "': expected a weight above 0 and at most 1000000, such as "
                                "adaptability=2");
   }

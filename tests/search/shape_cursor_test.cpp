@@ -1,4 +1,4 @@
-#include "search/shape_cursor.hpp"
+#include "search/enumerate/shape_cursor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "search/counting.hpp"
+#include "search/enumerate/counting.hpp"
 
 namespace reeve {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/shown_objectives.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 #include <gtest/gtest.h>
 

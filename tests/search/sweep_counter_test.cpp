@@ -1,4 +1,4 @@
-#include "search/sweep_counter.hpp"
+#include "search/enumerate/sweep_counter.hpp"
 
 #include <gtest/gtest.h>
 

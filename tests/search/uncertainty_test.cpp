@@ -1,4 +1,4 @@
-#include "search/uncertainty.hpp"
+#include "search/uncertainty/uncertainty.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
+#include "search/judge/evaluation.hpp"
 #include "tests/search/published_words.hpp"
 
 namespace reeve {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/evaluation.hpp"
-#include "search/ranking.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/judge/ranking.hpp"
 #include "tests/search/published_words.hpp"
 
 namespace reeve {

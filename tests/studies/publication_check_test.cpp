@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "catalog/solution.hpp"
-#include "reports/check_words.hpp"
+#include "reports/results/check_words.hpp"
 #include "studies/check.hpp"
 #include "tests/support/temporary_folder.hpp"
 

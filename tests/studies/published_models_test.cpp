@@ -7,8 +7,8 @@
 #include <string>
 
 #include "catalog/catalogue.hpp"
-#include "diagnosis/losses.hpp"
-#include "diagnosis/share_error.hpp"
+#include "diagnosis/verdict/losses.hpp"
+#include "diagnosis/verdict/share_error.hpp"
 
 namespace reeve {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "diagnosis/experiment.hpp"
+#include "diagnosis/plan/experiment.hpp"
 
 namespace reeve::testing {
 

@@ -1,0 +1,157 @@
+#include "catalog/rig/hardware_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/mechanics.hpp"
+#include "core/routing.hpp"
+
+namespace reeve {
+namespace {
+
+template <typename Number>
+void read_if_given(const TomlNode& table, std::string_view key, Number& number) {
+  if (const TomlNode* node = table.find(key)) number = node->number_from_zero();
+}
+
+void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,
+              Hardware& hardware) {
+  const TomlNode* node = file.find(key);
+  if (node == nullptr) return;
+  node->table().allow_only({"mu", "angle_rad"});
+  read_if_given(*node, "mu", (hardware.*law).mu);
+  read_if_given(*node, "angle_rad", (hardware.*law).angle_rad);
+  validate_at(*node, hardware);
+}
+
+void read_lengths(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("lengths");
+  if (node == nullptr) return;
+  node->table().allow_only({"strand_mm", "motor_side_mm", "hand_mm"});
+  read_if_given(*node, "strand_mm", hardware.strand_mm);
+  read_if_given(*node, "motor_side_mm", hardware.motor_side_mm);
+  read_if_given(*node, "hand_mm", hardware.hand_mm);
+  validate_at(*node, hardware);
+}
+
+int finger_number(const TomlNode& node) {
+  for (int finger = 1; finger <= max_fingers; ++finger) {
+    if (node.key == std::to_string(finger)) return finger;
+  }
+  node.fail_at_key(
+      fmt::format("unknown table '{}': expected finger.1 to finger.{}", node.name, max_fingers));
+}
+
+void read_finger(const TomlNode& node, Hardware& hardware) {
+  FingerHardware finger;
+  finger.finger = finger_number(node);
+  node.table().allow_only(
+      {"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad", "strand_mm", "closing"});
+  read_if_given(node, "tip_mu", finger.tip_mu);
+  read_if_given(node, "tip_angle_rad", finger.tip_angle_rad);
+  read_if_given(node, "sheath_mu", finger.sheath_mu);
+  read_if_given(node, "sheath_angle_rad", finger.sheath_angle_rad);
+  read_if_given(node, "strand_mm", finger.strand_mm);
+  read_if_given(node, "closing", finger.closing);
+  hardware.fingers.push_back(finger);
+  validate_at(node, hardware);
+}
+
+bool same_contact(const ContactHardware& a, const ContactHardware& b) {
+  return (a.segment == b.segment && a.other_segment == b.other_segment) ||
+         (a.segment == b.other_segment && a.other_segment == b.segment);
+}
+
+void read_contact(const TomlNode& node, Hardware& hardware) {
+  node.table().allow_only({"mu", "angle_rad"});
+  const std::size_t dash = node.key.find('-');
+  if (dash == std::string::npos) {
+    node.fail_at_key(fmt::format(
+        "contact '{}': expected the two segments beside it, such as [contact.\"a-T1\"]", node.key));
+  }
+  ContactHardware contact;
+  contact.segment = node.key.substr(0, dash);
+  contact.other_segment = node.key.substr(dash + 1);
+  read_if_given(node, "mu", contact.mu);
+  read_if_given(node, "angle_rad", contact.angle_rad);
+  for (const ContactHardware& other : hardware.contacts) {
+    if (same_contact(contact, other)) {
+      node.fail_at_key(fmt::format("contact '{}': expected each contact once", node.key));
+    }
+  }
+  hardware.contacts.push_back(contact);
+  Hardware alone;
+  alone.contacts = {contact};
+  validate_at(node, alone);
+}
+
+void read_range(const TomlNode& table, std::string_view key, MuRange& range) {
+  constexpr std::string_view expected =
+      "two friction coefficients, the least and the greatest, such as [0.05, 0.20]";
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  if (node->kind != TomlKind::array || node->children.size() != 2) node->fail_expected(expected);
+  range = {node->children[0].number_from_zero(), node->children[1].number_from_zero()};
+  if (range.low > range.high || range.high > 10) {
+    node->fail_at_value(fmt::format("{} = [{}, {}]: expected {}, at most 10", node->name, range.low,
+                                    range.high, expected));
+  }
+}
+
+void read_relative(const TomlNode& table, std::string_view key, double& half_width) {
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  half_width = node->number_from_zero();
+  if (half_width > 1) node->fail_expected("a half-width from 0 to 1, as a part of the value");
+}
+
+UncertaintyRanges read_uncertainty(const TomlNode& file) {
+  UncertaintyRanges ranges;
+  const TomlNode* node = file.find("uncertainty");
+  if (node == nullptr) return ranges;
+  node->table().allow_only(
+      {"tube_mu", "sheath_mu", "bearing_mu_relative", "sheath_angle_relative"});
+  read_range(*node, "tube_mu", ranges.tube_mu);
+  read_range(*node, "sheath_mu", ranges.sheath_mu);
+  read_relative(*node, "bearing_mu_relative", ranges.bearing_mu_relative);
+  read_relative(*node, "sheath_angle_relative", ranges.sheath_angle_relative);
+  return ranges;
+}
+
+}  // namespace
+
+void validate_at(const TomlNode& table, const Hardware& hardware) {
+  try {
+    const MechanicsBuilder checks_segment_names_too(hardware);
+  } catch (const InputError& error) {
+    table.fail_at_key(error.what());
+  }
+}
+
+std::vector<std::string_view> hardware_table_names() {
+  return {"tube", "bearing", "sheath", "lengths", "finger", "contact", "uncertainty"};
+}
+
+HardwareFile read_hardware_tables(const TomlNode& file) {
+  HardwareFile result;
+  // The general laws first: those of a finger are checked together with them.
+  read_law(file, "tube", &Hardware::tube, result.hardware);
+  read_law(file, "bearing", &Hardware::bearing, result.hardware);
+  read_law(file, "sheath", &Hardware::sheath, result.hardware);
+  read_lengths(file, result.hardware);
+  if (const TomlNode* fingers = file.find("finger")) {
+    for (const TomlNode& finger : fingers->table().children) read_finger(finger, result.hardware);
+  }
+  if (const TomlNode* contacts = file.find("contact")) {
+    for (const TomlNode& contact : contacts->table().children) {
+      read_contact(contact, result.hardware);
+    }
+  }
+  result.uncertainty = read_uncertainty(file);
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "diagnosis/data/measured_data.hpp"
+#include "reports/files.hpp"
+#include "reports/results/compare_report.hpp"
+#include "studies/comparison_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct CompareFlags {
+  std::string data;
+  std::string out;
+  CLI::Option* out_given = nullptr;
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+CompareReport report(const CompareFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const Hardware hardware = flags.hardware.read().hardware;
+  MeasuredData data = read_measured_data(
+      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  std::vector<Routing> routings;
+  for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
+  require_contacts_to_match(hardware, routings);
+  return comparison_study(std::move(data), hardware, catalogue);
+}
+
+void write_files(const CompareReport& report, const CompareFlags& flags) {
+  const std::filesystem::path residuals = std::filesystem::path(flags.out) / "residuals.csv";
+  const std::filesystem::path json = std::filesystem::path(flags.out) / "comparison.json";
+  prepare_directory(flags.out, "--out");
+  const std::string option = fmt::format("--out '{}'", flags.out);
+  require_not_the_data(residuals, flags.data, option);
+  require_not_the_data(json, flags.data, option);
+  write_file(residuals, residuals_csv(report));
+  write_file(json, compare_json(report));
+}
+
+void run(const CompareFlags& flags) {
+  const CompareReport result = report(flags);
+  if (flags.out_given->count() > 0) write_files(result, flags);
+  std::cout << (flags.format.is("json") ? compare_json(result)
+                                        : printed(compare_sheet(result), flags.format));
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "compare", "Measured tensions beside the model's, as it stands: nothing is fitted");
+  auto flags = std::make_shared<CompareFlags>();
+  command
+      ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
+      ->required();
+  flags->out_given = command->add_option(
+      "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

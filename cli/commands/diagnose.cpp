@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "cli/supervision.hpp"
+#include "core/error.hpp"
+#include "pages/diagnosis/diagnosis_page.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/files.hpp"
+#include "studies/diagnosed_distributions.hpp"
+#include "studies/diagnosis_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct DiagnoseFlags {
+  std::string data;
+  DiagnosisSettings settings;
+  bool explore = false;
+  int threads = 0;
+  std::string out;
+  std::string save_model;
+  CLI::Option* out_given = nullptr;
+  CLI::Option* save_model_given = nullptr;
+  HardwareOption hardware;
+  FormatOption format;
+  std::string command;  // as it was given
+
+  std::filesystem::path json_file() const { return std::filesystem::path(out) / "diagnosis.json"; }
+  std::filesystem::path csv_file() const { return std::filesystem::path(out) / "residuals.csv"; }
+  std::filesystem::path page_file() const { return std::filesystem::path(out) / "index.html"; }
+};
+
+// Before the long work.
+void require_places(const DiagnoseFlags& flags) {
+  if (flags.out_given->count() > 0) {
+    const std::string option = fmt::format("--out '{}'", flags.out);
+    require_folder_can_be_written(flags.out, "--out");
+    if (std::filesystem::is_directory(flags.out)) {
+      require_file_can_be_written(flags.page_file(), "--out");
+    }
+    require_not_the_data(flags.json_file(), flags.data, option);
+    require_not_the_data(flags.csv_file(), flags.data, option);
+    require_not_the_data(flags.page_file(), flags.data, option);
+  }
+  if (flags.save_model_given->count() > 0) {
+    require_file_can_be_written(flags.save_model, "--save-model");
+    require_not_the_data(flags.save_model, flags.data, "--save-model");
+  }
+}
+
+DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
+  DiagnosisRequest request;
+  request.hardware = flags.hardware.read().hardware;
+  request.settings = flags.settings;
+  request.with_generated = flags.explore;
+  request.threads = flags.threads;
+  request.data = read_measured_data(
+      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  std::vector<Routing> routings;
+  for (const MeasuredRouting& measured : request.data.routings) {
+    routings.push_back(measured.routing);
+  }
+  require_contacts_to_match(request.hardware, routings);
+  require_places(flags);
+  const std::atomic<bool>& stop = stop_on_interrupt();
+  StageLine line;
+  request.stage = [&](const char* stage) {
+    line.show(stage);
+    return stop.load();
+  };
+  auto result = diagnosis_study(std::move(request), catalogue);
+  if (!result) throw Interrupted();
+  return std::move(*result);
+}
+
+void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
+                  const Catalogue& catalogue) {
+  const DiagnosisPage page =
+      diagnosis_page({report, flags.command, next_routing(report, catalogue),
+                      diagnosed_distributions(report.data, report.hardware, report.result,
+                                              report.published, catalogue)});
+  prepare_directory(flags.out, "--out");
+  write_file(flags.csv_file(), diagnosis_residuals_csv(report));
+  write_file(flags.json_file(), diagnosis_json(report));
+  write_figures(flags.out, page.figures);
+  write_file(flags.page_file(), page.html);
+}
+
+void run(const DiagnoseFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const DiagnosisReport result = report(flags, catalogue);
+  if (flags.out_given->count() > 0) write_folder(result, flags, catalogue);
+  if (flags.save_model_given->count() > 0) {
+    write_file(flags.save_model, extended_model_toml(result, flags.hardware.read().uncertainty));
+  }
+  std::cout << (flags.format.is("json") ? diagnosis_json(result)
+                                        : printed(diagnosis_sheet(result), flags.format));
+  if (flags.out_given->count() > 0) {
+    std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out,
+                           flags.format);
+  }
+}
+
+// A check of CLI11's; it lets no NaN pass.
+CLI::Validator number(double low, bool or_low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool read = error == std::errc{} && end == text.data() + text.size();
+        if (read && (or_low ? value >= low : value > low) && value <= high) return std::string();
+        return fmt::format("Value {}: expected a number {} {} and at most {}", text.substr(0, 40),
+                           or_low ? "from" : "above", low, high);
+      },
+      "", "");
+}
+
+void add_settings(CLI::App& command, DiagnoseFlags& flags) {
+  DiagnosisSettings& settings = flags.settings;
+  command
+      .add_option("--alpha", settings.alpha,
+                  "Chance of naming a cause where there is none, over the whole search")
+      ->check(number(0, false, 0.5))
+      ->capture_default_str();
+  command
+      .add_option("--hold-out", settings.hold_out,
+                  "Share of the runs that no fit sees, on which the gain is measured")
+      ->check(number(0, true, 0.9))
+      ->capture_default_str();
+  command
+      .add_option("--seed", settings.seed, "Seed: which runs are held out, and what chance draws")
+      ->check(not_negative)
+      ->capture_default_str();
+  command
+      .add_option("--replicates", settings.replicates,
+                  "Simulated data sets that a finding is judged by")
+      ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
+      ->capture_default_str();
+  command.add_flag("--explore", flags.explore,
+                   "Choose the next measurement from generated routings too, not only from those "
+                   "of the catalogue and of the data");
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "diagnose",
+      "What the model gets wrong about measured tensions, which cause, and what to measure next");
+  auto flags = std::make_shared<DiagnoseFlags>();
+  command
+      ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
+      ->required();
+  add_settings(*command, *flags);
+  command
+      ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  flags->out_given = command->add_option(
+      "--out", flags->out,
+      "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
+  flags->save_model_given = command->add_option(
+      "--save-model", flags->save_model,
+      "TOML file for the extended model, which rank, explore and show take as --model");
+  flags->hardware.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags, command] {
+    flags->command = command_line(*command, {"--threads", "--format"});
+    run(*flags);
+  });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,136 @@
+#include "search/explore.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands/commands.hpp"
+#include "cli/exploration_files.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "cli/supervision.hpp"
+#include "core/error.hpp"
+#include "reports/files.hpp"
+#include "reports/results/explore_report.hpp"
+#include "search/uncertainty/uncertainty.hpp"
+#include "studies/exploration_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ExploreFlags {
+  GeneratorFlags generator;
+  RankingFlags ranking;
+  std::vector<std::string> constraints;
+  std::string shard = "1/1";
+  std::size_t top = 1000;
+  std::optional<std::size_t> details;
+  std::string out = "out/explore";
+  ModelOption model;
+  FormatOption format;
+};
+
+// Which contacts the routings will have is not known yet; which strands, is.
+void require_fingers(const Hardware& hardware, int fingers) {
+  for (const ContactHardware& contact : hardware.contacts) {
+    if (highest_finger(contact) <= fingers) continue;
+    throw InputError(fmt::format("hardware: contact '{}-{}': expected strands of fingers 1 to {}",
+                                 contact.segment, contact.other_segment, fingers));
+  }
+}
+
+ExploreOptions options(const ExploreFlags& flags, const Model& model, const Catalogue& catalogue) {
+  ExploreOptions options;
+  options.generator = flags.generator.read();
+  // Says early, before anything is written, if there are too many to count.
+  for_option(fmt::format("--fingers {}: ", flags.generator.fingers),
+             [&] { return RoutingGenerator(options.generator).total(); });
+  require_fingers(model.hardware, options.generator.fingers);
+  options.shard = for_option("--", [&] { return parse_shard(flags.shard); });
+  options.model = model;
+  options.grasps = flags.ranking.read_grasps(options.generator.fingers);
+  options.order = flags.ranking.read_order();
+  options.score = flags.ranking.read_score();
+  for (const std::string& text : flags.constraints) {
+    const Constraint constraint = for_option("--", [&] { return parse_constraint(text); });
+    for (const Constraint& other : options.constraints) {
+      if (other.text != constraint.text) continue;
+      throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));
+    }
+    options.constraints.push_back(constraint);
+  }
+  options.top = flags.top;
+  options.threads = flags.ranking.threads;
+  options.references = known_routings(options.generator, catalogue);
+  return options;
+}
+
+UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
+                                       const ExploreOptions& options) {
+  return {file.model,          file.uncertainty,   options.grasps,        options.order,
+          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score};
+}
+
+int run(const ExploreFlags& flags, const CLI::App& command) {
+  const Catalogue catalogue = shipped_catalogue();
+  const ModelFile file = flags.model.read();
+  const ExploreOptions explore_options = options(flags, file.model, catalogue);
+  const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
+  if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
+  prepare_directory(flags.out, "--out");
+  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
+  const ExploreReport report = supervised([&](const StudySupervision& supervision) {
+    return exploration_study(explore_options,
+                             flags.ranking.uncertainty ? std::optional(uncertainty) : std::nullopt,
+                             catalogue, supervision);
+  });
+  write_exploration(report, command, catalogue, flags.details, flags.out);
+  std::cout << (flags.format.is("json") ? explore_summary_json(report)
+                                        : printed(explore_sheet(report), flags.format));
+  std::cout << announced(
+      "index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures", flags.out,
+      flags.format);
+  return partial_note(report).empty() ? done : interrupted;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "explore", "Every routing that a set of parts allows: evaluated, ranked, written to files");
+  auto flags = std::make_shared<ExploreFlags>();
+  flags->generator.add_to(*command, true);
+  flags->ranking.add_to(*command);
+  command
+      ->add_option("--constraint", flags->constraints,
+                   "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--shard", flags->shard, "i/N: only the i-th of N parts of the whole")
+      ->capture_default_str();
+  command
+      ->add_option("--top", flags->top,
+                   "How many of the best designs to keep; the front is always kept")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--details", flags->details,
+          "Of how many of the best designs the page holds schematics and tensions, besides "
+          "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
+  command
+      ->add_option(
+          "--out", flags->out,
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures")
+      ->capture_default_str();
+  flags->model.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/friction_cases.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "cli/supervision.hpp"
+#include "core/canonical.hpp"
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "diagnosis/data/measured_data.hpp"
+#include "pages/ranking/ranking_page.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/shell/page.hpp"
+#include "reports/files.hpp"
+#include "reports/results/design_list.hpp"
+#include "reports/results/rank_report.hpp"
+#include "studies/ranking_study.hpp"
+#include "studies/tension_distributions.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct RankFlags {
+  std::vector<std::string> routings;
+  bool catalog = false;
+  int fingers = 2;
+  bool margin = false;
+  OutOption out;
+  std::string data;
+  CLI::Option* data_given = nullptr;
+  std::string mu = "0.18,0.09";
+  RankingFlags ranking;
+  ModelOption model;
+  FormatOption format;
+};
+
+std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue) {
+  std::vector<Routing> result;
+  for (const std::string& text : flags.routings) {
+    result.push_back(read_actuated_routing(text, catalogue));
+  }
+  if (flags.catalog) {
+    const int fingers = result.empty() ? flags.fingers : finger_count(result.front());
+    for (const CatalogueEntry& entry : catalogue.entries) {
+      if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+    }
+  }
+  if (result.empty()) {
+    throw InputError("rank: nothing to rank; expected routings, or --catalog");
+  }
+  std::set<std::string> words;
+  for (const Routing& routing : result) {
+    const std::string word = to_word(routing);
+    if (finger_count(routing) == 0) {
+      throw InputError(
+          fmt::format("routing '{}': it has no fingers, so there is nothing to rank", word));
+    }
+    if (finger_count(routing) != finger_count(result.front())) {
+      throw InputError(fmt::format(
+          "routing '{}': it has {} finger{} and '{}' has {}; only routings with the same number of "
+          "fingers can be compared",
+          word, finger_count(routing), finger_count(routing) == 1 ? "" : "s",
+          to_word(result.front()), finger_count(result.front())));
+    }
+    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
+      throw InputError(fmt::format("routing '{}' is given twice", word));
+    }
+  }
+  return result;
+}
+
+// Otherwise the first design need not have the greatest product, and a lead says nothing.
+void require_the_two_means(Order order) {
+  std::sort(order.objectives.begin(), order.objectives.end());
+  const std::vector means{Objective::uniformity_mean, Objective::efficiency_mean};
+  if (order.objectives == means && !order.by_score) return;
+  throw InputError(
+      "--margin is a lead in mean uniformity x mean efficiency: expected --objectives "
+      "uniformity,efficiency with it, and no --score");
+}
+
+// Everything that is given, before anything is written or takes long.
+struct RankInputs {
+  Catalogue catalogue;
+  std::vector<Routing> routings;
+  ModelFile file;
+  std::vector<FrictionCase> cases;
+  std::optional<MeasuredData> data;
+};
+
+RankInputs read(const RankFlags& flags) {
+  RankInputs inputs;
+  inputs.catalogue = shipped_catalogue();
+  inputs.routings = routings(flags, inputs.catalogue);
+  inputs.file = flags.model.read();
+  require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
+  inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
+  if (flags.data_given->count() > 0) {
+    inputs.data = read_measured_data(
+        flags.data, [&](const std::string& text) { return read_routing(text, inputs.catalogue); });
+  }
+  return inputs;
+}
+
+void print(const RankReport& report, const FormatOption& format) {
+  if (format.is("json")) {
+    std::cout << rank_json(report);
+  } else if (format.is("csv")) {
+    std::cout << design_csv(report.designs);
+  } else {
+    std::cout << printed(rank_sheet(report), format);
+  }
+}
+
+void write_page(const RankReport& report, const std::filesystem::path& folder,
+                const std::string& command) {
+  const RankingPage page = ranking_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "ranking.json", rank_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
+  RankRequest request;
+  request.routings = inputs.routings;
+  request.model = inputs.file.model;
+  request.ranges = inputs.file.uncertainty;
+  request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
+  request.order = flags.ranking.read_order();
+  request.score = flags.ranking.read_score();
+  if (flags.ranking.uncertainty) request.draws = Draws{flags.ranking.draws, flags.ranking.seed};
+  if (flags.margin) require_the_two_means(request.order);
+  request.margins = flags.margin;
+  request.details = flags.out.is_given();
+  request.threads = flags.ranking.threads;
+  return request;
+}
+
+int run(const RankFlags& flags, const CLI::App& command) {
+  const RankInputs inputs = read(flags);
+  const RankRequest asked = request(flags, inputs);
+  // First what may still refuse its input: then the folder, then what takes long.
+  TensionDistributions distributions;
+  std::filesystem::path folder;
+  if (flags.out.is_given()) {
+    distributions =
+        tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
+    folder = flags.out.prepare();
+    for (const char* file : {"index.html", "ranking.json"}) {
+      if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
+    }
+  }
+  std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
+    return ranking_study(asked, inputs.catalogue, supervision);
+  });
+  if (!report) throw Interrupted();
+  if (report->details) {
+    report->unconverged += distributions.unconverged;
+    report->details->distributions = std::move(distributions);
+    write_page(*report, folder, command_line(command, {"--format", "--threads"}));
+  }
+  print(*report, flags.format);
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, ranking.json and figures", folder, flags.format);
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_rank(CLI::App& program, int& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("rank", "Compare routings that you have in mind, best first");
+  auto flags = std::make_shared<RankFlags>();
+  command->add_option("routing", flags->routings, "Catalogue names or words");
+  command->add_flag("--catalog", flags->catalog,
+                    "All routings of the catalogue with as many fingers as the routings given, or "
+                    "with --fingers of them");
+  command->add_option("--fingers", flags->fingers, "For --catalog alone: number of fingers")
+      ->check(CLI::Range(1, max_fingers))
+      ->capture_default_str();
+  command->add_flag("--margin", flags->margin,
+                    "Search the ranges of the coefficients for where the first design's lead over "
+                    "each other one is least");
+  CLI::Option* out =
+      flags->out.add_to(*command, "a page, index.html, with ranking.json and figures/");
+  flags->data_given =
+      command
+          ->add_option("--data", flags->data,
+                       "For the page: CSV file of readings, drawn beside the model's tensions; "
+                       "docs/data.md describes its columns")
+          ->needs(out);
+  command
+      ->add_option(
+          "--mu", flags->mu,
+          "For the page: friction coefficients of tubes and sheaths, for each of which the "
+          "tension distributions are drawn; 'model': as the hardware and the model have them")
+      ->needs(out)
+      ->capture_default_str();
+  flags->ranking.add_to(*command);
+  flags->model.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json", "csv"}));
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,124 @@
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "pages/routing/routing_page.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/shell/page.hpp"
+#include "reports/files.hpp"
+#include "reports/results/show_report.hpp"
+#include "studies/shown_routing.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ShowFlags {
+  std::string routing;
+  std::vector<std::string> held;
+  std::string direction = "pull";
+  SvgOption svg;
+  OutOption out;
+  ModelOption model;
+  FormatOption format;
+};
+
+GraspSet grasps(const ShowFlags& flags, int fingers) {
+  if (flags.held.empty()) return single_grasps(fingers);
+  GraspSet grasps;
+  for (const std::string& held : flags.held) {
+    const Grasp grasp = for_option("--", [&] { return parse_grasp(held, fingers); });
+    for (const WeightedGrasp& other : grasps) {
+      if (other.grasp == grasp) throw InputError("--held " + held + " is given twice");
+    }
+    grasps.push_back({grasp, 1});
+  }
+  return grasps;
+}
+
+ShownRouting report(const ShowFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const Routing routing = read_actuated_routing(flags.routing, catalogue);
+  const Model model = flags.model.read().model;
+  require_contacts_to_match(model.hardware, {routing});
+  const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
+  return shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
+}
+
+std::string dot(const ShowFlags& flags, const ShownRouting& report) {
+  if (flags.held.empty()) return to_dot(report.network, report.word);
+  const ShownGrasp& shown = report.grasps.front();
+  return to_dot(report.network, report.word + ", held " + to_text(shown.grasp), &shown.state);
+}
+
+void require_one_grasp_to_draw(const ShowFlags& flags) {
+  if (flags.held.size() < 2) return;
+  const std::string what = flags.svg.is_given()     ? "--svg"
+                           : flags.format.is("dot") ? "--format dot"
+                                                    : "";
+  if (!what.empty()) throw InputError(what + " draws one grasp: expected --held once at most");
+}
+
+void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
+  flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
+}
+
+void write_page(const std::filesystem::path& folder, const ShownRouting& report,
+                const std::string& command) {
+  const RoutingPage page = routing_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "routing.json", show_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+void run(const ShowFlags& flags, const CLI::App& command) {
+  const ShownRouting shown = report(flags);
+  require_one_grasp_to_draw(flags);
+  if (flags.svg.is_given()) write_drawing(flags, shown);
+  std::filesystem::path folder;
+  if (flags.out.is_given()) {
+    folder = flags.out.prepare();
+    write_page(folder, shown, command_line(command, {"--format", "--svg"}));
+  }
+  if (flags.format.is("json")) {
+    std::cout << show_json(shown);
+  } else if (flags.format.is("dot")) {
+    std::cout << dot(flags, shown);
+  } else {
+    std::cout << printed(show_sheet(shown), flags.format);
+  }
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, routing.json and figures", folder, flags.format);
+  }
+}
+
+}  // namespace
+
+void add_show(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "show", "One routing in full: tensions, shares, sliding directions and objectives");
+  auto flags = std::make_shared<ShowFlags>();
+  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
+  command
+      ->add_option("--held", flags->held,
+                   "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "
+                   "(default: none held and each one finger held)")
+      ->allow_extra_args(false);
+  command->add_option("--direction", flags->direction, "Which way the carriage moves")
+      ->check(CLI::IsMember({"pull", "release"}))
+      ->capture_default_str();
+  flags->svg.add_to(*command,
+                    "Also draw the routing into this file, in the grasp of --held (without --held: "
+                    "the parts alone, no tensions)");
+  flags->out.add_to(*command, "a page, index.html, with routing.json and figures/");
+  flags->model.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json", "dot"}));
+  command->callback([flags, command] { run(*flags, *command); });
+}
+
+}  // namespace reeve::cli

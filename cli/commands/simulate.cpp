@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "causes/named_effect.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/experiment_flags.hpp"
+#include "cli/inputs.hpp"
+#include "cli/printing.hpp"
+#include "cli/supervision.hpp"
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "diagnosis/data/measured_data.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/plan/power.hpp"
+#include "reports/files.hpp"
+#include "reports/results/power_report.hpp"
+#include "reports/results/simulation_report.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct SimulateFlags {
+  CLI::App* command = nullptr;
+  ExperimentFlags experiment;
+  std::vector<std::string> causes;
+  std::vector<std::string> settings;
+  CLI::Option* cause = nullptr;
+  CLI::Option* set = nullptr;
+  std::uint64_t seed = 1;
+  std::string out;
+  CLI::Option* out_given = nullptr;
+  std::size_t power = 0;
+  HardwareOption hardware;
+  FormatOption format;
+};
+
+struct Given {
+  const CLI::Option* option = nullptr;
+  std::string value;
+};
+
+// What was given, in its order.
+std::vector<Given> options_in_order(const CLI::App& command) {
+  std::vector<Given> given;
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* option : command.parse_order()) {
+    given.push_back({option, option->results()[seen[option]++]});
+  }
+  return given;
+}
+
+std::string quoted(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-+./:,=") == std::string::npos;
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// But for the file, so that the same data have the same bytes wherever they are written.
+std::string command_text(const SimulateFlags& flags) {
+  std::string text = "reeve simulate";
+  for (const Given& given : options_in_order(*flags.command)) {
+    if (given.option == flags.out_given) continue;
+    text += " --" + given.option->get_lnames().front() + " " + quoted(given.value);
+  }
+  return text;
+}
+
+// With the word in place of a name of the catalogue: seized_contact[TR5,T1-T2].
+std::string with_word(const std::string& cause, const Catalogue& catalogue) {
+  const std::size_t begin = cause.find('[') + 1;
+  if (begin == 0) return cause;
+  const std::size_t end = std::min(cause.find_first_of(",]", begin), cause.size());
+  const CatalogueEntry* entry = catalogue.find_name(cause.substr(begin, end - begin));
+  if (entry == nullptr) return cause;
+  return cause.substr(0, begin) + to_word(entry->routing) + cause.substr(end);
+}
+
+Setting read_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError(
+        fmt::format("--set '{}': expected a parameter and its value, such as gain=1.08", text));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+// Each --set belongs to the --cause before it.
+std::vector<NamedEffect> read_causes(const SimulateFlags& flags, const Catalogue& catalogue) {
+  std::vector<NamedEffect> causes;
+  for (const Given& given : options_in_order(*flags.command)) {
+    if (given.option == flags.cause) causes.push_back({with_word(given.value, catalogue), {}});
+    if (given.option != flags.set) continue;
+    if (causes.empty()) {
+      throw InputError(fmt::format("--set '{}': expected a --cause before it, to which it belongs",
+                                   given.value));
+    }
+    causes.back().settings.push_back(read_setting(given.value));
+  }
+  return causes;
+}
+
+// A wrong grasp can be hidden once for each grasp recorded.
+bool same(const Effect& a, const Effect& b) {
+  return name(a) == name(b) && a.subject.recorded == b.subject.recorded;
+}
+
+Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
+                 const Catalogue& catalogue) {
+  Model model;
+  model.hardware = flags.hardware.read().hardware;
+  std::vector<Routing> routings;
+  for (const PlannedRouting& planned : plan.routings) {
+    routings.push_back(parse_routing(planned.word));
+  }
+  require_contacts_to_match(model.hardware, routings);
+  const Survey possible = survey(plan);
+  for (const NamedEffect& cause : read_causes(flags, catalogue)) {
+    const Effect effect =
+        for_option("--cause ", [&] { return effect_of(cause, possible, model.hardware); });
+    for (const Effect& other : model.effects) {
+      if (same(effect, other)) {
+        throw InputError(fmt::format("--cause '{}': it is given twice", cause.name));
+      }
+    }
+    add_effect(model, effect);
+  }
+  return model;
+}
+
+SimulationReport report_of(const SimulateFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  SimulationReport report;
+  report.plan = flags.experiment.read_plan(catalogue);
+  report.noise = flags.experiment.read_noise();
+  report.model = read_model(flags, report.plan, catalogue);
+  report.seed = flags.seed;
+  report.command = command_text(flags);
+  return report;
+}
+
+// As their user would diagnose them: from the file.
+MeasuredData read_back(const SimulationReport& report) {
+  return parse_measured_data(simulation_csv(report), "simulated readings",
+                             [&](const std::string& text) {
+                               for (const PlannedRouting& routing : report.plan.routings) {
+                                 if (routing.label == text) return parse_routing(routing.word);
+                               }
+                               return parse_routing(text);
+                             });
+}
+
+PowerReport power_of(SimulationReport experiment, std::size_t experiments) {
+  PowerReport report;
+  std::vector<std::string> hidden;
+  for (const Effect& effect : experiment.model.effects) hidden.push_back(name(effect));
+  report.experiment = experiment;
+  const std::atomic<bool>& stop = stop_on_interrupt();
+  ProgressLine progress("diagnosing");
+  DiagnoseOptions options;
+  options.stage = [&](const char*) { return stop.load(); };
+  for (std::size_t i = 0; i < experiments; ++i) {
+    progress({i, experiments});
+    experiment.seed = report.experiment.seed + i;
+    experiment.simulation =
+        simulate(experiment.plan, experiment.model, experiment.noise, experiment.seed);
+    options.seed = experiment.seed;
+    const std::optional<DiagnosisResult> result =
+        diagnose_until(read_back(experiment), experiment.model.hardware, options);
+    if (!result || stop) throw Interrupted();
+    report.trials.push_back(judged(experiment.seed, *result, hidden));
+  }
+  return report;
+}
+
+void run(const SimulateFlags& flags) {
+  const bool to_file = flags.out_given->count() > 0;
+  if (to_file && flags.out.empty()) throw InputError("-o '': expected a file");
+  SimulationReport report = report_of(flags);
+  if (flags.power > 0) {
+    const PowerReport power = power_of(std::move(report), flags.power);
+    std::cout << (flags.format.is("json") ? power_json(power)
+                                          : printed(power_sheet(power), flags.format));
+    return;
+  }
+  report.simulation = simulate(report.plan, report.model, report.noise, report.seed);
+  if (!to_file) {
+    std::cout << simulation_csv(report);
+    return;
+  }
+  write_file(flags.out, simulation_csv(report));
+  std::cout << simulation_summary(report, flags.out);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "simulate", "Readings of a planned experiment on a rig with hidden causes, as a data file");
+  auto flags = std::make_shared<SimulateFlags>();
+  flags->command = command;
+  flags->experiment.add_to(*command);
+  flags->cause =
+      command
+          ->add_option("--cause", flags->causes,
+                       "Hidden cause, such as load_dependent_friction, sensor_gain[T3], "
+                       "sheath_angle[2] or seized_contact[TR5,T1-T2]; may be given more than once")
+          ->allow_extra_args(false);
+  flags->set = command
+                   ->add_option("--set", flags->settings,
+                                "Parameter of the --cause before it, such as gain=1.08")
+                   ->allow_extra_args(false);
+  flags->hardware.add_to(*command);
+  command->add_option("--seed", flags->seed, "Seed of the conditions and the noise")
+      ->check(not_negative)
+      ->capture_default_str();
+  flags->out_given =
+      command->add_option("-o,--output", flags->out, "CSV file (default: standard output)");
+  CLI::Option* power =
+      command
+          ->add_option("--power", flags->power,
+                       "Diagnose so many experiments, of this seed and the next ones, and report "
+                       "how often what is hidden is found; no data are written")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+          ->excludes(flags->out_given);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->get_option("--format")->needs(power);
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,171 @@
+#include "core/tension/kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tension/split_kinematics.hpp"
+
+namespace reeve {
+namespace {
+
+// Slips are sums of a few tens of terms of order one: what is smaller than this is rounding.
+constexpr double slip_tolerance = 1e-10;
+
+struct TendonTally {
+  double motor_sides = 0;
+  double closing_weight = 0;  // each finger counts with both of its strands
+};
+
+bool closes(const Segment& segment, Grasp grasp) {
+  return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
+}
+
+double closing_weight(const Segment& segment, const Mechanics& mechanics) {
+  return mechanics.closing[static_cast<std::size_t>(segment.finger - 1)];
+}
+
+TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  Grasp grasp) {
+  TendonTally tally;
+  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind == SegmentKind::motor_side) tally.motor_sides += 1;
+    if (closes(segment, grasp)) tally.closing_weight += closing_weight(segment, mechanics);
+  }
+  return tally;
+}
+
+// Pulled, the carriage stretches its own segments; released, the hand's keep their strain.
+void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                Direction direction, Motion& motion) {
+  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+    const bool motor_side = network.segments[i].kind == SegmentKind::motor_side;
+    motion.imposed[i] = 0;
+    const bool pull = direction == Direction::pull;
+    motion.take_up[i] = motor_side != pull ? 0 : pull ? 1 : mechanics.length[i];
+  }
+}
+
+// `closing_of` gives the dl of a closing finger's strand.
+template <typename ClosingOf>
+void impose_travel(const Network& network, const TendonSpan& tendon, Grasp grasp,
+                   Direction direction, ClosingOf closing_of, Motion& motion) {
+  const bool pull = direction == Direction::pull;
+  const double sign = pull ? 1 : -1;
+  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+    const Segment& segment = network.segments[i];
+    motion.imposed[i] = 0;
+    motion.take_up[i] = 0;
+    if (segment.kind == SegmentKind::motor_side) {
+      motion.imposed[i] = sign;
+      if (!pull) motion.take_up[i] = 1;
+    } else if (closes(segment, grasp)) {
+      const double dl = closing_of(segment);
+      motion.imposed[i] = -sign * dl;
+      if (pull) motion.take_up[i] = dl;
+      motion.closing[static_cast<std::size_t>(segment.finger - 1)] = dl;
+    }
+  }
+}
+
+// Slips up to a loop's circulation.
+void accumulate_slip(const TendonSpan& tendon, Motion& motion) {
+  double slip = 0;
+  for (std::size_t k = 0; k < tendon.contacts; ++k) {
+    slip -= motion.imposed[tendon.first_segment + k];
+    motion.slip[tendon.first_contact + k] = std::abs(slip) < slip_tolerance ? 0 : slip;
+  }
+}
+
+void add_circulation(const TendonSpan& tendon, double circulation, Motion& motion) {
+  for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
+    motion.slip[k] += circulation;
+    if (std::abs(motion.slip[k]) < slip_tolerance) motion.slip[k] = 0;
+  }
+}
+
+// A blocked carriage moves nothing, on no tendon.
+void stop_everything(Motion& motion) {
+  std::fill(motion.slip.begin(), motion.slip.end(), 0.0);
+  std::fill(motion.closing.begin(), motion.closing.end(), 0.0);
+}
+
+}  // namespace
+
+double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechanics,
+                               const Motion& motion) {
+  points_.clear();
+  double total = 0;
+  for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
+    points_.push_back({-motion.slip[k], mechanics.phi[k]});
+    total += mechanics.phi[k];
+  }
+  std::sort(points_.begin(), points_.end(),
+            [](const WeightedPoint& a, const WeightedPoint& b) { return a.at < b.at; });
+  // The median is always the breakpoint of some contact: that one is still, and the tension solver
+  // opens the loop there. Where a whole interval is as good, either end gives the same tensions.
+  double below = 0;
+  for (const WeightedPoint& point : points_) {
+    below += point.weight;
+    if (below >= total / 2) return point.at;
+  }
+  return points_.back().at;
+}
+
+void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                             Direction direction, Motion& motion) {
+  SplitClosing split = split_closing(network, mechanics, grasp);
+  const auto found = [&](const Segment& segment) {
+    return split.closing[static_cast<std::size_t>(segment.finger - 1)];
+  };
+  std::fill(motion.slip.begin(), motion.slip.end(), 0.0);
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (split.jams[t] != 0) {
+      impose_jam(network, tendon, mechanics, direction, motion);
+    } else {
+      impose_travel(network, tendon, grasp, direction, found, motion);
+    }
+    if (split.slack[t] != 0) continue;
+    accumulate_slip(tendon, motion);
+    if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+  }
+  motion.jams = std::move(split.jams);
+  motion.slack = std::move(split.slack);
+  if (std::find(motion.jams.begin(), motion.jams.end(), 1) != motion.jams.end()) {
+    stop_everything(motion);
+  }
+}
+
+void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                       Direction direction, Motion& motion) {
+  motion.jams.assign(network.tendons.size(), 0);
+  motion.imposed.resize(network.segments.size());
+  motion.take_up.resize(network.segments.size());
+  motion.slip.resize(network.contacts.size());
+  motion.closing.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  if (network.split) {
+    solve_split(network, mechanics, grasp, direction, motion);
+    return;
+  }
+  bool blocked = false;
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    const TendonTally sums = tally(network, tendon, mechanics, grasp);
+    if (sums.closing_weight == 0) {
+      motion.jams[t] = 1;
+      blocked = true;
+      impose_jam(network, tendon, mechanics, direction, motion);
+    } else {
+      const auto shared = [&](const Segment& segment) {
+        return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
+      };
+      impose_travel(network, tendon, grasp, direction, shared, motion);
+    }
+    accumulate_slip(tendon, motion);
+    if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+  }
+  if (blocked) stop_everything(motion);
+}
+
+}  // namespace reeve

@@ -1,0 +1,98 @@
+#include "core/tension/seizure.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace reeve {
+namespace {
+
+template <typename T>
+void rotate_part(std::vector<T>& values, std::size_t first, std::size_t count, std::size_t by) {
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  std::rotate(begin, begin + static_cast<std::ptrdiff_t>(by),
+              begin + static_cast<std::ptrdiff_t>(count));
+}
+
+// Behind the seized contact the loop begins anew.
+void open_loop(SeizedNetwork& seized, TendonSpan& tendon, std::size_t k) {
+  const std::size_t by = (k + 1) % tendon.segments;
+  rotate_part(seized.network.segments, tendon.first_segment, tendon.segments, by);
+  rotate_part(seized.segment_from, tendon.first_segment, tendon.segments, by);
+  rotate_part(seized.network.contacts, tendon.first_contact, tendon.contacts, by);
+  rotate_part(seized.contact_from, tendon.first_contact, tendon.contacts, by);
+  tendon.closed = false;
+  tendon.contacts -= 1;
+}
+
+void cut(std::vector<TendonSpan>& tendons, std::size_t t, std::size_t k) {
+  const TendonSpan whole = tendons[t];
+  const TendonSpan head{whole.first_segment, k + 1, whole.first_contact, k, false};
+  const TendonSpan tail{whole.first_segment + k + 1, whole.segments - k - 1,
+                        whole.first_contact + k + 1, whole.contacts - k - 1, false};
+  tendons[t] = head;
+  tendons.insert(tendons.begin() + static_cast<std::ptrdiff_t>(t) + 1, tail);
+}
+
+void seize_one(SeizedNetwork& seized, std::size_t contact) {
+  const auto found = std::find(seized.contact_from.begin(), seized.contact_from.end(), contact);
+  const auto at = static_cast<std::size_t>(found - seized.contact_from.begin());
+  std::vector<TendonSpan>& tendons = seized.network.tendons;
+  for (std::size_t t = 0; t < tendons.size(); ++t) {
+    if (at < tendons[t].first_contact || at >= tendons[t].first_contact + tendons[t].contacts) {
+      continue;
+    }
+    const std::size_t k = at - tendons[t].first_contact;
+    if (tendons[t].closed) {
+      open_loop(seized, tendons[t], k);
+    } else {
+      cut(tendons, t, k);
+    }
+    return;
+  }
+}
+
+template <typename T>
+std::vector<T> scattered(const std::vector<T>& values, const std::vector<std::size_t>& from) {
+  std::vector<T> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) result[from[i]] = values[i];
+  return result;
+}
+
+}  // namespace
+
+SeizedNetwork seize(const Network& network, const std::vector<std::size_t>& contacts) {
+  SeizedNetwork seized{network, std::vector<std::size_t>(network.segments.size()),
+                       std::vector<std::size_t>(network.contacts.size())};
+  std::iota(seized.segment_from.begin(), seized.segment_from.end(), std::size_t{0});
+  std::iota(seized.contact_from.begin(), seized.contact_from.end(), std::size_t{0});
+  seized.network.split = true;
+  for (const std::size_t contact : contacts) seize_one(seized, contact);
+  return seized;
+}
+
+TensionState restored(const SeizedNetwork& seized, const TensionState& state) {
+  TensionState result = state;
+  result.tension = scattered(state.tension, seized.segment_from);
+  result.slip = scattered(state.slip, seized.contact_from);
+  return result;
+}
+
+std::string contact_name(const Network& network, std::size_t contact) {
+  for (const TendonSpan& tendon : network.tendons) {
+    if (contact < tendon.first_contact || contact >= tendon.first_contact + tendon.contacts) {
+      continue;
+    }
+    const auto [left, right] = ends_of(tendon, contact - tendon.first_contact);
+    return name(network.segments[left]) + "-" + name(network.segments[right]);
+  }
+  return {};
+}
+
+std::optional<std::size_t> find_contact(const Network& network, const std::string& name) {
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    if (contact_name(network, k) == name) return k;
+  }
+  return std::nullopt;
+}
+
+}  // namespace reeve

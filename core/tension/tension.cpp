@@ -1,0 +1,112 @@
+#include "core/tension/tension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+// Where a loop may be opened is decided by an inequality between rounded products.
+constexpr double cone_tolerance = 1e-12;
+
+// By how much (in the ratio) two neighbouring tensions leave the capstan cone; <= 0: inside.
+double cone_excess(double left, double right, double decay) {
+  return std::max(left, right) * decay / std::min(left, right) - 1;
+}
+
+void require_in_range(double tension) {
+  if (std::isnormal(tension)) return;
+  throw InputError(
+      "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
+      "that tensions fall out of range");
+}
+
+void scale_to_unit_motor_tension(const Network& network, std::vector<double>& tension) {
+  double motor = 0;
+  for (std::size_t i = 0; i < tension.size(); ++i) {
+    if (network.segments[i].kind == SegmentKind::motor_side) motor += tension[i];
+  }
+  require_in_range(motor);
+  for (double& t : tension) t /= motor;
+}
+
+}  // namespace
+
+void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechanics,
+                               std::size_t first, TensionState& state) {
+  const std::size_t n = tendon.segments;
+  segments_.clear();
+  contacts_.clear();
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t k = first + j < n ? first + j : first + j - n;
+    segments_.push_back(
+        {mechanics.length[tendon.first_segment + k], motion_.take_up[tendon.first_segment + k]});
+    if (j + 1 < n) {
+      const std::size_t contact = tendon.first_contact + k;
+      contacts_.push_back({mechanics.decay[contact], slide_of(motion_.slip[contact])});
+    }
+  }
+  chain_tension_.resize(n);
+  chain_.solve(segments_, contacts_, chain_tension_);
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t k = first + j < n ? first + j : first + j - n;
+    require_in_range(chain_tension_[j]);
+    state.tension[tendon.first_segment + k] = chain_tension_[j];
+  }
+}
+
+// The forces at a loop's contacts are determined up to one that goes round: it can be chosen such
+// that some still contact carries none and no other pulls the wrong way. The chain that is opened
+// there has the loop's tensions, which lie in that contact's cone.
+void TensionSolver::solve_loop(const TendonSpan& tendon, const Mechanics& mechanics,
+                               TensionState& state) {
+  for (std::size_t k = 0; k < tendon.contacts; ++k) {
+    if (motion_.slip[tendon.first_contact + k] != 0) continue;
+    const auto [left, right] = ends_of(tendon, k);
+    solve_open(tendon, mechanics, right - tendon.first_segment, state);
+    const double excess = cone_excess(state.tension[left], state.tension[right],
+                                      mechanics.decay[tendon.first_contact + k]);
+    if (excess <= cone_tolerance) return;
+  }
+}
+
+void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics,
+                                 TensionState& state) {
+  if (tendon.closed) {
+    solve_loop(tendon, mechanics, state);
+  } else {
+    solve_open(tendon, mechanics, 0, state);
+  }
+}
+
+void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                          Direction direction, TensionState& state) {
+  kinematics_.solve(network, mechanics, grasp, direction, motion_);
+  state.tension.resize(network.segments.size());
+  state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    const bool slack = network.split && motion_.slack[t] != 0;
+    if (slack || (state.jams && motion_.jams[t] == 0)) {
+      const auto first = state.tension.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
+      std::fill_n(first, tendon.segments, 0.0);
+    } else {
+      solve_tendon(tendon, mechanics, state);
+    }
+  }
+  scale_to_unit_motor_tension(network, state.tension);
+  state.slip.swap(motion_.slip);
+  state.closing.swap(motion_.closing);
+}
+
+TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                      Direction direction) {
+  TensionState state;
+  TensionSolver().solve(network, mechanics, grasp, direction, state);
+  return state;
+}
+
+}  // namespace reeve

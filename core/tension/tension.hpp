@@ -1,0 +1,63 @@
+// Tensions of a routing in a grasp, at motor tension T_M = 1.
+//
+// Contact law (capstan): where the tendon slides from the left segment to the right one,
+// T_l = T_r e^{-phi}; the other way, T_r = T_l e^{-phi}; where it does not slide,
+// e^{-phi} <= T_l / T_r <= e^{phi}. At a movable pulley "slides" is relative to the pulley.
+//
+// Directions are derived, never given: of all tensions and slips that carriage and fingers allow,
+// nature takes those that minimise, in u = ln T, Σ_i [ L_i e^{u_i} − e_i u_i ] over the capstan
+// cone. Reported is the limit of a nearly inextensible tendon (take-up a fraction epsilon -> 0 of
+// the carriage's travel; kinematics.hpp): contacts that slide are exact ratios, and only contacts
+// that do not slide need the elastic part (elastic_chain.hpp). On a loop, some contact is always
+// still; opened there, the loop is a chain.
+//
+// Assumptions: quasi-static, proportional loading from a slack tendon, massless tendon of constant
+// EA, Coulomb friction that does not depend on load or speed. Several tendons hang on one carriage
+// and take up the same fraction of their travel; one that jams takes the whole motor tension.
+// Source: Exo-Glove II supplement, Eqs. 1–24, which this reproduces for the grasp "finger 1 held".
+#pragma once
+
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/tension/elastic_chain.hpp"
+#include "core/tension/kinematics.hpp"
+
+namespace reeve {
+
+// Arrays parallel to the network's segments, contacts and fingers.
+struct TensionState {
+  bool jams = false;            // no finger of some tendon can move: the carriage is blocked
+  std::vector<double> tension;  // N per N of motor tension; motor-side tensions add up to 1
+  std::vector<double> slip;     // left to right, per unit of carriage travel
+  std::vector<double> closing;  // dl of fingers 1 … n, per unit of carriage travel
+};
+
+// Keeps its memory from call to call: in the steady state a solve allocates nothing.
+class TensionSolver {
+ public:
+  // Throws InputError if a tendon hangs on no motor (check is_actuated first), or if friction is so
+  // strong that tensions fall out of the range of a double.
+  void solve(const Network& network, const Mechanics& mechanics, Grasp grasp, Direction direction,
+             TensionState& state);
+
+ private:
+  void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
+  void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
+                  TensionState& state);
+  void solve_loop(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
+
+  Kinematics kinematics_;
+  Motion motion_;
+  ElasticChain chain_;
+  std::vector<ChainSegment> segments_;
+  std::vector<ChainContact> contacts_;
+  std::vector<double> chain_tension_;
+};
+
+TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                      Direction direction = Direction::pull);
+
+}  // namespace reeve

@@ -1,0 +1,45 @@
+#include "diagnosis/data/csv_number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace reeve {
+
+double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high) {
+  std::string number(text);
+  if (with_commas_) {
+    require_one_mark(text, line);
+    std::replace(number.begin(), number.end(), ',', '.');
+  }
+  const char* begin = number.data() + (number.starts_with('+') ? 1 : 0);
+  const char* end = number.data() + number.size();
+  double value = 0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  const bool is_number = error == std::errc{} && stop == end && std::isfinite(value) &&
+                         !(*begin == '-' && begin != number.data());
+  if (is_number && value >= low && value <= high) return value;
+  if (std::isinf(high) && std::isinf(low)) {
+    throw InputError("expected a finite number such as 12.5, or an empty cell");
+  }
+  throw InputError(fmt::format("expected a number from {} to {}, or an empty cell", low, high));
+}
+
+void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) {
+  const bool comma = text.find(',') != std::string_view::npos;
+  const bool point = text.find('.') != std::string_view::npos;
+  if (comma && comma_line_ == 0) comma_line_ = line;
+  if (point && point_line_ == 0) point_line_ = line;
+  if (comma_line_ == 0 || point_line_ == 0 || !(comma || point)) return;
+  throw InputError(
+      fmt::format("the file has decimal commas (line {}) and decimal points (line {}): expected "
+                  "one of them throughout",
+                  comma_line_, point_line_));
+}
+
+}  // namespace reeve

@@ -1,0 +1,88 @@
+#include "diagnosis/data/measured_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace reeve {
+namespace {
+
+// T1 … T2n of a reading over their sum; empty if one is missing, or if all are slack.
+std::vector<double> shares(const MeasuredData& data, const Reading& reading) {
+  const int fingers = data.routings[reading.routing].network.fingers;
+  std::vector<std::optional<double>> tension(2 * static_cast<std::size_t>(fingers));
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    const Segment& segment = data.channels[c].segment;
+    if (segment.kind != SegmentKind::strand || !reading.tension_N[c]) continue;
+    tension[static_cast<std::size_t>(segment.number - 1)] = reading.tension_N[c];
+  }
+  std::vector<double> result;
+  double sum = 0;
+  for (const std::optional<double>& one : tension) {
+    if (!one) return {};
+    result.push_back(*one);
+    sum += *one;
+  }
+  if (!(sum > 0)) return {};
+  for (double& share : result) share /= sum;
+  return result;
+}
+
+struct ShareGroup {
+  MeasuredShares shares;
+  std::vector<std::vector<double>> readings;
+};
+
+MeasuredShares summary(ShareGroup group) {
+  MeasuredShares result = std::move(group.shares);
+  result.readings = group.readings.size();
+  const auto n = static_cast<double>(result.readings);
+  for (std::size_t i = 0; i < group.readings.front().size(); ++i) {
+    double sum = 0;
+    for (const auto& reading : group.readings) sum += reading[i];
+    result.mean.push_back(sum / n);
+    if (result.readings < 2) continue;
+    double squares = 0;
+    for (const auto& reading : group.readings) squares += std::pow(reading[i] - sum / n, 2);
+    result.deviation.push_back(std::sqrt(squares / (n - 1)));
+  }
+  return result;
+}
+
+ShareGroup& group_of(std::vector<ShareGroup>& groups, const Reading& reading) {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const ShareGroup& group) {
+    return group.shares.routing == reading.routing && group.shares.grasp == reading.grasp;
+  });
+  if (found != groups.end()) return *found;
+  groups.push_back({{reading.routing, reading.grasp, 0, {}, {}}, {}});
+  return groups.back();
+}
+
+}  // namespace
+
+SharesOfData measured_shares(const MeasuredData& data) {
+  DataNote released{NoteKind::not_compared, "readings of releasing are left out", {}};
+  DataNote without{NoteKind::not_compared,
+                   "a share needs the tensions of all strands, not all of them slack: these "
+                   "readings are left out",
+                   {}};
+  std::vector<ShareGroup> groups;
+  for (const Reading& reading : data.readings) {
+    std::vector<double> strands = shares(data, reading);
+    if (reading.direction != Direction::pull) {
+      released.lines.push_back(reading.line);
+    } else if (strands.empty()) {
+      without.lines.push_back(reading.line);
+    } else {
+      group_of(groups, reading).readings.push_back(std::move(strands));
+    }
+  }
+  SharesOfData result;
+  for (ShareGroup& group : groups) result.groups.push_back(summary(std::move(group)));
+  for (DataNote* note : {&released, &without}) {
+    if (!note->lines.empty()) result.notes.push_back(std::move(*note));
+  }
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,27 @@
+#include "diagnosis/data/note.hpp"
+
+namespace reeve {
+
+const char* name(NoteKind kind) {
+  switch (kind) {
+    case NoteKind::duplicate:
+      return "duplicate";
+    case NoteKind::duplicate_across_runs:
+      return "duplicate_across_runs";
+    case NoteKind::motor_side_above_motor:
+      return "motor_side_above_motor";
+    case NoteKind::units:
+      return "units";
+    case NoteKind::covariate:
+      return "covariate";
+    case NoteKind::comment:
+      return "comment";
+    case NoteKind::jams:
+      return "jams";
+    case NoteKind::not_compared:
+      return "not_compared";
+  }
+  return "";
+}
+
+}  // namespace reeve

@@ -1,0 +1,224 @@
+#include "diagnosis/model/noise.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "numerics/minimise.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr double enough_noise_degrees = 30;
+constexpr double floor_share = 1e-3;  // of the median reading
+
+double median_reading(const Dataset& dataset) {
+  std::vector<double> readings;
+  for (const Cell& cell : dataset.cells) {
+    if (cell.measured_N > 0) readings.push_back(cell.measured_N);
+  }
+  if (readings.empty()) return 1;
+  const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
+  std::nth_element(readings.begin(), middle, readings.end());
+  return *middle;
+}
+
+double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
+
+// Twice the negative restricted log-likelihood.
+double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative) {
+  double sum = 0;
+  for (const ScatterSample& sample : samples) {
+    const double scatter = relative * sample.level_N;
+    const double variance = absolute * absolute + scatter * scatter;
+    sum += sample.kept * std::log(variance) + sample.residual_N * sample.residual_N / variance;
+  }
+  return sum;
+}
+
+Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
+  constexpr int evaluations = 150;
+  const double level = median_reading(dataset);
+  const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
+                                  {std::log(1e-5), std::log(2.0)}};
+  const Minimum best = minimise(
+      [&](const std::vector<double>& x) { return misfit(samples, std::exp(x[0]), std::exp(x[1])); },
+      box, evaluations);
+  Noise noise{std::exp(best.at[1]), std::exp(best.at[0]), source, 0};
+  for (const ScatterSample& sample : samples) noise.degrees_of_freedom += sample.kept;
+  return noise;
+}
+
+using CellGroup = std::vector<std::size_t>;  // cells
+
+double degrees(const std::vector<ScatterSample>& samples) {
+  double sum = 0;
+  for (const ScatterSample& sample : samples) sum += sample.kept;
+  return sum;
+}
+
+// Marks the cells that it used.
+std::vector<ScatterSample> repeats(const Dataset& dataset, std::vector<char>& used) {
+  using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction, double, double, double,
+                         double, std::optional<double>>;
+  std::map<Key, CellGroup> groups;
+  for (const DatasetRow& row : dataset.rows) {
+    if (!row.has_motor_tension) continue;
+    const Reading& reading = dataset.data->readings[row.reading];
+    const Conditions& at = row.conditions;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held, reading.direction,
+              at.motor_tension_N, at.speed_mm_s, at.cycle, at.temperature_C,
+              reading.sheath_angle_rad}]
+          .push_back(i);
+    }
+  }
+  std::vector<ScatterSample> samples;
+  for (const auto& [key, group] : groups) {
+    const auto n = static_cast<double>(group.size());
+    if (group.size() < 2) continue;
+    double mean = 0;
+    for (const std::size_t i : group) mean += dataset.cells[i].measured_N / n;
+    for (const std::size_t i : group) {
+      samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n});
+      used[i] = 1;
+    }
+  }
+  return samples;
+}
+
+// The columns of a regression of T / T_M that vary among these rows, centred.
+Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::size_t>& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd all(n, 7);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const Conditions& at = row.conditions;
+    all.row(i) << 1 / at.motor_tension_N, std::log(at.motor_tension_N),
+        std::log(std::max(at.speed_mm_s, 0.01)), std::log1p(at.cycle / 100), at.temperature_C,
+        dataset.data->readings[row.reading].sheath_angle_rad.value_or(0),
+        static_cast<double>(row.reading);
+  }
+  Eigen::MatrixXd columns(n, 8);
+  columns.col(0).setOnes();
+  Eigen::Index used = 1;
+  for (Eigen::Index c = 0; c < all.cols(); ++c) {
+    const Eigen::VectorXd centred = all.col(c).array() - all.col(c).mean();
+    const double size = centred.norm();
+    if (size > 1e-9 * (1 + all.col(c).norm())) columns.col(used++) = centred / size;
+  }
+  return columns.leftCols(used);
+}
+
+void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const CellGroup& cells,
+            double level, std::vector<ScatterSample>& samples) {
+  const Eigen::MatrixXd columns = smooth_columns(dataset, rows);
+  if (columns.rows() < columns.cols() + 3) return;
+  Eigen::VectorXd ratio(columns.rows());
+  Eigen::VectorXd weight(columns.rows());
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
+    const double motor = dataset.rows[rows[static_cast<std::size_t>(i)]].conditions.motor_tension_N;
+    ratio[i] = measured / motor;
+    weight[i] = motor / (measured + 0.1 * level);
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(weighted);
+  const Eigen::MatrixXd q =
+      qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), weighted.cols());
+  const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
+  const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
+  for (Eigen::Index i = 0; i < left.size(); ++i) {
+    const double motor = dataset.rows[rows[static_cast<std::size_t>(i)]].conditions.motor_tension_N;
+    const double residual = left[i] / weight[i] * motor;
+    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
+    samples.push_back({std::max(measured - residual, 0.0), residual, 1 - q.row(i).squaredNorm()});
+  }
+}
+
+std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<char>& used) {
+  const double level = median_reading(dataset);
+  std::vector<ScatterSample> samples;
+  using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
+  std::map<Key, std::pair<std::vector<std::size_t>, CellGroup>> groups;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    if (!row.has_motor_tension) continue;
+    const Reading& reading = dataset.data->readings[row.reading];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      if (used[i] != 0) continue;
+      auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
+                                    reading.direction}];
+      rows.push_back(r);
+      cells.push_back(i);
+    }
+  }
+  for (const auto& [key, group] : groups) {
+    smooth(dataset, group.first, group.second, level, samples);
+  }
+  return samples;
+}
+
+}  // namespace
+
+const char* name(NoiseSource source) {
+  switch (source) {
+    case NoiseSource::repeats:
+      return "repeats";
+    case NoiseSource::smoothing:
+      return "smoothing";
+    case NoiseSource::repeats_and_smoothing:
+      return "repeats and smoothing";
+    case NoiseSource::residuals:
+      return "residuals";
+  }
+  return "";
+}
+
+double Noise::deviation(double tension_N) const {
+  return std::hypot(absolute_N, relative * tension_N);
+}
+
+Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
+                           const Eigen::VectorXd& expected_N) {
+  constexpr double far = 5;
+  Eigen::VectorXd result(expected_N.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const double measured = dataset.cells[static_cast<std::size_t>(i)].measured_N;
+    const double at_expected = noise.deviation(expected_N[i]);
+    const bool near = std::abs(measured - expected_N[i]) <= far * at_expected;
+    result[i] = near ? at_expected : noise.deviation(measured);
+  }
+  return result;
+}
+
+std::optional<Noise> noise_without_model(const Dataset& dataset) {
+  std::vector<char> used(dataset.cells.size(), 0);
+  std::vector<ScatterSample> samples = repeats(dataset, used);
+  const bool repeated = !samples.empty();
+  const std::vector<ScatterSample> smoothed = smoothing(dataset, used);
+  samples.insert(samples.end(), smoothed.begin(), smoothed.end());
+  if (degrees(samples) < enough_noise_degrees) return std::nullopt;
+  return fit(dataset, samples,
+             !repeated          ? NoiseSource::smoothing
+             : smoothed.empty() ? NoiseSource::repeats
+                                : NoiseSource::repeats_and_smoothing);
+}
+
+Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
+                         double parameters) {
+  const double kept = std::max(0.1, 1 - (parameters + static_cast<double>(dataset.cells.size()) -
+                                         dataset.degrees_of_freedom()) /
+                                            static_cast<double>(dataset.cells.size()));
+  std::vector<ScatterSample> samples;
+  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
+    samples.push_back(
+        {dataset.cells[i].measured_N, residual_N[static_cast<Eigen::Index>(i)], kept});
+  }
+  return fit(dataset, samples, NoiseSource::residuals);
+}
+
+}  // namespace reeve

@@ -1,0 +1,53 @@
+// How far readings scatter where nothing changes: sd² = absolute² + (relative T)².
+//
+// Estimated from
+//   repeats     readings of a channel under the same conditions
+//   smoothing   other readings of a channel in one routing, grasp and direction, beside a
+//   regression
+//               of T / T_M on load, speed, cycle, temperature and order: what no smooth law
+//               explains
+// together, since repeats of few conditions cannot tell the relative part from the absolute one;
+// or, where the data are too few for either, from
+//   residuals   of a model
+// Both parts together maximise the (restricted) likelihood of the residuals.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "diagnosis/data/dataset.hpp"
+
+namespace reeve {
+
+enum class NoiseSource : std::uint8_t { repeats, smoothing, repeats_and_smoothing, residuals };
+const char* name(NoiseSource source);
+
+struct Noise {
+  double relative = 0;    // of the reading, 1
+  double absolute_N = 0;  // N; at least a thousandth of the median reading, so that a reading of 0
+                          // does not weigh infinitely
+  NoiseSource source = NoiseSource::residuals;
+  double degrees_of_freedom = 0;
+
+  double deviation(double tension_N) const;
+};
+
+// A reading less what it scatters about, and which part of its variance is left in that.
+struct ScatterSample {
+  double level_N = 0;
+  double residual_N = 0;
+  double kept = 1;
+};
+
+// sd of each cell at what a model expects it to read; where the reading is far from that, at the
+// reading. (Always at the reading would be worse: readings that chance made small would weigh more
+// than those that it made large.)
+Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
+                           const Eigen::VectorXd& expected_N);
+
+// From repeats and smoothing; nothing if there are too few.
+std::optional<Noise> noise_without_model(const Dataset& dataset);
+// From what a model with so many fitted parameters leaves.
+Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
+                         double parameters);
+
+}  // namespace reeve

@@ -1,0 +1,82 @@
+#include "diagnosis/model/null_model.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <utility>
+
+#include "numerics/random.hpp"
+
+namespace reeve {
+namespace {
+
+// Of the length of a column: what is shorter after projection was rounding.
+constexpr double rounding = 1e-5;
+
+}  // namespace
+
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  Eigen::MatrixXd scaled = columns;
+  for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
+    const double size = scaled.col(c).norm();
+    if (size > 0) scaled.col(c) /= size;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+  qr.setThreshold(rounding);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
+}
+
+Projection::Projection(const Problem& problem, const Model& model, const Forecast& at)
+    : basis_(orthonormal_basis(sensitivities(problem, model, at))),
+      degrees_(problem.dataset->degrees_of_freedom() - static_cast<double>(basis_.cols())) {}
+
+void Projection::take_out(Eigen::MatrixXd& columns) const {
+  if (basis_.cols() == 0) return;
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+    const double before = columns.col(c).norm();
+    columns.col(c) -= basis_ * (basis_.transpose() * columns.col(c));
+    if (columns.col(c).norm() <= rounding * before) columns.col(c).setZero();
+  }
+}
+
+Eigen::VectorXd Projection::taken_out(Eigen::VectorXd vector) const {
+  if (basis_.cols() > 0) vector -= basis_ * (basis_.transpose() * vector);
+  return vector;
+}
+
+NullModel::NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
+                     std::uint64_t seed, std::size_t replicates)
+    : problem_(problem),
+      projection_(projection),
+      at_(at),
+      reading_(at.reading_N.cwiseQuotient(problem.deviation_N)),
+      expected_(expected_readings(problem, at).cwiseQuotient(problem.deviation_N)),
+      seed_(seed),
+      replicates_(replicates) {}
+
+Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
+  Eigen::VectorXd drawn(reading_.size());
+  for (Eigen::Index i = 0; i < drawn.size(); ++i) {
+    const double z =
+        normal(seed_, static_cast<std::uint32_t>(replicate), static_cast<std::uint64_t>(i));
+    drawn[i] = std::max(0.0, reading_[i] + z) - expected_[i];
+  }
+  take_out_scales(problem_, at_, drawn);
+  return projection_.taken_out(std::move(drawn));
+}
+
+void NullModel::for_each(
+    Workers& workers, const std::function<void(std::size_t, const Eigen::VectorXd&)>& use) const {
+  workers.for_each_block(replicates_, 4, [&](const IndexBlock& block) {
+    for (std::size_t b = block.begin; b < block.end; ++b) use(b, draw(b));
+  });
+}
+
+double p_value(double observed, const std::vector<double>& replicates) {
+  const auto above = std::count_if(replicates.begin(), replicates.end(),
+                                   [&](double value) { return value >= observed; });
+  return static_cast<double>(above + 1) / static_cast<double>(replicates.size() + 1);
+}
+
+}  // namespace reeve

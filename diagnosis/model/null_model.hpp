@@ -1,0 +1,64 @@
+// What chance alone does: residuals as they would be if the current model were right.
+//
+// Each replicate draws normal readings about the model's, and fits the model's parameters again (to
+// first order: their sensitivities, and the scales of rows without motor tension, are projected
+// out). A statistic of the data is judged by the same statistic of the replicates, so that whatever
+// was searched over, is searched over there, too.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "diagnosis/model/problem.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve {
+
+// Of what the columns span; columns that others explain up to rounding add nothing.
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
+
+// Takes the sensitivities of a model's parameters out of other vectors.
+class Projection {
+ public:
+  Projection(const Problem& problem, const Model& model, const Forecast& at);
+
+  // Columns that are (numerically) explained by the parameters become 0.
+  void take_out(Eigen::MatrixXd& columns) const;
+  Eigen::VectorXd taken_out(Eigen::VectorXd vector) const;
+  double degrees_of_freedom() const { return degrees_; }
+
+ private:
+  Eigen::MatrixXd basis_;
+  double degrees_ = 0;
+};
+
+class NullModel {
+ public:
+  NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
+            std::uint64_t seed, std::size_t replicates);
+
+  std::size_t replicates() const { return replicates_; }
+
+  // `use` gets the number of each replicate and its residuals; it writes to its own slot.
+  void for_each(Workers& workers,
+                const std::function<void(std::size_t, const Eigen::VectorXd&)>& use) const;
+
+ private:
+  Eigen::VectorXd draw(std::size_t replicate) const;
+
+  const Problem& problem_;
+  const Projection& projection_;
+  const Forecast& at_;
+  Eigen::VectorXd reading_;   // in units of the noise
+  Eigen::VectorXd expected_;  // likewise, what is read on average
+  std::uint64_t seed_;
+  std::size_t replicates_;
+};
+
+// Share of replicates, the data counted among them, whose statistic is at least the observed one.
+double p_value(double observed, const std::vector<double>& replicates);
+
+}  // namespace reeve

@@ -1,0 +1,137 @@
+#include "diagnosis/model/problem.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+using Eigen::Index;
+
+double rectified(double reading_N, double deviation_N) {
+  constexpr double far = 4;
+  const double z = reading_N / deviation_N;
+  if (z > far) return reading_N;
+  const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
+  const double density = std::exp(-z * z / 2) * std::numbers::inv_sqrtpi * std::numbers::sqrt2 / 2;
+  return reading_N * below + deviation_N * density;
+}
+
+// A step that is small beside the range and large beside the accuracy of a forecast.
+constexpr double step_share = 1e-4;
+
+Forecast moved(const Problem& problem, Model model, std::size_t effect, std::size_t parameter,
+               double value) {
+  model.effects[effect].values[parameter] = value;
+  return forecast(*problem.dataset, model);
+}
+
+// Calls use(first, size, scale) for each row whose scale is free: `scale` is what a change of it
+// does to the row's cells, in units of the noise, and of length 1.
+template <typename Use>
+void for_each_free_scale(const Problem& problem, const Forecast& at, Use use) {
+  for (const DatasetRow& row : problem.dataset->rows) {
+    if (row.has_motor_tension) continue;
+    const auto first = static_cast<Index>(row.first);
+    const auto size = static_cast<Index>(row.last - row.first);
+    const Eigen::VectorXd scale =
+        at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
+    const double length = scale.norm();
+    if (length > 0) use(first, size, Eigen::VectorXd(scale / length));
+  }
+}
+
+}  // namespace
+
+void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
+  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
+    whitened.segment(first, size) -= scale.dot(whitened.segment(first, size)) * scale;
+  });
+}
+
+Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
+  return forecast.reading_N.binaryExpr(problem.deviation_N, &rectified);
+}
+
+Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
+  Problem result{&dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())), deviation_N};
+  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
+    result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
+  }
+  return result;
+}
+
+Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
+  Eigen::VectorXd result = (problem.measured_N - expected_readings(problem, forecast))
+                               .cwiseQuotient(problem.deviation_N);
+  take_out_scales(problem, forecast, result);
+  return result;
+}
+
+Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
+  Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
+  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
+    variance.segment(first, size).array() *= 1 - scale.array().square();
+  });
+  return variance;
+}
+
+double misfit(const Problem& problem, const Model& model) {
+  try {
+    return residuals(problem, forecast(*problem.dataset, model)).squaredNorm();
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other) {
+  Eigen::VectorXd result = (expected_readings(problem, other) - expected_readings(problem, at))
+                               .cwiseQuotient(problem.deviation_N);
+  take_out_scales(problem, at, result);
+  return result;
+}
+
+Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
+                            std::size_t effect) {
+  const Effect& here = model.effects[effect];
+  const std::vector<Parameter> parameters = here.cause->parameters(model.hardware);
+  Eigen::MatrixXd result(problem.measured_N.size(), static_cast<Index>(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Range range = parameters[p].range;
+    const double step = step_share * (range.high - range.low);
+    const double value = here.values[p];
+    const double up = std::min(value + step, range.high);
+    const double down = std::max(value - step, range.low);
+    auto column = result.col(static_cast<Index>(p));
+    try {
+      column = (difference(problem, at, moved(problem, model, effect, p, up)) -
+                difference(problem, at, moved(problem, model, effect, p, down))) /
+               (up - down);
+    } catch (const InputError&) {
+      column.setZero();  // at the edge of what has tensions
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXd sensitivities(const Problem& problem, const Model& model, const Forecast& at) {
+  Eigen::MatrixXd result(problem.measured_N.size(), static_cast<Index>(parameter_count(model)));
+  Index column = 0;
+  for (std::size_t e = 0; e < model.effects.size(); ++e) {
+    const Eigen::MatrixXd part = sensitivity(problem, model, at, e);
+    result.middleCols(column, part.cols()) = part;
+    column += part.cols();
+  }
+  return result;
+}
+
+std::size_t parameter_count(const Model& model) {
+  std::size_t count = 0;
+  for (const Effect& effect : model.effects) count += effect.values.size();
+  return count;
+}
+
+}  // namespace reeve

@@ -1,0 +1,195 @@
+#include "diagnosis/plan/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "numerics/random.hpp"
+
+namespace reeve {
+namespace {
+
+// Streams of uniform numbers: of the order, and the next one of places within parts of a range.
+enum class Factor : std::uint32_t {
+  grasp = 0x51a00010,
+  motor_tension = 0x51a00012,
+  speed = 0x51a00014,
+  temperature = 0x51a00016
+};
+
+std::uint32_t order_stream(Factor factor) { return static_cast<std::uint32_t>(factor); }
+std::uint32_t place_stream(Factor factor) { return static_cast<std::uint32_t>(factor) + 1; }
+
+// As a person would set it, and within the range for all that.
+double four_digits(double value, Range range) {
+  if (value == 0) return std::clamp(value, range.low, range.high);
+  const double exponent = std::floor(std::log10(std::abs(value))) - 3;
+  const double power = std::pow(10, std::abs(exponent));
+  const double rounded =
+      exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
+  return std::clamp(rounded, range.low, range.high);
+}
+
+double between(Range range, double share, bool logarithmic) {
+  if (logarithmic) return range.low * std::pow(range.high / range.low, share);
+  return range.low + share * (range.high - range.low);
+}
+
+// Rows of one run: which level each factor has in each of them.
+class RunPlanner {
+ public:
+  RunPlanner(const ExperimentPlan& plan, std::uint64_t seed, std::size_t run)
+      : seed_(seed), run_(run), rows_(plan.rows), mounting_(run / plan.routings.size()) {}
+
+  // The levels' numbers, equally often to within one; which are once more changes by mounting.
+  std::vector<std::size_t> levels(Factor factor, std::size_t count) const {
+    std::vector<std::size_t> numbers = order(factor);
+    for (std::size_t& number : numbers) number = (mounting_ * rows_ + number) % count;
+    return numbers;
+  }
+
+  std::vector<double> values(Factor factor, const Levels& levels, bool logarithmic = false) const {
+    std::vector<double> values;
+    values.reserve(rows_);
+    if (!levels.list.empty()) {
+      for (const std::size_t i : this->levels(factor, levels.list.size())) {
+        values.push_back(levels.list[i]);
+      }
+      return values;
+    }
+    for (const std::size_t part : order(factor)) {
+      const double within = uniform(seed_, place_stream(factor), run_ * rows_ + values.size());
+      const double share = (static_cast<double>(part) + within) / static_cast<double>(rows_);
+      values.push_back(four_digits(between(levels.range, share, logarithmic), levels.range));
+    }
+    return values;
+  }
+
+ private:
+  // The rows' numbers, shuffled.
+  std::vector<std::size_t> order(Factor factor) const {
+    std::vector<double> keys(rows_);
+    for (std::size_t row = 0; row < rows_; ++row) {
+      keys[row] = uniform(seed_, order_stream(factor), run_ * rows_ + row);
+    }
+    std::vector<std::size_t> numbers(rows_);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::stable_sort(numbers.begin(), numbers.end(),
+                     [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+    return numbers;
+  }
+
+  std::uint64_t seed_;
+  std::size_t run_;
+  std::size_t rows_;
+  std::size_t mounting_;
+};
+
+double cycle_at(const Levels& cycle, std::size_t row, std::size_t rows) {
+  if (!cycle.list.empty()) return cycle.list[row * cycle.list.size() / rows];
+  const double share = rows > 1 ? static_cast<double>(row) / static_cast<double>(rows - 1) : 0;
+  return std::clamp(std::round(between(cycle.range, share, false)), cycle.range.low,
+                    cycle.range.high);
+}
+
+void require_channels(const ExperimentPlan& plan) {
+  for (const Segment& channel : plan.channels) {
+    const bool found = std::any_of(
+        plan.routings.begin(), plan.routings.end(),
+        [&](const PlannedRouting& routing) { return find_segment(routing.network, channel); });
+    if (!found) {
+      throw InputError(fmt::format("channels: '{}': no routing has that segment", name(channel)));
+    }
+  }
+  for (const PlannedRouting& routing : plan.routings) {
+    const bool measured =
+        std::any_of(plan.channels.begin(), plan.channels.end(),
+                    [&](const Segment& channel) { return find_segment(routing.network, channel); });
+    if (!measured) {
+      throw InputError(fmt::format(
+          "channels: none of them is a segment of {}: expected at least one for each routing",
+          routing.label));
+    }
+  }
+}
+
+}  // namespace
+
+void validate(const ExperimentPlan& plan) {
+  if (plan.runs < plan.routings.size()) {
+    throw InputError(
+        fmt::format("runs = {}: expected at least {}, one for each routing (two are better)",
+                    plan.runs, plan.routings.size()));
+  }
+  if (plan.runs > max_planned_readings / plan.rows ||
+      plan.runs * plan.rows > max_planned_readings / plan.repeats) {
+    throw InputError(
+        fmt::format("runs = {}, of {} rows and {} repeats: expected {} readings at most", plan.runs,
+                    plan.rows, plan.repeats, max_planned_readings));
+  }
+  if (plan.cycle && !std::is_sorted(plan.cycle->list.begin(), plan.cycle->list.end())) {
+    throw InputError("cycles: expected a list that rises");
+  }
+  require_channels(plan);
+}
+
+std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed) {
+  std::vector<PlannedReading> readings;
+  readings.reserve(plan.runs * plan.rows * plan.repeats);
+  for (std::size_t run = 0; run < plan.runs; ++run) {
+    PlannedReading reading;
+    reading.run = run;
+    reading.routing = run % plan.routings.size();
+    const std::vector<Grasp>& grasps = plan.routings[reading.routing].grasps;
+    const RunPlanner planner(plan, seed, run);
+    const std::vector<std::size_t> motions =
+        planner.levels(Factor::grasp, grasps.size() * plan.directions.size());
+    const auto values = [&](Factor factor, const std::optional<Levels>& levels, bool logarithmic) {
+      return levels ? planner.values(factor, *levels, logarithmic) : std::vector<double>{};
+    };
+    const std::vector<double> tensions =
+        planner.values(Factor::motor_tension, plan.motor_tension_N);
+    const std::vector<double> speeds = values(Factor::speed, plan.speed_mm_s, true);
+    const std::vector<double> temperatures = values(Factor::temperature, plan.temperature_C, false);
+    for (std::size_t row = 0; row < plan.rows; ++row) {
+      reading.grasp = grasps[motions[row] % grasps.size()];
+      reading.direction = plan.directions[motions[row] / grasps.size()];
+      Conditions& conditions = reading.conditions;
+      conditions.motor_tension_N = tensions[row];
+      if (plan.speed_mm_s) conditions.speed_mm_s = speeds[row];
+      if (plan.temperature_C) conditions.temperature_C = temperatures[row];
+      if (plan.cycle) {
+        conditions.cycle = cycle_at(*plan.cycle, run * plan.rows + row, plan.runs * plan.rows);
+      }
+      for (reading.repeat = 0; reading.repeat < plan.repeats; ++reading.repeat) {
+        readings.push_back(reading);
+      }
+    }
+  }
+  return readings;
+}
+
+Survey survey(const ExperimentPlan& plan) {
+  Survey survey;
+  for (const PlannedRouting& routing : plan.routings) {
+    survey.routings.push_back({routing.word, &routing.network, routing.grasps});
+  }
+  survey.channels = plan.channels;
+  survey.has_speed = plan.speed_mm_s.has_value();
+  survey.has_cycle = plan.cycle.has_value();
+  survey.has_temperature = plan.temperature_C.has_value();
+  return survey;
+}
+
+std::optional<std::size_t> find_segment(const Network& network, const Segment& channel) {
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind == channel.kind && segment.number == channel.number) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace reeve

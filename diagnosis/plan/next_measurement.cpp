@@ -1,0 +1,297 @@
+#include "diagnosis/plan/next_measurement.hpp"
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "causes/model_solver.hpp"
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double normal_quantile = 1.959963984540054;
+// Of which a separation must be worth at least this, or it would never decide.
+constexpr double least_log_likelihood = 0.5;
+// A reading beyond so many times whatever the rig has shown or the motor pulls is no advice:
+// sensors need not reach there, and no model was ever tried there.
+constexpr double far_beyond = 3;
+
+double greatest_tension(const MeasuredData& data) {
+  double greatest = 0;
+  for (const Reading& reading : data.readings) {
+    for (const auto& tension : reading.tension_N) {
+      if (tension) greatest = std::max(greatest, *tension);
+    }
+  }
+  return greatest;
+}
+
+struct Levels {
+  std::vector<double> values;
+  bool measured = false;  // the data have the column
+};
+
+// The least, the middle and the greatest that were measured, and what a rig could do beyond.
+template <typename Value>
+Levels levels(const MeasuredData& data, Value value, const std::vector<double>& beyond) {
+  std::vector<double> seen;
+  for (const Reading& reading : data.readings) {
+    if (const auto given = value(reading)) seen.push_back(*given);
+  }
+  if (seen.empty()) return {};
+  std::sort(seen.begin(), seen.end());
+  Levels result{{seen[seen.size() / 2], seen.front(), seen.back()}, true};
+  result.values.insert(result.values.end(), beyond.begin(), beyond.end());
+  std::vector<double> once;
+  for (const double x : result.values) {
+    if (std::find(once.begin(), once.end(), x) == once.end()) once.push_back(x);
+  }
+  result.values = std::move(once);
+  return result;
+}
+
+// Every measurement of one routing; conditions are varied one at a time, and the load with each.
+class Measurements {
+ public:
+  explicit Measurements(const MeasuredData& data)
+      : load_(levels(data, [](const Reading& r) { return r.motor_tension_N; }, {5, 20, 50})),
+        speed_(levels(data, [](const Reading& r) { return r.speed_mm_s; }, {1, 100})),
+        cycle_(levels(data, [](const Reading& r) { return r.cycle; }, {0, 1000})),
+        temperature_(levels(data, [](const Reading& r) { return r.temperature_C; }, {10, 40})) {
+    if (!load_.measured) load_.values = {Conditions{}.motor_tension_N};
+  }
+
+  void for_each(const std::function<void(const Conditions&)>& use) const {
+    Conditions usual;
+    if (speed_.measured) usual.speed_mm_s = speed_.values.front();
+    if (cycle_.measured) usual.cycle = cycle_.values.front();
+    if (temperature_.measured) usual.temperature_C = temperature_.values.front();
+    for (const double load : load_.values) {
+      if (load <= 0) continue;
+      Conditions at = usual;
+      at.motor_tension_N = load;
+      use(at);
+      vary(at, &Conditions::speed_mm_s, speed_, use);
+      vary(at, &Conditions::cycle, cycle_, use);
+      vary(at, &Conditions::temperature_C, temperature_, use);
+    }
+  }
+
+ private:
+  static void vary(Conditions at, double Conditions::*what, const Levels& levels,
+                   const std::function<void(const Conditions&)>& use) {
+    for (std::size_t i = 1; i < levels.values.size(); ++i) {
+      at.*what = levels.values[i];
+      use(at);
+    }
+  }
+
+  Levels load_, speed_, cycle_, temperature_;
+};
+
+// Readings of all strands and of the channels that the data have.
+class Reader {
+ public:
+  Reader(const MeasurementPlan& plan, const MeasurableRouting& routing, const Network& network)
+      : word_(routing.word), network_(network), shown_N_(greatest_tension(*plan.data)) {
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+      const Segment& segment = network.segments[i];
+      const bool has_channel = std::any_of(
+          plan.data->channels.begin(), plan.data->channels.end(), [&](const Channel& channel) {
+            return channel.segment.kind == segment.kind && channel.segment.number == segment.number;
+          });
+      if (segment.kind == SegmentKind::strand || has_channel) segments_.push_back(i);
+    }
+  }
+
+  // Empty if the model has no tensions there, or tensions far beyond the rig's.
+  VectorXd operator()(const Model& model, Grasp grasp, Direction direction,
+                      const Conditions& conditions) const {
+    try {
+      ModelSolver solver(model, effective_hardware(model), word_, network_);
+      const TensionState& state =
+          solver.solve(actual_grasp(model, word_, grasp), direction, conditions);
+      VectorXd result(static_cast<Index>(segments_.size()));
+      for (std::size_t i = 0; i < segments_.size(); ++i) {
+        result[static_cast<Index>(i)] =
+            reading(model, network_.segments[segments_[i]],
+                    conditions.motor_tension_N * state.tension[segments_[i]]);
+      }
+      const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
+      return (result.array() <= reach).all() ? result : VectorXd();
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+
+  std::string segment(Index i) const {
+    return name(network_.segments[segments_[static_cast<std::size_t>(i)]]);
+  }
+
+ private:
+  std::string word_;
+  const Network& network_;
+  double shown_N_;
+  std::vector<std::size_t> segments_;
+};
+
+VectorXd deviation(const MeasurementPlan& plan, const VectorXd& reading) {
+  return reading.unaryExpr([&](double level) { return plan.noise.deviation(level); });
+}
+
+std::vector<ExpectedReading> expected_readings(const Reader& reader, const VectorXd& first,
+                                               const VectorXd& second, const VectorXd& sd) {
+  std::vector<ExpectedReading> result;
+  for (Index i = 0; i < first.size(); ++i) {
+    result.push_back({reader.segment(i), first[i], second[i], sd[i]});
+  }
+  return result;
+}
+
+using Visit = std::function<void(const Reader&, const Measurement&)>;
+
+void for_each_measurement(const MeasurementPlan& plan, const Visit& visit) {
+  const Measurements measurements(*plan.data);
+  for (const MeasurableRouting& routing : plan.routings) {
+    const Network network = expand(routing.routing);
+    const Reader reader(plan, routing, network);
+    const GraspSet grasps =
+        network.fingers > 0 ? single_grasps(network.fingers) : GraspSet{{Grasp{}, 1}};
+    for (const WeightedGrasp& grasp : grasps) {
+      for (const Direction direction : {Direction::pull, Direction::release}) {
+        measurements.for_each([&](const Conditions& conditions) {
+          visit(reader, {routing.word, grasp.grasp, direction, conditions});
+        });
+      }
+    }
+  }
+}
+
+bool depends_on(const Reader& reader, const Model& model, const Measurement& at,
+                double Conditions::*what) {
+  const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
+  Conditions other = at.conditions;
+  other.*what = 1.5 * other.*what + 5;
+  const VectorXd there = reader(model, at.grasp, at.direction, other);
+  return here.size() > 0 && there.size() == here.size() &&
+         (here - there).norm() > 1e-9 * here.norm();
+}
+
+void mark_conditions(const Reader& reader, const std::vector<const Model*>& models,
+                     Measurement& at) {
+  for (const Model* model : models) {
+    at.uses_speed |= depends_on(reader, *model, at, &Conditions::speed_mm_s);
+    at.uses_cycle |= depends_on(reader, *model, at, &Conditions::cycle);
+    at.uses_temperature |= depends_on(reader, *model, at, &Conditions::temperature_C);
+  }
+}
+
+// Rows are the parameters' derivatives of the readings, in units of the noise.
+MatrixXd jacobian(const MeasurementPlan& plan, const Reader& reader, const Model& model,
+                  const Measurement& at) {
+  const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
+  if (here.size() == 0) return {};
+  const VectorXd sd = deviation(plan, here);
+  MatrixXd result = MatrixXd::Zero(here.size(), static_cast<Index>(parameter_count(model)));
+  Index column = 0;
+  for (std::size_t e = 0; e < model.effects.size(); ++e) {
+    const auto parameters = model.effects[e].cause->parameters(model.hardware);
+    for (std::size_t p = 0; p < parameters.size(); ++p, ++column) {
+      const double step = 1e-4 * (parameters[p].range.high - parameters[p].range.low);
+      const double value = model.effects[e].values[p];
+      const double to = value + step <= parameters[p].range.high ? value + step : value - step;
+      Model moved = model;
+      moved.effects[e].values[p] = to;
+      const VectorXd there = reader(moved, at.grasp, at.direction, at.conditions);
+      if (there.size() != here.size()) return {};
+      result.col(column) = (there - here).cwiseQuotient(sd) / (to - value);
+    }
+  }
+  return result;
+}
+
+double width(const MatrixXd& information, Index parameter) {
+  const MatrixXd damped = information + 1e-12 * MatrixXd(information.diagonal().asDiagonal());
+  const VectorXd column = damped.ldlt().solve(VectorXd::Unit(information.cols(), parameter));
+  return 2 * normal_quantile * std::sqrt(std::max(column[parameter], 0.0));
+}
+
+}  // namespace
+
+std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
+                                                         const Model& a, const std::string& name_a,
+                                                         const Model& b,
+                                                         const std::string& name_b) {
+  std::optional<PlannedMeasurement> best;
+  for_each_measurement(plan, [&](const Reader& reader, const Measurement& at) {
+    const VectorXd first = reader(a, at.grasp, at.direction, at.conditions);
+    const VectorXd second = reader(b, at.grasp, at.direction, at.conditions);
+    if (first.size() == 0 || first.size() != second.size()) return;
+    const VectorXd sd = deviation(plan, (first + second) / 2);
+    const double brought = planned_readings * (first - second).cwiseQuotient(sd).squaredNorm() / 2;
+    // A percent more is no reason to prefer a stranger measurement to one that was met before.
+    if (brought < least_log_likelihood ||
+        (best && brought <= 1.01 * best->expected_log_likelihood)) {
+      return;
+    }
+    best = PlannedMeasurement{};
+    best->measurement = at;
+    best->expected_log_likelihood = brought;
+    best->expected = expected_readings(reader, first, second, sd);
+    mark_conditions(reader, {&a, &b}, best->measurement);
+  });
+  if (best) {
+    best->why = fmt::format(
+        "{} and {} say something else there: {} readings are expected to bring "
+        "{:.3g} in log-likelihood to whichever is right",
+        name_a, name_b, planned_readings, best->expected_log_likelihood);
+  }
+  return best;
+}
+
+std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& plan,
+                                                        const Problem& problem, const Model& model,
+                                                        std::size_t effect) {
+  const MatrixXd known = sensitivities(problem, model, forecast(*problem.dataset, model));
+  if (known.cols() == 0 || model.effects[effect].values.empty()) return std::nullopt;
+  const MatrixXd information = known.transpose() * known;
+  Index parameter = 0;
+  for (std::size_t e = 0; e < effect; ++e) {
+    parameter += static_cast<Index>(model.effects[e].values.size());
+  }
+  const double now = width(information, parameter);
+  std::optional<PlannedMeasurement> best;
+  for_each_measurement(plan, [&](const Reader& reader, const Measurement& at) {
+    const MatrixXd rows = jacobian(plan, reader, model, at);
+    if (rows.rows() == 0) return;
+    const double then =
+        width(information + planned_readings * (rows.transpose() * rows), parameter);
+    if (then >= now || (best && then >= 0.99 * best->width_expected)) return;
+    best = PlannedMeasurement{};
+    best->measurement = at;
+    best->width_now = now;
+    best->width_expected = then;
+    const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
+    best->expected = expected_readings(reader, here, here, deviation(plan, here));
+    mark_conditions(reader, {&model}, best->measurement);
+  });
+  if (!best) return best;
+  const Effect& named = model.effects[effect];
+  best->parameter = named.cause->parameters(model.hardware).front().name;
+  best->why = fmt::format(
+      "it says most about {} of {}: {} readings are expected to narrow what "
+      "noise leaves open of it by {:.0f} %",
+      best->parameter, name(named), planned_readings, 100 * (1 - best->width_expected / now));
+  return best;
+}
+
+}  // namespace reeve

@@ -1,0 +1,80 @@
+// Which measurement to make next.
+//
+// Candidates are steady readings of every strand in the given routings, in each grasp that leaves
+// something to close, both directions, at motor tensions, speeds, cycles and temperatures within
+// (and a little beyond) what the data have.
+//
+//   separating  between two explanations A and B: the reading whose forecasts differ most,
+//               Σ_i (p_A,i − p_B,i)² / 2 sd_i², which is the log-likelihood it is expected to bring
+//               to whichever is right
+//   shrinking   the reading after which the interval of the first named parameter is expected to be
+//               narrowest: information matrix JᵀJ of the data and of `readings` such readings
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/model/noise.hpp"
+#include "diagnosis/model/problem.hpp"
+
+namespace reeve {
+
+// Readings of one kind that a plan counts on.
+inline constexpr int planned_readings = 10;
+
+struct Measurement {
+  std::string routing;  // word
+  Grasp grasp;
+  Direction direction = Direction::pull;
+  Conditions conditions;
+  // Which of the conditions the measurement needs; the others do not matter to it.
+  bool uses_speed = false;
+  bool uses_cycle = false;
+  bool uses_temperature = false;
+};
+
+// What one sensor should read there.
+struct ExpectedReading {
+  std::string segment;     // T1, a, h1
+  double expected_N = 0;   // of the extended model; separating: if the first explanation is right
+  double other_N = 0;      // separating: if the second is; otherwise the same
+  double deviation_N = 0;  // standard deviation of the noise
+};
+
+struct PlannedMeasurement {
+  Measurement measurement;
+  std::string why;  // one sentence
+  std::vector<ExpectedReading> expected;
+  // Of `planned_readings` of it. Separating: log-likelihood in favour of what is right.
+  double expected_log_likelihood = 0;
+  // Shrinking: width of the interval, now and expected.
+  std::string parameter;
+  double width_now = 0;
+  double width_expected = 0;
+};
+
+// Routings to choose from, as words with their networks.
+struct MeasurableRouting {
+  std::string word;
+  Routing routing;
+};
+
+struct MeasurementPlan {
+  const MeasuredData* data = nullptr;
+  std::vector<MeasurableRouting> routings;
+  Noise noise;
+};
+
+// Nothing if no measurement separates the two: they say the same of everything.
+std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
+                                                         const Model& a, const std::string& name_a,
+                                                         const Model& b, const std::string& name_b);
+
+// Nothing if the model has no parameter that was fitted.
+std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& plan,
+                                                        const Problem& problem, const Model& model,
+                                                        std::size_t effect);
+
+}  // namespace reeve

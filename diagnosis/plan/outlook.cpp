@@ -1,0 +1,69 @@
+#include "diagnosis/plan/outlook.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace reeve {
+namespace {
+
+bool is_law_of_friction(const Candidate& candidate) {
+  const Reach reach = candidate.effect.cause->reach();
+  return reach == Reach::hardware || reach == Reach::conditions || reach == Reach::load;
+}
+
+std::vector<Candidate> not_in(const Model& model, const std::vector<Candidate>& candidates) {
+  std::vector<Candidate> result;
+  for (const Candidate& candidate : candidates) {
+    const bool taken =
+        std::any_of(model.effects.begin(), model.effects.end(),
+                    [&](const Effect& effect) { return name(effect) == candidate.name; });
+    if (!taken) result.push_back(candidate);
+  }
+  return result;
+}
+
+}  // namespace
+
+Outlook::Outlook(const Problem& problem, const Model& model,
+                 const std::vector<Candidate>& candidates, Workers& workers)
+    : problem_(problem),
+      model_(model),
+      workers_(workers),
+      candidates_(not_in(model, candidates)),
+      at_(forecast(*problem.dataset, model)),
+      projection_(problem, model, at_),
+      residuals_(projection_.taken_out(reeve::residuals(problem, at_))),
+      screening_(problem, model, at_, projection_, candidates_, workers) {}
+
+std::vector<std::size_t> Outlook::contenders(std::size_t most, Laws laws) const {
+  const std::vector<double> gains = screening_.gains(residuals_);
+  std::vector<std::size_t> order(candidates_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return gains[a] > gains[b]; });
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool promising = i < most && gains[order[i]] > 0;
+    const bool always = laws == Laws::always && is_law_of_friction(candidates_[order[i]]);
+    if (promising || always) result.push_back(order[i]);
+  }
+  return result;
+}
+
+std::vector<Fit> Outlook::fit_each(const std::vector<std::size_t>& which) const {
+  std::vector<Fit> fits(which.size());
+  workers_.for_each_block(which.size(), 1, [&](const IndexBlock& block) {
+    const std::size_t c = which[block.begin];
+    const Extended with = extended(model_, candidates_[c].effect);
+    fits[block.begin] = fit(problem_, with.model, with.effect, screening_.starts(c, residuals_));
+  });
+  return fits;
+}
+
+std::size_t least_misfit(const std::vector<Fit>& fits) {
+  const auto best = std::min_element(
+      fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+  return static_cast<std::size_t>(best - fits.begin());
+}
+
+}  // namespace reeve

@@ -1,0 +1,53 @@
+// What there is to see from a model: its residuals, and every cause that it does not have screened
+// against them, the promising ones then fitted in full.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/model/fit.hpp"
+#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/search/candidates.hpp"
+#include "diagnosis/search/screening.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve {
+
+class Outlook {
+ public:
+  // `problem` must outlive the outlook.
+  Outlook(const Problem& problem, const Model& model, const std::vector<Candidate>& candidates,
+          Workers& workers);
+  Outlook(const Outlook&) = delete;
+  Outlook& operator=(const Outlook&) = delete;
+
+  // Those of the candidates that the model does not have.
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+  const Forecast& at() const { return at_; }
+  const Projection& projection() const { return projection_; }
+  const Screening& screening() const { return screening_; }
+  const Eigen::VectorXd& residuals() const { return residuals_; }
+
+  enum class Laws { by_gain, always };
+  // Indices of the candidates with the greatest gains, at most so many. Far from nominal a law is
+  // no straight line, and what the screening says of it is too little: `Laws::always` adds the laws
+  // of friction, whatever their gain.
+  std::vector<std::size_t> contenders(std::size_t most, Laws laws) const;
+
+  // Each of these candidates fitted together with the model's effects; parallel to `which`.
+  std::vector<Fit> fit_each(const std::vector<std::size_t>& which) const;
+
+ private:
+  const Problem& problem_;
+  const Model& model_;
+  Workers& workers_;
+  std::vector<Candidate> candidates_;
+  Forecast at_;
+  Projection projection_;
+  Eigen::VectorXd residuals_;
+  Screening screening_;
+};
+
+// 0 if there are none.
+std::size_t least_misfit(const std::vector<Fit>& fits);
+
+}  // namespace reeve

@@ -1,0 +1,90 @@
+#include "diagnosis/plan/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "causes/model_solver.hpp"
+#include "core/error.hpp"
+#include "numerics/random.hpp"
+
+namespace reeve {
+namespace {
+
+// Streams of normal numbers. Who diagnoses the readings draws replicates of the noise with streams
+// 0, 1, …, and likely with the same seed: those must not be the noise that is in the readings.
+constexpr std::uint32_t relative_stream = 0x51a00000;
+constexpr std::uint32_t absolute_stream = 0x51a00001;
+
+// Tensions of one routing on the rig.
+class Rig {
+ public:
+  Rig(const ExperimentPlan& plan, const PlannedRouting& routing, const Model& model,
+      const Hardware& hardware)
+      : routing_(routing),
+        model_(model),
+        channels_(plan.channels),
+        solver_(model, hardware, routing.word, routing.network) {
+    for (const Segment& channel : channels_) {
+      segments_.push_back(find_segment(routing.network, channel));
+    }
+  }
+
+  // What the channels read without noise.
+  std::vector<std::optional<double>> read(const PlannedReading& planned) {
+    const Grasp grasp = actual_grasp(model_, routing_.word, planned.grasp);
+    const TensionState& state = solver_.solve(grasp, planned.direction, planned.conditions);
+    if (!solver_.converged()) {
+      throw InputError(fmt::format(
+          "{}: in the grasp '{}' the tensions do not settle under these causes at {} N: expected "
+          "smaller ones",
+          routing_.label, to_text(grasp), planned.conditions.motor_tension_N));
+    }
+    std::vector<std::optional<double>> tensions(channels_.size());
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      if (!segments_[c]) continue;
+      tensions[c] = reading(model_, channels_[c],
+                            planned.conditions.motor_tension_N * state.tension[*segments_[c]]);
+    }
+    return tensions;
+  }
+
+ private:
+  const PlannedRouting& routing_;
+  const Model& model_;
+  const std::vector<Segment>& channels_;
+  std::vector<std::optional<std::size_t>> segments_;
+  ModelSolver solver_;
+};
+
+}  // namespace
+
+Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedNoise& noise,
+                    std::uint64_t seed) {
+  Simulation simulation;
+  simulation.readings = schedule(plan, seed);
+  simulation.tension_N.reserve(simulation.readings.size());
+  const Hardware hardware = effective_hardware(model);
+  std::vector<Rig> rigs;
+  rigs.reserve(plan.routings.size());
+  for (const PlannedRouting& routing : plan.routings) {
+    rigs.emplace_back(plan, routing, model, hardware);
+  }
+  std::uint64_t index = 0;
+  for (const PlannedReading& planned : simulation.readings) {
+    std::vector<std::optional<double>> tensions = rigs[planned.routing].read(planned);
+    for (std::optional<double>& tension : tensions) {
+      const std::uint64_t here = index++;
+      if (!tension) continue;
+      ++simulation.values;
+      *tension *= 1 + noise.relative * normal(seed, relative_stream, here);
+      *tension += noise.absolute_N * normal(seed, absolute_stream, here);
+      simulation.clipped += *tension < 0 ? 1 : 0;
+      *tension = std::max(0.0, *tension);
+    }
+    simulation.tension_N.push_back(std::move(tensions));
+  }
+  return simulation;
+}
+
+}  // namespace reeve

@@ -1,0 +1,62 @@
+#include "diagnosis/search/candidates.hpp"
+
+#include <cmath>
+
+#include "causes/library.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr int shapes_tried = 5;
+
+double nominal_or_middle(const Parameter& parameter) {
+  return parameter.nominal.value_or(std::sqrt(parameter.range.low * parameter.range.high));
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware) {
+  std::vector<Candidate> result;
+  for (const Cause* cause : cause_library()) {
+    for (const Subject& subject : cause->subjects(survey)) {
+      Candidate candidate{{cause, subject, {}}, cause->parameters(hardware), {}};
+      for (const Parameter& parameter : candidate.parameters) {
+        candidate.effect.values.push_back(nominal_or_middle(parameter));
+      }
+      candidate.name = name(candidate.effect);
+      result.push_back(std::move(candidate));
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> shapes(const Candidate& candidate) {
+  std::vector<std::vector<double>> result{candidate.effect.values};
+  for (std::size_t p = 1; p < candidate.parameters.size(); ++p) {
+    const Range range = candidate.parameters[p].range;
+    std::vector<std::vector<double>> finer;
+    for (const std::vector<double>& values : result) {
+      for (int i = 0; i < shapes_tried; ++i) {
+        finer.push_back(values);
+        finer.back()[p] = range.low * std::pow(range.high / range.low, (i + 0.5) / shapes_tried);
+      }
+    }
+    result = std::move(finer);
+  }
+  return result;
+}
+
+bool same_effect(const Effect& a, const Effect& b) {
+  const Subject& x = a.subject;
+  const Subject& y = b.subject;
+  return a.cause == b.cause && name(a) == name(b) && x.recorded == y.recorded &&
+         x.actual == y.actual;
+}
+
+std::string detail(const Effect& effect) {
+  const Subject& subject = effect.subject;
+  if (!subject.recorded || !subject.actual) return {};
+  return "recorded " + to_text(*subject.recorded) + ", measured " + to_text(*subject.actual);
+}
+
+}  // namespace reeve

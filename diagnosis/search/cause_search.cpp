@@ -1,0 +1,213 @@
+#include "diagnosis/search/cause_search.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/plan/outlook.hpp"
+#include "diagnosis/search/rivals.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t most_contenders = 10;
+constexpr std::size_t most_rivals = 6;
+constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
+
+// A friction coefficient of all contacts of a kind, which the hardware does not say to be none.
+bool is_coefficient(const Effect& effect, const Hardware& hardware) {
+  return effect.cause->reach() == Reach::hardware &&
+         effect.cause->subject_kind() == SubjectKind::rig &&
+         effect.cause->parameters(hardware).front().nominal.value_or(0) > 0;
+}
+
+// From the nominal values, and from parts of them: rigs are mostly smoother than they are thought.
+Fit fit_together(const Problem& problem, const Model& model,
+                 const std::vector<AcceptedCause>& causes) {
+  Fit best;
+  for (const double part : {1.0, 0.3}) {
+    Model start = model;
+    for (const AcceptedCause& cause : causes) {
+      start.effects[place(start, cause.effect)].values.front() *= part;
+    }
+    Fit fitted = fit(problem, start);
+    if (best.model.effects.empty() || fitted.misfit < best.misfit) best = std::move(fitted);
+  }
+  return best;
+}
+
+class Search {
+ public:
+  Search(Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+         const CauseSearchOptions& options, Workers& workers,
+         const std::function<void(Problem&, const Model&)>& changed,
+         const std::function<bool()>& stop)
+      : problem_(problem),
+        candidates_(candidates),
+        options_(options),
+        workers_(workers),
+        changed_(changed),
+        stop_(stop) {
+    result_.model = nominal;
+  }
+
+  std::optional<CauseSearchResult> run() {
+    while (result_.accepted.size() < options_.most_causes && !exhausted_ && !stop_()) {
+      if (!accept_one()) break;
+      if (stop_()) break;
+      defend();
+      if (result_.accepted.size() > 2) shrink();
+    }
+    if (stop_()) return std::nullopt;
+    return std::move(result_);
+  }
+
+ private:
+  bool accept_one() {
+    const Outlook outlook(problem_, result_.model, candidates_, workers_);
+    if (outlook.candidates().empty()) return false;
+    const NullModel null_model(problem_, outlook.projection(), outlook.at(),
+                               options_.seed + 7919 * result_.accepted.size(), options_.replicates);
+    std::vector<double> greatest(null_model.replicates());
+    null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
+      greatest[replicate] = outlook.screening().greatest_gain(drawn);
+    });
+    const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
+    std::vector<Fit> fits = outlook.fit_each(which);
+    const double before = misfit(problem_, result_.model);
+    // A coefficient may be so far from the hardware's that the first order sees little of its gain.
+    double observed = outlook.screening().greatest_gain(outlook.residuals());
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if (outlook.candidates()[which[i]].effect.cause->reach() != Reach::hardware) continue;
+      observed = std::max(observed, gain(before, fits[i].misfit));
+    }
+    result_.p_value_of_next = p_value(observed, greatest);
+    const double alpha = result_.accepted.empty() ? options_.alpha : options_.further_alpha;
+    std::sort(greatest.begin(), greatest.end());
+    critical_gain_ =
+        greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
+    if (result_.p_value_of_next > alpha || stop_()) return false;
+    const std::size_t best = least_misfit(fits);
+    if (gain(before, fits[best].misfit) < critical_gain_) return false;
+    if (accept_coefficients(outlook.candidates(), fits[best].misfit)) return true;
+    const Effect effect = outlook.candidates()[which[best]].effect;
+    result_.model = std::move(fits[best].model);
+    result_.accepted.push_back({effect, result_.p_value_of_next});
+    changed_(problem_, result_.model);
+    return true;
+  }
+
+  // Where several coefficients are wrong, each of them alone may explain less than one cause that
+  // stands in for them all. So they are tried together too, and taken if they explain more than
+  // the best single cause by what a further cause has to gain; those that are not needed lose
+  // their places when they defend them.
+  bool accept_coefficients(const std::vector<Candidate>& candidates, double best_misfit) {
+    Model together = result_.model;
+    std::vector<AcceptedCause> added;
+    for (const Candidate& candidate : candidates) {
+      if (!is_coefficient(candidate.effect, result_.model.hardware)) continue;
+      add_effect(together, candidate.effect);
+      added.push_back({candidate.effect, result_.p_value_of_next});
+    }
+    if (added.size() < 2 || result_.accepted.size() + added.size() > options_.most_causes) {
+      return false;
+    }
+    Fit fitted = fit_together(problem_, together, added);
+    if (gain(best_misfit, fitted.misfit) < critical_gain_) return false;
+    result_.model = std::move(fitted.model);
+    result_.accepted.insert(result_.accepted.end(), added.begin(), added.end());
+    changed_(problem_, result_.model);
+    return true;
+  }
+
+  double gain(double before, double after) const {
+    return gain_from_misfits(before, after, problem_.dataset->degrees_of_freedom());
+  }
+
+  void defend() {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+      bool changed = false;
+      for (std::size_t a = 0; a < result_.accepted.size() && result_.accepted.size() > 1; ++a) {
+        if (stop_()) return;
+        changed |= defend_one(a);
+      }
+      if (!changed) return;
+    }
+  }
+
+  // Whether the cause lost its place.
+  bool defend_one(std::size_t accepted) {
+    // A coefficient is the plainest cause: it makes room only for one that the data tell from it.
+    const double clearly = is_coefficient(result_.accepted[accepted].effect, result_.model.hardware)
+                               ? alias_margin
+                               : least_advantage;
+    const double now = misfit(problem_, result_.model);
+    const Fit base = fit(
+        problem_, without(result_.model, place(result_.model, result_.accepted[accepted].effect)));
+    const Outlook outlook(problem_, base.model, candidates_, workers_);
+    const auto which = outlook.contenders(most_rivals, Outlook::Laws::by_gain);
+    std::vector<Fit> fits = outlook.fit_each(which);
+    const std::size_t best = fits.empty() ? 0 : least_misfit(fits);
+    if (!fits.empty() && gain(now, fits[best].misfit) > clearly) {
+      result_.model = std::move(fits[best].model);
+      result_.accepted[accepted].effect = outlook.candidates()[which[best]].effect;
+      changed_(problem_, result_.model);
+      return true;
+    }
+    if (gain(base.misfit, now) >= critical_gain_) return false;
+    result_.model = base.model;
+    result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(accepted));
+    changed_(problem_, result_.model);
+    return true;
+  }
+
+  // Accepted one by one, three causes may say in a roundabout way what two others say at once: of
+  // all models that have one of them and one other cause, the best takes over if that costs less
+  // than a third cause has to gain.
+  void shrink() {
+    const double now = misfit(problem_, result_.model);
+    Fit best;
+    AcceptedCause kept, taken;
+    for (const AcceptedCause& accepted : result_.accepted) {
+      if (stop_()) return;
+      Model alone = result_.model;
+      std::erase_if(alone.effects,
+                    [&](const Effect& effect) { return !same_effect(effect, accepted.effect); });
+      const Fit base = fit(problem_, alone);
+      const Outlook outlook(problem_, base.model, candidates_, workers_);
+      const auto which = outlook.contenders(most_rivals, Outlook::Laws::always);
+      std::vector<Fit> fits = outlook.fit_each(which);
+      const std::size_t i = least_misfit(fits);
+      if (fits.empty() || (best.misfit > 0 && fits[i].misfit >= best.misfit)) continue;
+      best = std::move(fits[i]);
+      kept = accepted;
+      taken = {outlook.candidates()[which[i]].effect, accepted.p_value};
+    }
+    if (best.model.effects.empty() || gain(best.misfit, now) >= critical_gain_) return;
+    result_.model = std::move(best.model);
+    result_.accepted = {kept, taken};
+    changed_(problem_, result_.model);
+    exhausted_ = true;
+  }
+
+  Problem& problem_;
+  const std::vector<Candidate>& candidates_;
+  const CauseSearchOptions& options_;
+  Workers& workers_;
+  const std::function<void(Problem&, const Model&)>& changed_;
+  const std::function<bool()>& stop_;
+  CauseSearchResult result_;
+  double critical_gain_ = 0;
+  bool exhausted_ = false;  // two causes do what a third was accepted for
+};
+
+}  // namespace
+
+std::optional<CauseSearchResult> search_causes(
+    Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+    const CauseSearchOptions& options, Workers& workers,
+    const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop) {
+  return Search(problem, nominal, candidates, options, workers, changed, stop).run();
+}
+
+}  // namespace reeve

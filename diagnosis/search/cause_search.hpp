@@ -1,0 +1,46 @@
+// Which causes explain the training data: accepted one by one until what is left looks like chance.
+//
+// A step screens every cause to first order, judges the greatest gain by what the whole screening
+// finds in data simulated from the current model, fits the promising causes in full, and accepts
+// the likeliest. Afterwards each accepted cause has to defend its place: against others (one that
+// explains more takes it), and against nothing (one that no longer gains enough goes).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "diagnosis/model/fit.hpp"
+#include "diagnosis/search/candidates.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve {
+
+struct CauseSearchOptions {
+  double alpha = 0.02;          // of the first cause
+  double further_alpha = 0.01;  // of each further one: a second name is a stronger claim
+  std::size_t replicates = 400;
+  std::size_t most_causes = 3;
+  std::uint64_t seed = 1;
+};
+
+struct AcceptedCause {
+  Effect effect;
+  double p_value = 1;  // family-wise, of the step that accepted it or its predecessor
+};
+
+struct CauseSearchResult {
+  Model model;                          // with all accepted causes, fitted
+  std::vector<AcceptedCause> accepted;  // in the order of acceptance
+  double p_value_of_next = 1;           // of the best cause that was not accepted
+};
+
+// Returns nothing if `stop` says so. `changed` is called after each step with the current model,
+// and may give the problem other standard deviations.
+std::optional<CauseSearchResult> search_causes(
+    Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+    const CauseSearchOptions& options, Workers& workers,
+    const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop);
+
+}  // namespace reeve

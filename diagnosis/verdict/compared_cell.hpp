@@ -1,0 +1,23 @@
+// One measured tension beside what the models say of it.
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/data/dataset.hpp"
+
+namespace reeve {
+
+struct ComparedCell {
+  Cell cell;
+  bool held_out = false;
+  double before_N = 0;  // forecast of the model as it was
+  double after_N = 0;   // of the extended one
+  double deviation_N = 0;
+  // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
+  // would read on average that cannot read below 0, without what a free scale explains.
+  double residual_before = 0;
+  double residual_after = 0;
+  std::optional<double> left_out_N;  // of the causes fitted without its run (left_out.hpp)
+};
+
+}  // namespace reeve

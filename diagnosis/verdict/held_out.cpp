@@ -1,0 +1,98 @@
+#include "diagnosis/verdict/held_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "numerics/random.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t draws = 1000;
+constexpr std::size_t enough_held_out_runs = 5;
+constexpr std::uint32_t resampling_stream = 0x6a1;
+
+// What one unit of resampling contributes.
+struct Unit {
+  double before = 0;  // Σ of squared residuals, N²
+  double after = 0;
+  double cells = 0;
+  double gain = 0;  // in log-likelihood
+};
+
+Unit& operator+=(Unit& sum, const Unit& unit) {
+  sum.before += unit.before;
+  sum.after += unit.after;
+  sum.cells += unit.cells;
+  sum.gain += unit.gain;
+  return sum;
+}
+
+double reduction(const Unit& sum) {
+  return sum.before > 0 ? 1 - std::sqrt(sum.after / sum.before) : 0;
+}
+
+std::vector<Unit> units(const Problem& problem, const Eigen::VectorXd& before,
+                        const Eigen::VectorXd& after) {
+  const Dataset& dataset = *problem.dataset;
+  std::map<std::size_t, Unit> by_run;
+  std::vector<Unit> by_row;
+  for (const DatasetRow& row : dataset.rows) {
+    Unit unit;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      const double sd = problem.deviation_N[k];
+      unit.before += before[k] * before[k] * sd * sd;
+      unit.after += after[k] * after[k] * sd * sd;
+      unit.cells += 1;
+      unit.gain += (before[k] * before[k] - after[k] * after[k]) / 2;
+    }
+    by_row.push_back(unit);
+    by_run[dataset.data->readings[row.reading].run] += unit;
+  }
+  if (by_run.size() < enough_held_out_runs) return by_row;
+  std::vector<Unit> result;
+  for (const auto& [run, unit] : by_run) result.push_back(unit);
+  return result;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+}  // namespace
+
+HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model& after,
+                      std::uint64_t seed) {
+  const Forecast first = forecast(*held_out.dataset, before);
+  const Forecast second = forecast(*held_out.dataset, after);
+  const std::vector<Unit> all =
+      units(held_out, residuals(held_out, first), residuals(held_out, second));
+  Unit sum;
+  for (const Unit& unit : all) sum += unit;
+  HeldOut result;
+  result.rms_before_N = std::sqrt(sum.before / sum.cells);
+  result.rms_after_N = std::sqrt(sum.after / sum.cells);
+  result.reduction = reduction(sum);
+  result.log_likelihood_gain = sum.gain;
+  result.expected_gain = difference(held_out, second, first).squaredNorm() / 2;
+  std::vector<double> reductions, gains;
+  for (std::size_t d = 0; d < draws; ++d) {
+    Unit drawn;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double u = uniform(seed, resampling_stream, d * all.size() + i);
+      drawn += all[static_cast<std::size_t>(u * static_cast<double>(all.size()))];
+    }
+    reductions.push_back(reduction(drawn));
+    gains.push_back(drawn.gain);
+  }
+  result.low = quantile(reductions, 0.025);
+  result.high = quantile(reductions, 0.975);
+  result.gain_low = quantile(gains, 0.025);
+  result.gain_high = quantile(gains, 0.975);
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,30 @@
+// What a change of the model gains on runs that its fit has not seen.
+//
+// Root of the mean squared residual, before and after, in newton; reduction = 1 − after / before.
+// The interval is that of the middle 95 % of resampled runs (of resampled readings where fewer than
+// five runs were held out).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "diagnosis/model/problem.hpp"
+
+namespace reeve {
+
+struct HeldOut {
+  double rms_before_N = 0;
+  double rms_after_N = 0;
+  double reduction = 0;
+  double low = 0;
+  double high = 0;
+  double log_likelihood_gain = 0;
+  double gain_low = 0;
+  double gain_high = 0;
+  double expected_gain = 0;  // if the later model were right
+};
+
+HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model& after,
+                      std::uint64_t seed);
+
+}  // namespace reeve

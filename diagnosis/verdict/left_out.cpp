@@ -1,0 +1,69 @@
+#include "diagnosis/verdict/left_out.hpp"
+
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+#include "diagnosis/model/fit.hpp"
+
+namespace reeve {
+namespace {
+
+Model at_nominal(Model model) {
+  for (Effect& effect : model.effects) {
+    const auto parameters = effect.cause->parameters(model.hardware);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      effect.values[p] = parameters[p].nominal.value_or(effect.values[p]);
+    }
+  }
+  return model;
+}
+
+// Where both starts end equally well, nothing is known, and the nominal one counts.
+Model fitted(const Problem& problem, const Model& model) {
+  constexpr double clearly = 1e-6;
+  Fit from_nominal = fit(problem, at_nominal(model));
+  Fit from_here = fit(problem, model);
+  return from_here.misfit < (1 - clearly) * from_nominal.misfit ? std::move(from_here.model)
+                                                                : std::move(from_nominal.model);
+}
+
+LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& readings,
+                    std::size_t run, const Model& model, const Noise& noise) {
+  std::vector<std::size_t> own, others;
+  for (const std::size_t i : readings) (data.readings[i].run == run ? own : others).push_back(i);
+  const Dataset rest = dataset(data, others);
+  const Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
+  LeftOutRun result{run, fitted(known, model), {}, {}};
+  const Dataset unseen = dataset(data, own);
+  try {
+    const Eigen::VectorXd reading_N = forecast(unseen, result.model).reading_N;
+    result.cells = unseen.cells;
+    result.forecast_N.assign(reading_N.begin(), reading_N.end());
+  } catch (const InputError&) {
+    // Fitted to the others, the model has no tensions here: the run has no forecast.
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
+                                      const std::vector<std::size_t>& readings, const Model& model,
+                                      const Noise& noise, Workers& workers) {
+  std::map<std::size_t, bool> seen;
+  for (const std::size_t i : readings) seen[data.readings[i].run] = true;
+  if (parameter_count(model) == 0 || seen.size() < fewest_runs_left_out ||
+      seen.size() > most_runs_left_out) {
+    return {};
+  }
+  std::vector<std::size_t> runs;
+  for (const auto& [run, _] : seen) runs.push_back(run);
+  std::vector<LeftOutRun> result(runs.size());
+  workers.for_each_block(runs.size(), 1, [&](const IndexBlock& block) {
+    result[block.begin] = left_out(data, readings, runs[block.begin], model, noise);
+  });
+  return result;
+}
+
+}  // namespace reeve

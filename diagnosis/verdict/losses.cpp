@@ -1,0 +1,198 @@
+#include "diagnosis/verdict/losses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace reeve {
+namespace {
+
+constexpr double greatest_score = 3.5;
+// Losses that agree better than that agree by their rounding, as those of made-up data may.
+constexpr double least_scatter = 1e-3;
+constexpr double sure_of_noise = 2;
+constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution over its deviation
+
+// Two measured segments with nothing measured between them.
+struct Stretch {
+  std::size_t left = 0;  // segments of the network, in walk order
+  std::size_t right = 0;
+  std::vector<std::size_t> contacts;  // from left to right
+};
+
+std::vector<Stretch> stretches(const Network& network, const std::vector<bool>& measured) {
+  std::vector<Stretch> result;
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.segments; ++k) {
+      if (!measured[tendon.first_segment + k]) continue;
+      Stretch stretch{tendon.first_segment + k, tendon.first_segment + k, {}};
+      for (std::size_t c = k; c < k + tendon.contacts; ++c) {
+        const std::size_t at = c % tendon.segments;
+        if (at >= tendon.contacts) break;  // the end of an open tendon
+        stretch.contacts.push_back(tendon.first_contact + at);
+        stretch.right = ends_of(tendon, at).right;
+        if (measured[stretch.right]) break;
+      }
+      if (measured[stretch.right] && stretch.right != stretch.left) result.push_back(stretch);
+    }
+  }
+  return result;
+}
+
+// Rows of one routing in one grasp and direction.
+using GroupKey = std::tuple<std::size_t, std::uint64_t, Direction>;
+using Row = std::map<std::size_t, const ComparedCell*>;  // by segment
+
+std::vector<std::pair<GroupKey, std::vector<Row>>> groups(const MeasuredData& data,
+                                                          const std::vector<ComparedCell>& cells) {
+  std::vector<std::pair<GroupKey, std::vector<Row>>> result;
+  std::optional<std::size_t> reading;
+  Row* row = nullptr;
+  for (const ComparedCell& cell : cells) {
+    if (reading != cell.cell.reading) {
+      reading = cell.cell.reading;
+      const Reading& about = data.readings[*reading];
+      const GroupKey key{about.routing, about.grasp.held, about.direction};
+      auto found = std::find_if(result.begin(), result.end(),
+                                [&](const auto& group) { return group.first == key; });
+      if (found == result.end()) found = result.insert(found, {key, {}});
+      row = &found->second.emplace_back();
+    }
+    row->emplace(cell.cell.segment, &cell);
+  }
+  return result;
+}
+
+// +1: the tension falls from left to right by all the friction there is; -1: from right to left;
+// 0: some contact holds with less, or they work against each other.
+int fall(const TendonSpan& tendon, const Stretch& stretch, const Mechanics& mechanics,
+         const TensionState& state) {
+  constexpr double used_up = 1 - 1e-6;
+  int result = 0;
+  for (const std::size_t contact : stretch.contacts) {
+    const auto [left, right] = ends_of(tendon, contact - tendon.first_contact);
+    const double drop = std::log(state.tension[left] / state.tension[right]);
+    if (!(std::abs(drop) >= used_up * mechanics.phi[contact]) || drop == 0) return 0;
+    const int direction = drop > 0 ? 1 : -1;
+    if (result != 0 && direction != result) return 0;
+    result = direction;
+  }
+  return result;
+}
+
+const TendonSpan& tendon_of(const Network& network, std::size_t segment) {
+  return *std::find_if(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& t) {
+    return segment >= t.first_segment && segment < t.first_segment + t.segments;
+  });
+}
+
+class LossTable {
+ public:
+  LossTable(const MeasuredData& data, const Model& model) : data_(data), model_(model) {}
+
+  void add(const GroupKey& key, const std::vector<Row>& rows) {
+    const auto& [routing, held, direction] = key;
+    const MeasuredRouting& about = data_.routings[routing];
+    const Network& network = about.network;
+    // Behind a seized contact the friction of the others does not add up from the motor on.
+    if (!seized_contacts(model_, about.word, network).empty()) return;
+    const Mechanics mechanics = reeve::mechanics(network, effective_hardware(model_));
+    const Grasp recorded{held};
+    const TensionState state =
+        tensions(network, mechanics, actual_grasp(model_, about.word, recorded), direction);
+    std::vector<bool> measured(network.segments.size(), false);
+    for (const Row& row : rows) {
+      for (const auto& [segment, cell] : row) measured[segment] = true;
+    }
+    for (const Stretch& stretch : stretches(network, measured)) {
+      const int way = fall(tendon_of(network, stretch.left), stretch, mechanics, state);
+      if (way == 0) continue;
+      const std::size_t high = way > 0 ? stretch.left : stretch.right;
+      const std::size_t low = way > 0 ? stretch.right : stretch.left;
+      Loss loss;
+      loss.routing = routing;
+      loss.grasp = recorded;
+      loss.direction = direction;
+      loss.high = network.segments[high];
+      loss.low = network.segments[low];
+      for (const std::size_t c : stretch.contacts) loss.over.push_back(network.contacts[c].kind);
+      for (const Row& row : rows) add_row(row, high, low, loss);
+      if (loss.rows > 0) result_.push_back(mean(loss));
+    }
+  }
+
+  std::vector<Loss> take() && { return std::move(result_); }
+
+ private:
+  static bool is_taut(const ComparedCell& cell) {
+    constexpr double sure = 3;
+    return cell.cell.measured_N > sure * cell.deviation_N && cell.before_N > 0 && cell.after_N > 0;
+  }
+
+  static void add_row(const Row& row, std::size_t high, std::size_t low, Loss& loss) {
+    const auto from = row.find(high);
+    const auto to = row.find(low);
+    if (from == row.end() || to == row.end()) return;
+    const ComparedCell& a = *from->second;
+    const ComparedCell& b = *to->second;
+    if (!is_taut(a) || !is_taut(b)) return;
+    ++loss.rows;
+    loss.deviation += std::pow(a.deviation_N / a.cell.measured_N, 2) +
+                      std::pow(b.deviation_N / b.cell.measured_N, 2);
+    loss.measured += std::log(a.cell.measured_N / b.cell.measured_N);
+    loss.before += std::log(a.before_N / b.before_N);
+    loss.after += std::log(a.after_N / b.after_N);
+  }
+
+  static Loss mean(Loss loss) {
+    const auto rows = static_cast<double>(loss.rows);
+    loss.measured /= rows;
+    loss.deviation = std::sqrt(loss.deviation) / rows;
+    loss.before /= rows;
+    loss.after /= rows;
+    return loss;
+  }
+
+  const MeasuredData& data_;
+  const Model& model_;
+  std::vector<Loss> result_;
+};
+
+double median(std::vector<double> values) {
+  const std::size_t half = values.size() / 2;
+  std::sort(values.begin(), values.end());
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+// Of stretches over the same contacts.
+void mark_those_apart(const std::vector<Loss*>& alike) {
+  if (alike.size() < enough_stretches) return;
+  const auto left = [](const Loss* loss) { return loss->measured - loss->after; };
+  std::vector<double> values;
+  for (const Loss* loss : alike) values.push_back(left(loss));
+  const double middle = median(values);
+  for (double& value : values) value = std::abs(value - middle);
+  const double typical = std::max(least_scatter, median(values));
+  for (Loss* loss : alike) {
+    const double distance = std::abs(left(loss) - middle);
+    loss->stands_apart = normal_consistency * distance > greatest_score * typical &&
+                         distance > sure_of_noise * loss->deviation;
+  }
+}
+
+}  // namespace
+
+std::vector<Loss> losses(const MeasuredData& data, const Model& extended,
+                         const std::vector<ComparedCell>& cells) {
+  LossTable table(data, extended);
+  for (const auto& [key, rows] : groups(data, cells)) table.add(key, rows);
+  std::vector<Loss> result = std::move(table).take();
+  std::map<std::vector<ContactKind>, std::vector<Loss*>> by_contacts;
+  for (Loss& loss : result) by_contacts[loss.over].push_back(&loss);
+  for (const auto& [over, alike] : by_contacts) mark_those_apart(alike);
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,47 @@
+// What is lost from one sensor to the next, stretch by stretch.
+//
+// Between two neighbouring measured segments of a tendon whose contacts all slide, or are about to,
+// in one direction, the friction exponents add up:
+//
+//   ln(T_high / T_low) = Σ φ_k
+//
+// so that each such stretch is a measurement of its contacts' friction by itself, without the motor
+// tension and without the other readings. With x a stretch's loss less the extended model's, it
+// stands apart from the others over the same contacts by the modified z-score of B. Iglewicz and
+// D. C. Hoaglin (How to Detect and Handle Outliers, ASQC, 1993), 0.6745 |x − median| / MAD > 3.5,
+// if it does so by more than two standard deviations of its readings' noise too.
+#pragma once
+
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/data/measured_data.hpp"
+#include "diagnosis/verdict/compared_cell.hpp"
+
+namespace reeve {
+
+// With fewer stretches over the same contacts none of them can stand apart.
+inline constexpr std::size_t enough_stretches = 6;
+
+struct Loss {
+  std::size_t routing = 0;  // in MeasuredData::routings
+  Grasp grasp;
+  Direction direction = Direction::pull;
+  Segment high;                   // from which
+  Segment low;                    // to which the tension falls, by the extended model
+  std::vector<ContactKind> over;  // the contacts between them
+  std::size_t rows = 0;
+  // ln(T_high / T_low), mean over the rows; those with a tension within three standard deviations
+  // of zero are left out.
+  double measured = 0;
+  double deviation = 0;  // of `measured`, by the noise
+  double before = 0;     // of the forecasts of the model as it was
+  double after = 0;      // of the extended model
+  bool stands_apart = false;
+};
+
+// In the order of the file and of the walk.
+std::vector<Loss> losses(const MeasuredData& data, const Model& extended,
+                         const std::vector<ComparedCell>& cells);
+
+}  // namespace reeve

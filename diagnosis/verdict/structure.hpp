@@ -1,0 +1,45 @@
+// Whether residuals still follow anything that the rows say of themselves, after the model.
+//
+// Each test has a set of patterns u_k (orthonormal, with what the model's parameters could explain
+// taken out): group means of the relative residual, or its linear and quadratic trends. Its
+// statistic is Σ (u_k·e)² / |e|², the share of the misfit that the patterns explain; for a wave
+// along the order of the rows, the greatest share among the frequencies. Statistics are made alike
+// (cube root, mean and deviation of the null model's replicates), and the greatest of them is
+// judged by the greatest of each replicate, so that many tests cost what they must.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/model/problem.hpp"
+
+namespace reeve {
+
+struct StructureTest {
+  std::string about;  // "routing", "load", "order", …
+  Eigen::MatrixXd patterns;
+  bool scan = false;  // pairs of columns, of which the greatest counts
+};
+
+struct StructureFinding {
+  std::string about;
+  double statistic = 0;  // in standard deviations of the null model
+  double p_value = 1;    // of this test alone
+};
+
+struct StructureResult {
+  std::vector<StructureFinding> findings;  // the strongest first
+  double p_value = 1;                      // of the strongest, family-wise
+  std::string where;                       // the group whose residuals are farthest from 0
+};
+
+std::vector<StructureTest> structure_tests(const Problem& problem, const Forecast& at,
+                                           const Projection& projection);
+
+StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
+                               const Eigen::VectorXd& residuals, const NullModel& null_model,
+                               Workers& workers);
+
+}  // namespace reeve

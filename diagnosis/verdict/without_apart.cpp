@@ -1,0 +1,103 @@
+#include "diagnosis/verdict/without_apart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "diagnosis/model/fit.hpp"
+#include "diagnosis/verdict/share_error.hpp"
+
+namespace reeve {
+namespace {
+
+using Place = std::pair<std::size_t, std::size_t>;  // reading and channel
+
+bool is_at(const ComparedCell& cell, const MeasuredData& data, const Loss& loss,
+           const Segment& segment) {
+  const Reading& reading = data.readings[cell.cell.reading];
+  const Segment& own = data.channels[cell.cell.channel].segment;
+  return reading.routing == loss.routing && reading.grasp == loss.grasp &&
+         reading.direction == loss.direction && own.kind == segment.kind &&
+         own.number == segment.number;
+}
+
+// Of the cells at one end of a stretch.
+struct End {
+  std::vector<Cell> cells;
+  double misfit = 0;
+};
+
+End end_of(const MeasuredData& data, const std::vector<ComparedCell>& cells, const Loss& loss,
+           const Segment& segment) {
+  End end;
+  for (const ComparedCell& cell : cells) {
+    if (!is_at(cell, data, loss, segment)) continue;
+    end.cells.push_back(cell.cell);
+    end.misfit += std::abs(cell.cell.measured_N - cell.after_N) / cell.after_N;
+  }
+  return end;
+}
+
+std::vector<Cell> cells_apart(const MeasuredData& data, const std::vector<ComparedCell>& cells,
+                              const std::vector<Loss>& losses) {
+  std::vector<Cell> apart;
+  std::set<Place> known;
+  for (const Loss& loss : losses) {
+    if (!loss.stands_apart) continue;
+    const End high = end_of(data, cells, loss, loss.high);
+    const End low = end_of(data, cells, loss, loss.low);
+    for (const Cell& cell : (low.misfit >= high.misfit ? low : high).cells) {
+      if (known.insert({cell.reading, cell.channel}).second) apart.push_back(cell);
+    }
+  }
+  return apart;
+}
+
+std::vector<std::size_t> readings_of(const std::vector<ComparedCell>& cells) {
+  std::set<std::size_t> readings;
+  for (const ComparedCell& cell : cells) readings.insert(cell.cell.reading);
+  return {readings.begin(), readings.end()};
+}
+
+double share_error_of(const MeasuredData& data, const Model& model,
+                      std::vector<ComparedCell> cells) {
+  const Dataset all = dataset(data, readings_of(cells));
+  const Forecast at = forecast(all, model);
+  for (std::size_t i = 0; i < all.cells.size(); ++i) {
+    const auto found = std::find_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) {
+      return cell.cell.reading == all.cells[i].reading && cell.cell.channel == all.cells[i].channel;
+    });
+    if (found != cells.end()) found->after_N = at.reading_N[static_cast<Eigen::Index>(i)];
+  }
+  return share_errors(data, cells).after;
+}
+
+}  // namespace
+
+std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Noise noise,
+                                          const std::vector<ComparedCell>& cells,
+                                          const std::vector<Loss>& losses) {
+  WithoutApart result;
+  result.left_out = cells_apart(data, cells, losses);
+  if (result.left_out.empty() || parameter_count(model) == 0) return std::nullopt;
+  MeasuredData others = data;
+  for (const Cell& cell : result.left_out)
+    others.readings[cell.reading].tension_N[cell.channel].reset();
+  const Dataset rest = dataset(others, readings_of(cells));
+  if (rest.cells.empty()) return std::nullopt;
+  Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
+  result.model = fit(known, model).model;
+  if (noise.source == NoiseSource::residuals) {
+    const Forecast at = forecast(rest, result.model);
+    noise = noise_of_residuals(rest, residuals(known, at).cwiseProduct(known.deviation_N),
+                               static_cast<double>(parameter_count(model)));
+    known.deviation_N = deviations(rest, noise, at.reading_N);
+    result.model = fit(known, result.model).model;
+  }
+  result.intervals = parameter_intervals(known, result.model);
+  result.share_error = share_error_of(data, result.model, cells);
+  return result;
+}
+
+}  // namespace reeve

@@ -1,0 +1,30 @@
+// How much a diagnosis hangs on readings whose stretch stands apart (losses.hpp): the named causes
+// fitted again to all readings without them.
+//
+// Of the two readings beside such a stretch the one goes that the extended model meets less well.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/model/noise.hpp"
+#include "diagnosis/verdict/compared_cell.hpp"
+#include "diagnosis/verdict/losses.hpp"
+
+namespace reeve {
+
+struct WithoutApart {
+  std::vector<Cell> left_out;
+  Model model;
+  std::vector<std::vector<ParameterInterval>> intervals;  // as of parameter_intervals
+  double share_error = 0;  // mean over the routings, of all readings (share_error.hpp)
+};
+
+// Nothing if no stretch stands apart, or the model has no parameter. `noise` is estimated anew if
+// it is what the model leaves.
+std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Noise noise,
+                                          const std::vector<ComparedCell>& cells,
+                                          const std::vector<Loss>& losses);
+
+}  // namespace reeve

@@ -1,0 +1,31 @@
+// Short texts of a diagnosis' page that its charts and its tables share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/json.hpp"
+
+namespace reeve {
+
+// "Simulated data. " before captions where they are; otherwise "".
+std::string simulated_label(const DiagnosisReport& report);
+
+// The verdict as a heading, and the shape that goes with it: a template's flag.
+struct VerdictLabel {
+  std::string words;
+  std::string shape;
+};
+VerdictLabel verdict_label(const DiagnosisResult& result);
+
+std::string compared_alt(const DiagnosisReport& report);
+
+// How a weighed model stands to the answer: "named", "cannot be told from it", "not confirmed" or
+// "weighed".
+std::string standing(const DiagnosisResult& result, const std::string& model);
+
+// The best first.
+std::vector<WeighedCause> by_training_gain(std::vector<WeighedCause> weighed);
+
+}  // namespace reeve

@@ -1,0 +1,168 @@
+#include "pages/diagnosis/diagnosis_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_labels.hpp"
+#include "pages/diagnosis/diagnosis_values.hpp"
+#include "pages/ranking/distribution_figure.hpp"
+#include "pages/shell/html_table.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/results/data_text.hpp"
+#include "reports/results/show_report.hpp"
+#include "reports/schematic/schematic_svg.hpp"
+
+namespace reeve {
+namespace {
+
+// A page of some megabytes opens anywhere: so many marks in the main chart, and in each small one.
+constexpr std::size_t most_compared = 1500;
+constexpr std::size_t most_residuals = 500;
+// Of the stretches' table; diagnosis.json has all.
+constexpr std::size_t most_stretches = 200;
+// Of the grasps whose tension distributions are drawn.
+constexpr std::size_t most_grasps = 4;
+
+// Keeps what is drawn, for the files beside the page.
+class Figures {
+ public:
+  std::string add(const Figure& figure) {
+    files_.push_back({figure.id, figure.svg});
+    return figure_html(figure);
+  }
+  std::string add_schematic(const std::string& id, const std::string& svg) {
+    files_.push_back({id, svg});
+    return schematic_html(id, svg);
+  }
+  std::vector<FigureFile> files() && { return std::move(files_); }
+
+ private:
+  std::vector<FigureFile> files_;
+};
+
+Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
+                      const std::vector<ReadingMark>& drawn, Figures& figures) {
+  Json list = Json::array();
+  for (const MarkColumn& column : columns.shown) {
+    list.push_back({{"html", figures.add(residual_figure(report, drawn, column))}});
+  }
+  return list;
+}
+
+// The tensions are for one newton at the motor, as everywhere in schematics.
+std::string schematic_of(const ShownRouting& next, const DiagnosisReport& report,
+                         Figures& figures) {
+  const ShownGrasp& shown = next.grasps.front();
+  const std::string title = next.name.empty() ? next.word : next.name + ": " + next.word;
+  const GraspView view{shown.grasp, next.direction, shown.state};
+  const std::string svg = schematic_svg(schematic(next.network, title, view), "next");
+  return figures.add_schematic("next-measurement", svg) +
+         render("diagnosis_schematic.mustache", {{"simulated", report.data.simulated}});
+}
+
+Json ranking_values(const std::optional<CatalogueRanking>& ranking) {
+  if (!ranking) return nullptr;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < ranking->after.size(); ++i) {
+    const auto was = std::find(ranking->before.begin(), ranking->before.end(), ranking->after[i]);
+    rows.push_back({{"rank", i + 1},
+                    {"before", i < ranking->before.size() ? ranking->before[i] : ""},
+                    {"after", ranking->after[i]},
+                    {"was", was - ranking->before.begin() + 1},
+                    {"moved", was - ranking->before.begin() != static_cast<std::ptrdiff_t>(i)}});
+  }
+  return {{"changes", ranking->changes()}, {"rows", rows}};
+}
+
+void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& figures) {
+  const DiagnosisResult& result = report.result;
+  const bool sizes = std::any_of(result.causes.begin(), result.causes.end(),
+                                 [](const NamedCause& cause) { return !cause.parameters.empty(); });
+  values["parameters_figure"] = sizes ? figures.add(parameters_figure(report)) : "";
+  values["weighed_figure"] = result.weighed.empty() ? "" : figures.add(weighed_figure(report));
+  values["runs_figure"] = result.run_gains.empty() ? "" : figures.add(runs_figure(report));
+}
+
+Json sentences(const std::vector<std::string>& list) {
+  Json json = Json::array();
+  for (const std::string& sentence : list) json.push_back({{"text", sentence}});
+  return json;
+}
+
+Json distribution_values(const DiagnosisPageInput& input, Figures& figures) {
+  const DiagnosisReport& report = input.report;
+  Json list = Json::array();
+  std::size_t not_drawn = 0;
+  if (input.distributions) {
+    const std::vector<Figure> drawn = distribution_figures(*input.distributions);
+    for (std::size_t i = 0; i < std::min(drawn.size(), most_grasps); ++i) {
+      list.push_back({{"html", figures.add(drawn[i])}});
+    }
+    not_drawn = drawn.size() - list.size();
+  }
+  Table errors = share_error_table(report);
+  if (list.empty() && errors.rows.empty()) return nullptr;
+  std::string table;
+  if (!errors.rows.empty()) {
+    table = html({"share-errors",
+                  "Root of the summed squared differences of the shares, measured and forecast",
+                  std::move(errors)});
+  }
+  return {{"figures", list},
+          {"not_drawn", not_drawn == 0 ? Json(nullptr) : Json(plural(not_drawn, "more grasp"))},
+          {"table", table},
+          {"published", sentences(published_sentences(report))},
+          {"influence", sentences(influence_sentences(report))}};
+}
+
+Json loss_values(const DiagnosisReport& report) {
+  Table table = loss_table(report);
+  if (table.rows.empty()) return nullptr;
+  const std::size_t all = table.rows.size();
+  table.rows.resize(std::min(all, most_stretches));
+  return {{"table", html({"losses",
+                          "What is left of the tension from one sensor to the next, where all "
+                          "contacts between them slide",
+                          std::move(table), true})},
+          {"more", all > most_stretches ? Json(all - most_stretches) : Json(nullptr)},
+          {"apart", sentences(loss_sentences(report))},
+          {"without", sentences(without_apart_sentences(report))}};
+}
+
+}  // namespace
+
+DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
+  const DiagnosisReport& report = input.report;
+  const MarkColumns columns = mark_columns(report);
+  const std::vector<ReadingMark> few = marks(report, most_residuals);
+  const std::vector<ReadingMark> many = marks(report, most_compared);
+  Figures figures;
+  Json values;
+  values["answer"] = answer_values(report);
+  values["data"] = data_values(input);
+  values["distribution"] = distribution_values(input, figures);
+  values["losses"] = loss_values(report);
+  values["compared"] = figures.add(compared_figure(report, many));
+  values["compared_logarithmic"] = figures.add(compared_logarithmic_figure(report, many));
+  values["residuals"] = residual_figures(report, columns, few, figures);
+  values["structure"] = structure_values(report, columns);
+  values["structure"]["thinned"] = thinned_text(report, few.size());
+  values["causes"] = cause_values(report);
+  add_evidence_figures(report, values, figures);
+  values["separation"] = report.result.separating_measurement.has_value();
+  values["next"] = next_values(report);
+  values["schematic"] =
+      input.next && !input.next->grasps.empty() ? schematic_of(*input.next, report, figures) : "";
+  values["ranking"] = ranking_values(report.ranking);
+  Page page;
+  page.title = fmt::format("Diagnosis of {}{}", report.data.file,
+                           report.data.simulated ? " (simulated)" : "");
+  page.body = render("diagnosis.mustache", values);
+  page.data = Json::object();
+  return {page_html(page), std::move(figures).files()};
+}
+
+}  // namespace reeve

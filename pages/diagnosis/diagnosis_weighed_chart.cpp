@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_labels.hpp"
+#include "reports/chart/chart_svg.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t most_models = 15;
+
+// Shapes and colours keep their meaning, whichever of them a diagnosis has.
+struct StandingStyle {
+  const char* standing;
+  chart::Style style;
+};
+
+const std::array<StandingStyle, 4> standing_styles{
+    {{"weighed", {chart::Colour::blue, chart::Symbol::circle, 5.5}},
+     {"named", {chart::Colour::orange, chart::Symbol::diamond, 5.5}},
+     {"cannot be told from it", {chart::Colour::green, chart::Symbol::square, 5.5}},
+     {"not confirmed", {chart::Colour::pink, chart::Symbol::cross, 5.5}}}};
+
+std::string title(const WeighedCause& weighed, const std::string& place) {
+  std::string text =
+      fmt::format("{}: {}\ntraining runs: {:.4g}", weighed.name, place, weighed.gain);
+  if (weighed.held_out) {
+    text += fmt::format("\nheld-out runs: {:.4g} ({:.4g} to {:.4g})",
+                        weighed.held_out->log_likelihood_gain, weighed.held_out->gain_low,
+                        weighed.held_out->gain_high);
+  }
+  return text;
+}
+
+// A line for what the noise allows, and the band in which noise puts it.
+void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
+  chart::Style grey{chart::Colour::grey};
+  grey.fill = 0.2;
+  chart::Style dashed{chart::Colour::ink};
+  dashed.dash = chart::Dash::dashed;
+  panel.layers.push_back({"where noise puts that, 95 %", grey,
+                          chart::Bands{{{0, limit.low, limit.high, ""}}, chart::Along::x}});
+  panel.layers.push_back({"as good as noise allows", dashed,
+                          chart::Rules{{{limit.log_likelihood_gain, "as good as noise allows", ""}},
+                                       chart::Along::x}});
+}
+
+// The intervals of all, and the points of each standing.
+void add_models(const DiagnosisResult& result, chart::Panel& panel) {
+  const std::vector<WeighedCause> models = by_training_gain(result.weighed);
+  std::array<chart::Points, standing_styles.size()> points;
+  chart::Spans intervals{{}, chart::Along::x, {}};
+  for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
+    const WeighedCause& weighed = models[i];
+    const std::string place = standing(result, weighed.name);
+    const std::string text = title(weighed, place);
+    const auto at = static_cast<double>(i);
+    panel.y.categories.push_back((place == "named" ? "◆ " : "") + weighed.name);
+    const double gain = weighed.held_out ? weighed.held_out->log_likelihood_gain : weighed.gain;
+    if (weighed.held_out) {
+      intervals.spans.push_back(
+          {at, weighed.held_out->gain_low, weighed.held_out->gain_high, text});
+    }
+    for (std::size_t k = 0; k < standing_styles.size(); ++k) {
+      if (standing_styles[k].standing == place) points[k].spots.push_back({gain, at, text, ""});
+    }
+  }
+  chart::Style ink{chart::Colour::ink};
+  ink.line = 2;
+  panel.layers.push_back({"", ink, intervals});
+  for (std::size_t k = 0; k < standing_styles.size(); ++k) {
+    if (points[k].spots.empty()) continue;
+    panel.layers.push_back({standing_styles[k].standing, standing_styles[k].style, points[k]});
+  }
+}
+
+std::string weighed_caption(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  std::string text = simulated_label(report);
+  if (!result.noise_limit) {
+    return text +
+           "Gain on the runs that the models were fitted to, since none were held out: "
+           "more parameters always gain something there.";
+  }
+  text +=
+      "Each model was fitted to the training runs alone. Bars: 95 % intervals over resampled "
+      "held-out ";
+  text += result.held_out_runs < 5 ? "readings." : "runs.";
+  text +=
+      " The dashed line is what a model gains on average that leaves nothing but noise, the grey "
+      "band where noise puts it in 95 % of data sets.";
+  if (result.weighed.size() > most_models) {
+    text += fmt::format(" Drawn are the best {} of {} on the training runs; the table has all.",
+                        most_models, result.weighed.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+Figure weighed_figure(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  chart::Panel panel;
+  panel.x.title = fmt::format("gain in log-likelihood on {} runs",
+                              result.noise_limit ? "held-out" : "training");
+  if (result.noise_limit) add_noise_limit(*result.noise_limit, panel);
+  const chart::Style ink{chart::Colour::ink};
+  panel.layers.push_back(
+      {"", ink, chart::Rules{{{0, "the model as it stands", ""}}, chart::Along::x}});
+  add_models(result, panel);
+  const std::vector<std::string>& names = panel.y.categories;
+  chart::Chart chart;
+  chart.alt = fmt::format(
+      "Gain in log-likelihood of {} models, best {}; the table below has the "
+      "numbers.",
+      names.size(), names.empty() ? "none" : names.front());
+  chart.width = 480;
+  chart.height = row_px * static_cast<double>(names.size());
+  chart.panels.push_back(std::move(panel));
+  return {"weighed", "The causes, weighed.", weighed_caption(report), chart_svg(chart)};
+}
+
+}  // namespace reeve

@@ -1,0 +1,130 @@
+#include "pages/exploration/exploration_designs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "pages/exploration/objective_axis.hpp"
+#include "pages/exploration/objective_title.hpp"
+
+namespace reeve {
+namespace {
+
+// Eight digits: enough to round as the rest of the page does, and half the bytes. A whole number
+// over a power of ten is the nearest number to those digits.
+Json rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return number(value);
+  const double decimals = 7 - std::floor(std::log10(std::abs(value)));
+  if (decimals < 0 || decimals > 22) return value;
+  const double power = std::pow(10, decimals);
+  return std::round(value * power) / power;
+}
+
+Json values_column(const std::vector<PageDesign>& designs, std::size_t objective) {
+  Json column = Json::array();
+  for (const PageDesign& design : designs) column.push_back(rounded(design.values[objective]));
+  return column;
+}
+
+Json distribution_column(const std::vector<PageDesign>& designs, double RankDistribution::*part) {
+  Json column = Json::array();
+  for (const PageDesign& design : designs) {
+    column.push_back(design.distribution ? rounded((*design.distribution).*part) : Json(nullptr));
+  }
+  return column;
+}
+
+std::set<std::string> known_words(const ExploreReport& report) {
+  std::set<std::string> words;
+  for (const ReferenceStanding& reference : report.result.references) {
+    words.insert(reference.design.word);
+  }
+  return words;
+}
+
+}  // namespace
+
+const char* name(Kind kind) {
+  constexpr std::array<const char*, kind_count> names{"listed", "on the front", "known routing",
+                                                      "random sample"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
+  return report.front.size() > report.top.size() ? report.front : report.top;
+}
+
+std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  const std::set<std::string> known = known_words(report);
+  std::vector<PageDesign> designs;
+  std::set<std::string> held;
+  for (std::size_t i = 0; i < std::min(most, listed.size()); ++i) {
+    const RankedDesign& ranked = listed[i].ranked;
+    const std::string& word = ranked.design.word;
+    const Kind kind = known.contains(word) ? Kind::known
+                      : ranked.front == 1  ? Kind::front
+                                           : Kind::listed;
+    held.insert(word);
+    designs.push_back({kind, word, listed[i].name, ranked.rank, ranked.front, ranked.design.values,
+                       listed[i].distribution});
+  }
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    if (!held.insert(reference.design.word).second) continue;
+    designs.push_back({Kind::known, reference.design.word, report.reference_names[i],
+                       reference.rank, reference.front, reference.design.values, std::nullopt});
+  }
+  // What is listed has a rank, even if there is no room for it here.
+  for (const ListedDesign& design : listed) held.insert(design.ranked.design.word);
+  for (const Design& design : report.result.sample) {
+    if (held.contains(design.word)) continue;
+    designs.push_back({Kind::sample, design.word, "", 0, 0, design.values, std::nullopt});
+  }
+  return designs;
+}
+
+Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown) {
+  Json columns;
+  for (const char* name : {"word", "name", "rank", "front", "kind", "values"}) {
+    columns[name] = Json::array();
+  }
+  columns["distribution"] = Json::object();
+  for (const PageDesign& design : designs) {
+    columns["word"].push_back(design.word);
+    columns["name"].push_back(design.name);
+    columns["rank"].push_back(design.rank);
+    columns["front"].push_back(design.front);
+    columns["kind"].push_back(static_cast<int>(design.kind));
+  }
+  for (const Objective objective : shown) {
+    columns["values"].push_back(values_column(designs, static_cast<std::size_t>(objective)));
+  }
+  if (designs.empty() || !designs.front().distribution) return columns;
+  Json& distribution = columns["distribution"];
+  distribution["first"] = distribution_column(designs, &RankDistribution::first);
+  distribution["median"] = distribution_column(designs, &RankDistribution::median);
+  distribution["low"] = distribution_column(designs, &RankDistribution::low);
+  distribution["high"] = distribution_column(designs, &RankDistribution::high);
+  return columns;
+}
+
+Json objectives_json(const std::vector<Objective>& shown) {
+  Json list = Json::array();
+  for (const Objective objective : shown) {
+    const ObjectiveRow& row = reeve::row(objective);
+    const chart::Axis axis = objective_axis(objective);
+    list.push_back({{"name", row.name},
+                    {"title", objective_title(row)},
+                    {"unit", row.unit},
+                    {"better", row.better == Better::higher ? "higher" : "lower"},
+                    {"greatest", axis.greatest ? Json(*axis.greatest) : Json()},
+                    {"meaning", row.meaning}});
+  }
+  return list;
+}
+
+}  // namespace reeve

@@ -1,0 +1,49 @@
+// The designs that the page of an exploration holds: its plots, its table and its filters work on
+// these.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/json.hpp"
+#include "reports/results/explore_report.hpp"
+
+namespace reeve {
+
+// What a design is here for, as the scripts count it.
+enum class Kind : std::uint8_t { listed, front, known, sample };
+inline constexpr std::size_t kind_count = 4;
+
+// "listed", "on the front", "known routing", "random sample"
+const char* name(Kind kind);
+
+struct PageDesign {
+  Kind kind = Kind::listed;
+  std::string word;
+  std::string name;      // "" if it has none
+  std::size_t rank = 0;  // 0: none is known
+  int front = 0;         // 1: the best
+  ObjectiveValues values{};
+  std::optional<RankDistribution> distribution;
+};
+
+// The longer of top and front: both are the beginning of one ranking.
+const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
+
+// Of the listed designs the first `most`, then the known routings that are not among these, then
+// the random sample.
+std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most);
+
+// In columns, as assets/exploration_charts.js describes them: {"word", "name", "rank", "front",
+// "kind", "values", "distribution"}; the last is empty unless the listed designs have one.
+// `shown` are the objectives whose values are given.
+Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown);
+
+// [{"name", "title", "unit", "better", "greatest", "meaning"}], "greatest" null where there is
+// none.
+Json objectives_json(const std::vector<Objective>& shown);
+
+}  // namespace reeve

@@ -1,0 +1,145 @@
+#include "pages/exploration/exploration_details.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "numerics/parallel.hpp"
+#include "pages/shell/compressed.hpp"
+#include "reports/schematic/schematic_svg.hpp"
+
+namespace reeve {
+namespace {
+
+// More shares more lines; fewer is less to unpack for one design.
+constexpr std::size_t chunk_size = 16;
+constexpr std::size_t chunks_at_once = 32;
+
+class Lines {
+ public:
+  // The numbers of its lines, neighbours as ranges: "0-7 12 8-9".
+  std::string add(const std::string& text) {
+    std::string runs;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    bool open = false;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string line = text.substr(begin, end - begin);
+      begin = end + 1;
+      const auto [found, is_new] = numbers_.try_emplace(line, numbers_.size());
+      const std::size_t number = found->second;
+      if (is_new) text_ += line + "\n";
+      if (open && number == last + 1) {
+        last = number;
+        continue;
+      }
+      if (open) runs += run(first, last) + " ";
+      first = last = number;
+      open = true;
+    }
+    return runs + run(first, last);
+  }
+
+  // All of them, each with its end.
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::string run(std::size_t first, std::size_t last) {
+    return first == last ? std::to_string(first) : fmt::format("{}-{}", first, last);
+  }
+
+  std::unordered_map<std::string, std::size_t> numbers_;
+  std::string text_;
+};
+
+double three_decimals(double value) { return std::round(1000 * value) / 1000; }
+
+Json grasp_json(const ShownRouting& report, std::size_t grasp, Lines& lines) {
+  const ShownGrasp& shown = report.grasps[grasp];
+  Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
+  json["tensions"] = Json::array();
+  for (const double tension : shown.state.tension) {
+    json["tensions"].push_back(three_decimals(tension));
+  }
+  json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
+  return json;
+}
+
+Json design_json(const ShownRouting& report, Lines& lines) {
+  Json json{{"segments", Json::array()}, {"strands", Json::array()}};
+  for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
+    json["segments"].push_back(name(report.network.segments[i]));
+    if (report.network.segments[i].kind == SegmentKind::strand) json["strands"].push_back(i);
+  }
+  json["grasps"] = Json::array();
+  for (std::size_t i = 0; i < report.grasps.size(); ++i) {
+    json["grasps"].push_back(grasp_json(report, i, lines));
+  }
+  json["contacts"] = Json::array();
+  for (const ShownContact& contact : shown_contacts(report)) {
+    json["contacts"].push_back(
+        {{"between", contact.between}, {"kind", contact.kind}, {"slides", contact.slides}});
+  }
+  return json;
+}
+
+Json chunk(const std::vector<std::string>& words, const SolveDesign& solve) {
+  Lines lines;
+  Json designs = Json::array();
+  for (const std::string& word : words) designs.push_back(design_json(solve(word), lines));
+  const std::string values = designs.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return {{"words", words}, {"pack", compressed(values + "\n" + lines.text())}};
+}
+
+std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words) {
+  std::vector<std::vector<std::string>> chunks;
+  for (std::size_t at = 0; at < words.size(); at += chunk_size) {
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    chunks.emplace_back(
+        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, words.size() - at)));
+  }
+  return chunks;
+}
+
+// What {"words": …, "pack": …} takes there; nothing in a pack has to be escaped.
+std::size_t size_in_page(const Json& chunk) {
+  constexpr std::size_t around = 24;
+  return around + chunk["words"].dump().size() + chunk["pack"].get_ref<const std::string&>().size();
+}
+
+}  // namespace
+
+DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
+                             std::size_t bytes, int threads) {
+  Workers workers(threads);
+  DesignDetails details;
+  std::vector<std::vector<std::string>> pending = cut(words);
+  for (std::size_t at = 0; at < pending.size(); at += chunks_at_once) {
+    std::vector<Json> made(std::min(chunks_at_once, pending.size() - at));
+    workers.for_each_block(made.size(), 1, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) made[i] = chunk(pending[at + i], solve);
+    });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const std::size_t more = size_in_page(made[i]);
+      if (details.bytes + more > bytes) return details;
+      details.bytes += more;
+      details.designs += pending[at + i].size();
+      details.chunks.push_back(std::move(made[i]));
+    }
+  }
+  return details;
+}
+
+std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids) {
+  const ShownGrasp& shown = report.grasps[grasp];
+  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
+  return schematic_svg(schematic(report.network, title,
+                                 GraspView{shown.grasp, report.direction, shown.state}, false),
+                       ids);
+}
+
+}  // namespace reeve

@@ -1,0 +1,36 @@
+// What the page of an exploration shows of a design when it is selected: schematic, tensions and
+// contacts in each grasp, for as many designs as a number of bytes holds.
+//
+// The schematics of one design in several grasps, and those of designs alike, have most of their
+// lines in common: a chunk of designs holds each line once, and is compressed.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/json.hpp"
+#include "reports/results/show_report.hpp"
+
+namespace reeve {
+
+// A design of this word, solved in each grasp of the exploration. Asked by many threads at once.
+using SolveDesign = std::function<ShownRouting(const std::string& word)>;
+
+struct DesignDetails {
+  // [{"words", "pack"}]; a pack has [{"segments", "strands", "grasps", "contacts"}], a design each,
+  // in its first line, and the lines of their schematics in the others.
+  Json chunks = Json::array();
+  std::size_t designs = 0;
+  std::size_t bytes = 0;
+};
+
+// In this order, until all are in or `bytes` would be exceeded; the same for any number of threads.
+DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
+                             std::size_t bytes, int threads);
+
+// Title and grasp above it; no legend.
+std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids);
+
+}  // namespace reeve

@@ -1,0 +1,248 @@
+#include "pages/exploration/exploration_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_pictures.hpp"
+#include "pages/exploration/exploration_tables.hpp"
+#include "pages/exploration/exploration_words.hpp"
+#include "pages/shell/asset_table.hpp"
+#include "pages/shell/compressed.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/schematic/schematic_svg.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t column_bytes = 2'000'000;
+constexpr std::size_t schematics_of_the_front = 3;
+
+struct HeldDesigns {
+  std::vector<PageDesign> designs;
+  std::string packed;  // their columns
+  std::size_t listed = 0;
+};
+
+std::vector<Objective> shown(const ExploreReport& report) {
+  return shown_objectives(report.options.order, report.options.score);
+}
+
+// As many as fit.
+HeldDesigns held_designs(const ExploreReport& report) {
+  std::size_t most = listed_designs(report).size();
+  for (;;) {
+    std::vector<PageDesign> designs = page_designs(report, most);
+    std::string packed = compressed(design_columns(designs, shown(report)).dump());
+    if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
+    const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
+    most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
+  }
+}
+
+// Places of what is ranked by among the objectives that are shown.
+Json ranking_json(const ExploreReport& report) {
+  const std::vector<Objective> objectives = shown(report);
+  Json list = Json::array();
+  for (const Objective objective : report.options.order.objectives) {
+    list.push_back(std::find(objectives.begin(), objectives.end(), objective) - objectives.begin());
+  }
+  return list;
+}
+
+// What the page's script fills with data.
+Json specifications() {
+  Json all = Json::object();
+  for (const char* chart : {"pareto", "parallel", "tensions", "ranks"}) {
+    all[chart] = Json::parse(asset(std::string(chart) + ".json"));
+  }
+  return all;
+}
+
+// Known routings, then the best in the order of the ranking, which the front begins.
+std::vector<std::string> in_order_of_details(const ExploreReport& report, std::size_t best) {
+  std::vector<std::string> words;
+  for (const ReferenceStanding& reference : report.result.references) {
+    words.push_back(reference.design.word);
+  }
+  const std::set<std::string> known(words.begin(), words.end());
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) {
+    const std::string& word = listed[i].ranked.design.word;
+    if (!known.contains(word)) words.push_back(word);
+  }
+  return words;
+}
+
+std::size_t details_of(const ExplorationView& view) {
+  return view.details.value_or(usual_schematics / view.report.options.grasps.size());
+}
+
+std::vector<std::string> drawn_words(const ExploreReport& report) {
+  std::vector<std::string> words;
+  for (const ListedDesign& design : report.front) {
+    if (words.size() == schematics_of_the_front) break;
+    words.push_back(design.ranked.design.word);
+  }
+  for (const ReferenceStanding& reference : report.result.references) {
+    if (std::find(words.begin(), words.end(), reference.design.word) == words.end()) {
+      words.push_back(reference.design.word);
+    }
+  }
+  return words;
+}
+
+// Fit for an element and a file.
+std::string schematic_id(std::string word) {
+  for (std::size_t at = word.find('+'); at != std::string::npos; at = word.find('+', at)) {
+    word.replace(at, 1, "-and-");
+  }
+  return "schematic-" + word;
+}
+
+std::vector<FigureFile> schematics(const ExplorationView& view) {
+  std::vector<FigureFile> files;
+  for (const std::string& word : drawn_words(view.report)) {
+    const std::string id = schematic_id(word);
+    files.push_back({id, grasp_svg(view.solve(word), 0, id)});
+  }
+  return files;
+}
+
+std::string held_flags(const GraspSet& grasps, int fingers) {
+  const GraspSet usual = single_grasps(fingers);
+  const auto same = [](const WeightedGrasp& a, const WeightedGrasp& b) {
+    return a.grasp == b.grasp;
+  };
+  if (std::equal(grasps.begin(), grasps.end(), usual.begin(), usual.end(), same)) return "";
+  std::string flags;
+  for (const WeightedGrasp& grasp : grasps) flags += " --held " + to_text(grasp.grasp);
+  return flags;
+}
+
+Json commands(const ExplorationView& view) {
+  const ExploreOptions& options = view.report.options;
+  Json held = Json::array();
+  for (const WeightedGrasp& grasp : options.grasps) held.push_back(to_text(grasp.grasp));
+  return {{"show", "reeve show"},
+          {"held", held_flags(options.grasps, options.generator.fingers)},
+          {"one", held},
+          {"options", view.show_options}};
+}
+
+std::string title(const ExploreReport& report) {
+  return fmt::format("Exploration of {}-finger routings", report.options.generator.fingers);
+}
+
+std::string held_text(const ExploreReport& report, std::size_t held) {
+  const std::size_t listed = listed_designs(report).size();
+  std::string text =
+      fmt::format("{} of {} ranked designs are listed", listed, ranked_designs(report));
+  if (held < listed) text += fmt::format("; this page holds the first {}", held);
+  return text + fmt::format(". {} of them {} on the front.", report.front.size(),
+                            report.front.size() == 1 ? "is" : "are");
+}
+
+std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
+  if (others == 0) return "";
+  return fmt::format(
+      " What they stand out from is shown by {} more: the rest of {} drawn at random from all.",
+      others, report.result.sample.size());
+}
+
+// Why a known routing is not in the list.
+std::string standing(const ReferenceStanding& reference, bool partial) {
+  if (!reference.generated && partial) return "it was not reached before the exploration stopped";
+  if (!reference.generated) return "these parts, or this shard, do not give it";
+  if (!reference.rejected_by.empty()) return "it fails " + reference.rejected_by;
+  return fmt::format("its rank is beyond the list, and {} designs dominate it",
+                     reference.dominated_by);
+}
+
+Json standings_json(const ExploreReport& report) {
+  Json json = Json::object();
+  for (const ReferenceStanding& reference : report.result.references) {
+    json[reference.design.word] = standing(reference, report.result.partial);
+  }
+  return json;
+}
+
+Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
+          Json body) {
+  const std::size_t listed = listed_designs(view.report).size();
+  const std::size_t all = in_order_of_details(view.report, listed).size();
+  body["details_text"] =
+      details.designs >= all
+          ? fmt::format(
+                "All {} listed designs and known routings have schematics, tensions and "
+                "contacts here.",
+                all)
+          : fmt::format(
+                "{} of {} listed designs and known routings have schematics, tensions and "
+                "contacts here: known routings first, then by rank. For the others the "
+                "page gives the values and the command that shows the rest; with --details {} it "
+                "has all, as far as there is room.",
+                details.designs, all, listed);
+  return {title(view.report),
+          render("exploration.mustache", body),
+          "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "
+          "exploration.js",
+          {{"objectives", objectives_json(shown(view.report))},
+           {"ranking", ranking_json(view.report)},
+           {"specifications", specifications()},
+           {"columns", held.packed},
+           {"commands", commands(view)},
+           {"standings", standings_json(view.report)},
+           {"chunks", details.chunks}},
+          true};
+}
+
+Json words_json(const ExploreReport& report) {
+  const ExplorationWords words = exploration_words(report);
+  return {{"won", words.won},
+          {"explored", words.explored},
+          {"rejected", words.rejected},
+          {"changes", words.changes},
+          {"caveats", words.caveats}};
+}
+
+}  // namespace
+
+PageFiles exploration_page(const ExplorationView& view) {
+  const ExploreReport& report = view.report;
+  const HeldDesigns held = held_designs(report);
+  const ExplorationPicture pareto = pareto_picture(held.designs, report.options.order.objectives);
+  const ExplorationPicture parallel = parallel_picture(held.designs, shown(report));
+  std::vector<FigureFile> figures = schematics(view);
+  Json body = words_json(report);
+  body.update(static_tables(report));
+  const auto sampled =
+      std::count_if(held.designs.begin(), held.designs.end(),
+                    [](const PageDesign& design) { return design.kind == Kind::sample; });
+  body["has_sample"] = sampled > 0;
+  body["title"] = title(report);
+  body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);
+  body["pareto"] = live_figure_html(pareto.figure, pareto.alt);
+  body["parallel"] = live_figure_html(parallel.figure, parallel.alt);
+  body["command"] = view.command;
+  body["legend"] = schematic_html("schematic-legend", schematic_legend(640, "schematic-legend"));
+  body["first_grasp"] = "held: " + to_text(report.options.grasps.front().grasp);
+  body["schematics"] = Json::array();
+  for (const FigureFile& file : figures) {
+    body["schematics"].push_back(schematic_html(file.id, file.svg));
+  }
+  const std::size_t without = page_html(page(view, held, {}, body)).size();
+  const DesignDetails details =
+      design_details(in_order_of_details(report, details_of(view)), view.solve,
+                     without < page_bytes ? page_bytes - without : 0, report.options.threads);
+  for (const Figure& figure : {pareto.figure, parallel.figure}) {
+    figures.push_back({figure.id, figure.svg});
+  }
+  return {page_html(page(view, held, details, body)), std::move(figures)};
+}
+
+}  // namespace reeve

@@ -1,0 +1,41 @@
+// The page of an exploration: plots, table, and the selected designs side by side.
+//
+// Everything that it shows is in the report; what a selected design looks like is solved on demand.
+// It stays below `page_bytes` whatever was explored: designs that the list holds beyond that, and
+// the details of those that do not fit or were not asked for, are left out, and the page says so.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pages/exploration/exploration_details.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/shell/page.hpp"
+#include "reports/results/explore_report.hpp"
+
+namespace reeve {
+
+inline constexpr std::size_t page_bytes = 4'900'000;
+inline constexpr std::size_t usual_schematics = 170;
+
+struct ExplorationView {
+  const ExploreReport& report;
+  std::string command;       // gives this exploration again
+  std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
+  SolveDesign solve;
+  // Of how many of the best designs the page has schematics, tensions and contacts, beside those of
+  // the known routings; if nobody says, as many as `usual_schematics` show in all grasps. One costs
+  // as much time as evaluating tens of designs, and few are looked at.
+  std::optional<std::size_t> details;
+};
+
+struct PageFiles {
+  std::string html;
+  std::vector<FigureFile> figures;
+};
+
+PageFiles exploration_page(const ExplorationView& view);
+
+}  // namespace reeve

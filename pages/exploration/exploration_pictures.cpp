@@ -1,0 +1,277 @@
+#include "pages/exploration/exploration_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "pages/exploration/objective_axis.hpp"
+#include "pages/exploration/objective_title.hpp"
+#include "reports/chart/chart_scale.hpp"
+#include "reports/chart/chart_svg.hpp"
+
+namespace reeve {
+namespace {
+
+// The many below the few.
+constexpr std::array<Kind, kind_count> drawing_order{Kind::sample, Kind::listed, Kind::front,
+                                                     Kind::known};
+
+chart::Style point_style(Kind kind) {
+  switch (kind) {
+    case Kind::listed:
+      return {chart::Colour::blue, chart::Symbol::circle, 3, 1.5, 1, 0.55};
+    case Kind::front:
+      return {chart::Colour::orange, chart::Symbol::square, 4.5};
+    case Kind::known:
+      return {chart::Colour::green, chart::Symbol::triangle, 5};
+    case Kind::sample:
+      break;
+  }
+  return {chart::Colour::pink, chart::Symbol::diamond, 2, 1.5, 1, 0.45};
+}
+
+bool is_empty(const chart::Points& points) { return points.spots.empty(); }
+bool is_empty(const chart::Paths& paths) { return paths.paths.empty(); }
+
+// Layers without marks, for the legend: there the few come first, which are drawn last.
+template <typename Marks>
+std::vector<chart::Layer> keys(const std::array<Marks, kind_count>& marks,
+                               chart::Style (*style)(Kind)) {
+  std::vector<chart::Layer> layers;
+  for (auto kind = drawing_order.rbegin(); kind != drawing_order.rend(); ++kind) {
+    if (is_empty(marks[static_cast<std::size_t>(*kind)])) continue;
+    layers.push_back({name(*kind), style(*kind), Marks{}});
+  }
+  return layers;
+}
+
+std::string label(const PageDesign& design) {
+  return design.name.empty() ? design.word : design.name + ": " + design.word;
+}
+
+std::string title(const PageDesign& design, const TwoObjectives& axes, std::size_t count) {
+  std::string text = label(design) + "\n";
+  text += design.rank > 0 ? fmt::format("rank {}", design.rank) : name(design.kind);
+  for (const Objective objective : axes) {
+    text += fmt::format("\n{} {:.4g}", objective_title(row(objective)),
+                        value(design.values, objective));
+  }
+  if (count > 1) text += fmt::format("\nand {} more in this spot", count - 1);
+  return text;
+}
+
+// Known routings that share a spot share their label, which the first of them bears.
+std::map<std::size_t, std::string> known_labels(const std::vector<PageDesign>& designs,
+                                                const std::vector<DrawnDesign>& drawn,
+                                                const TwoObjectives& axes) {
+  struct Shared {
+    std::size_t first;
+    std::vector<std::string> names;
+  };
+  std::map<std::string, Shared> spots;
+  for (const DrawnDesign& each : drawn) {
+    const PageDesign& design = designs[each.design];
+    if (design.kind != Kind::known) continue;
+    const Point at = spot(design, axes);
+    Shared& shared =
+        spots.try_emplace(fmt::format("{:.3g} {:.3g}", at.x, at.y), Shared{each.design, {}})
+            .first->second;
+    shared.names.push_back(design.name.empty() ? design.word : design.name);
+  }
+  std::map<std::size_t, std::string> labels;
+  for (auto& [at, shared] : spots) {
+    std::sort(shared.names.begin(), shared.names.end());
+    labels[shared.first] = fmt::format("{}", fmt::join(shared.names, ", "));
+  }
+  return labels;
+}
+
+chart::Paths edge_of_front(const std::vector<PageDesign>& designs, const TwoObjectives& axes) {
+  std::vector<Point> front;
+  std::vector<Point> all;
+  for (const PageDesign& design : designs) {
+    all.push_back(spot(design, axes));
+    if (design.front == 1) front.push_back(all.back());
+  }
+  return {{{front_edge(front, axes, all), "edge of the front"}}, true};
+}
+
+bool counts(const std::vector<Objective>& ranking, const TwoObjectives& axes) {
+  return std::all_of(axes.begin(), axes.end(), [&](Objective axis) {
+    return std::find(ranking.begin(), ranking.end(), axis) != ranking.end();
+  });
+}
+
+std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
+                                       const std::vector<DrawnDesign>& drawn,
+                                       const TwoObjectives& axes) {
+  std::map<std::size_t, std::string> labels = known_labels(designs, drawn, axes);
+  std::array<chart::Points, kind_count> points;
+  // The best last, above the others.
+  for (auto each = drawn.rbegin(); each != drawn.rend(); ++each) {
+    const PageDesign& design = designs[each->design];
+    const Point at = spot(design, axes);
+    points[static_cast<std::size_t>(design.kind)].spots.push_back(
+        {at.x, at.y, title(design, axes, each->count), labels[each->design]});
+  }
+  std::vector<chart::Layer> layers = keys<chart::Points>(points, point_style);
+  for (const Kind kind : drawing_order) {
+    chart::Points& some = points[static_cast<std::size_t>(kind)];
+    if (!some.spots.empty()) layers.push_back({name(kind), point_style(kind), std::move(some)});
+  }
+  return layers;
+}
+
+// All known routings; of the others the first half of what fits, and the rest evenly.
+std::vector<std::size_t> some_of(const std::vector<PageDesign>& designs, std::size_t most) {
+  std::vector<std::size_t> known;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    (designs[i].kind == Kind::known ? known : others).push_back(i);
+  }
+  const std::size_t room = most > known.size() ? most - known.size() : 0;
+  const std::size_t first = std::min(room / 2, others.size());
+  const std::size_t rest = std::max<std::size_t>(room - room / 2, 1);
+  const std::size_t step = std::max<std::size_t>(1, (others.size() - first + rest - 1) / rest);
+  std::vector<std::size_t> picked(others.begin(),
+                                  others.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t i = first; i < others.size(); i += step) picked.push_back(others[i]);
+  picked.insert(picked.end(), known.begin(), known.end());
+  return picked;
+}
+
+chart::Style line_style(Kind kind) {
+  const chart::Style point = point_style(kind);
+  chart::Style style;
+  style.colour = point.colour;
+  style.line = kind == Kind::front || kind == Kind::known ? 2 : 0.8;
+  style.opacity = kind == Kind::listed ? 0.4 : kind == Kind::sample ? 0.35 : 1;
+  if (kind == Kind::known) style.dash = chart::Dash::dashed;
+  if (kind == Kind::sample) style.dash = chart::Dash::dotted;
+  return style;
+}
+
+// From 0, the worst, to 1, the best of the designs.
+struct Heights {
+  std::array<chart::Extent, objective_count> extents;
+
+  explicit Heights(const std::vector<PageDesign>& designs) {
+    for (const PageDesign& design : designs) {
+      for (std::size_t i = 0; i < objective_count; ++i) extents[i].add(design.values[i]);
+    }
+  }
+
+  double operator()(const PageDesign& design, std::size_t i) const {
+    const chart::Extent& extent = extents[i];
+    if (extent.low >= extent.high) return 0.5;
+    const double share = (design.values[i] - extent.low) / (extent.high - extent.low);
+    return objective_table()[i].better == Better::higher ? share : 1 - share;
+  }
+};
+
+std::string end_text(double value) { return fmt::format("{:.4g}", value); }
+
+// The best value above each axis, the worst below.
+chart::Texts ends(const Heights& heights, const std::vector<Objective>& shown) {
+  constexpr double beyond = 0.055;
+  chart::Texts texts;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const chart::Extent& extent = heights.extents[static_cast<std::size_t>(shown[k])];
+    if (extent.empty()) continue;
+    const bool up = row(shown[k]).better == Better::higher;
+    const auto at = static_cast<double>(k);
+    texts.texts.push_back({at, 1 + beyond, "", end_text(up ? extent.high : extent.low)});
+    texts.texts.push_back({at, -beyond, "", end_text(up ? extent.low : extent.high)});
+  }
+  return texts;
+}
+
+chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
+                            const std::vector<std::size_t>& picked,
+                            const std::vector<Objective>& shown) {
+  const Heights heights(designs);
+  chart::Panel panel;
+  for (const Objective objective : shown) {
+    panel.x.categories.push_back(objective_title(row(objective)) +
+                                 (row(objective).better == Better::higher ? "" : " (turned)"));
+  }
+  panel.y.hidden = true;
+  panel.y.reaches = {-0.11, 1.11};
+  std::array<chart::Paths, kind_count> paths;
+  for (auto i = picked.rbegin(); i != picked.rend(); ++i) {
+    const PageDesign& design = designs[*i];
+    chart::Polyline line{{}, label(design)};
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      line.through.push_back(
+          {static_cast<double>(k), heights(design, static_cast<std::size_t>(shown[k]))});
+    }
+    paths[static_cast<std::size_t>(design.kind)].paths.push_back(std::move(line));
+  }
+  panel.layers = keys<chart::Paths>(paths, line_style);
+  for (const Kind kind : drawing_order) {
+    chart::Paths& some = paths[static_cast<std::size_t>(kind)];
+    if (!some.paths.empty()) panel.layers.push_back({name(kind), line_style(kind), some});
+  }
+  chart::Style ink;
+  ink.colour = chart::Colour::ink;
+  panel.layers.push_back({"", ink, ends(heights, shown)});
+  return panel;
+}
+
+}  // namespace
+
+TwoObjectives first_axes(const std::vector<Objective>& ranking) {
+  if (ranking.size() > 1) return {ranking[0], ranking[1]};
+  const Objective first = ranking.front();
+  return {first, first == Objective::efficiency_mean ? Objective::uniformity_mean
+                                                     : Objective::efficiency_mean};
+}
+
+ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
+                                  const std::vector<Objective>& ranking) {
+  const TwoObjectives axes = first_axes(ranking);
+  const std::vector<DrawnDesign> drawn = thinned(designs, axes);
+  chart::Panel panel;
+  panel.x = objective_axis(axes[0]);
+  panel.y = objective_axis(axes[1]);
+  if (counts(ranking, axes)) {
+    chart::Style dashed{chart::Colour::orange};
+    dashed.dash = chart::Dash::dashed;
+    panel.layers.push_back({"", dashed, edge_of_front(designs, axes)});
+  }
+  for (chart::Layer& layer : point_layers(designs, drawn, axes)) {
+    panel.layers.push_back(std::move(layer));
+  }
+  chart::Chart chart;
+  chart.height = 430;
+  chart.width = 640;
+  chart.alt = fmt::format("Scatter plot of the designs over {}; {} marks stand for {} designs.",
+                          objective_titles(ranking), drawn.size(), designs.size());
+  chart.panels.push_back(std::move(panel));
+  return {{"pareto", "Designs by two objectives.",
+           "The dashed line is the edge of the Pareto front, drawn where both axes are what "
+           "the ranking counts. Where several designs share a spot, the first is drawn.",
+           chart_svg(chart)},
+          chart.alt};
+}
+
+ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
+                                    const std::vector<Objective>& shown) {
+  constexpr std::size_t most = 250;
+  const std::vector<std::size_t> picked = some_of(designs, most);
+  chart::Chart chart;
+  chart.width = 760;
+  chart.height = 330;
+  chart.panels.push_back(parallel_panel(designs, picked, shown));
+  chart.alt = fmt::format("Parallel coordinates of all objectives; {} lines stand for {} designs.",
+                          picked.size(), designs.size());
+  return {{"parallel", "Designs by all objectives.",
+           "A line for each design. Up is better on every axis: where less is better the axis is "
+           "turned round. The numbers are the best and the worst value.",
+           chart_svg(chart)},
+          chart.alt};
+}
+
+}  // namespace reeve

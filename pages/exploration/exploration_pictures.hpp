@@ -1,0 +1,31 @@
+// The plots of an exploration as they stand without a script: for readers without JavaScript, for
+// print, and for figures/.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_spots.hpp"
+#include "pages/shell/page.hpp"
+
+namespace reeve {
+
+// A plot, and what it shows in words.
+struct ExplorationPicture {
+  Figure figure;
+  std::string alt;
+};
+
+// The designs over two objectives, over `ranking` of which the front is.
+ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
+                                  const std::vector<Objective>& ranking);
+
+// These objectives of some of the designs, a line for each.
+ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
+                                    const std::vector<Objective>& shown);
+
+// Those that the ranking counts first; where it counts one, uniformity or efficiency joins it.
+TwoObjectives first_axes(const std::vector<Objective>& ranking);
+
+}  // namespace reeve

@@ -1,0 +1,92 @@
+#include "pages/exploration/exploration_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_words.hpp"
+#include "pages/exploration/objective_title.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t first_designs = 50;
+constexpr std::size_t front_designs = 200;
+
+std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
+
+// Shares line up in their column.
+std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
+  const double v = value(design.ranked.design.values, row.objective);
+  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : four_digits(v);
+}
+
+Json design_row(const ListedDesign& design, const std::vector<Objective>& shown) {
+  Json row{{"rank", design.ranked.rank},
+           {"front", design.ranked.front},
+           {"name", design.name.empty() ? "–" : design.name},
+           {"word", design.ranked.design.word},
+           {"cells", Json::array()}};
+  for (const Objective objective : shown) {
+    row["cells"].push_back(cell(reeve::row(objective), design));
+  }
+  if (design.distribution) {
+    const RankDistribution& drawn = *design.distribution;
+    row["cells"].push_back(fmt::format("{:.1f} %", 100 * drawn.first));
+    row["cells"].push_back(four_digits(drawn.median));
+    row["cells"].push_back(four_digits(drawn.low) + "–" + four_digits(drawn.high));
+  }
+  return row;
+}
+
+Json objective_json(const ObjectiveRow& row) {
+  return {{"title", objective_title(row)},
+          {"meaning", row.meaning},
+          {"better", row.better == Better::higher ? "higher" : "lower"}};
+}
+
+Json best_json(const SingleBest& best, const ListedDesign& first) {
+  Json json = objective_json(best.objective);
+  json["value"] = cell(best.objective, best.design);
+  json["first"] = cell(best.objective, first);
+  json["design"] = design_label(best.design);
+  json["rank"] = best.design.ranked.rank;
+  json["equal"] = best.equal == 0 ? "none" : fmt::format("{} more", best.equal);
+  return json;
+}
+
+}  // namespace
+
+Json static_tables(const ExploreReport& report) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  const std::size_t shown = std::min(
+      listed.size(), std::max(first_designs, std::min(front_designs, report.front.size())));
+  Json json{{"objectives", Json::array()}, {"rows", Json::array()}, {"bests", Json::array()}};
+  const std::vector<Objective> objectives =
+      shown_objectives(report.options.order, report.options.score);
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    json["objectives"].push_back(objective_json(row(objectives[i])));
+    json["objectives"].back()["column"] = i;
+  }
+  for (std::size_t i = 0; i < shown; ++i) {
+    json["rows"].push_back(design_row(listed[i], objectives));
+  }
+  for (const SingleBest& best : single_bests(report)) {
+    json["bests"].push_back(best_json(best, listed.front()));
+  }
+  json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
+  json["has_bests"] = !json["bests"].empty();
+  json["table_caption"] = "Designs, best first. Values are over the grasps of this exploration.";
+  json["bests_caption"] = fmt::format(
+      "Among the {} listed of {} ranked designs; of those that are equally good, the one with "
+      "the best rank.",
+      listed.size(), ranked_designs(report));
+  return json;
+}
+
+}  // namespace reeve

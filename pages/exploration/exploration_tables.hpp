@@ -1,0 +1,12 @@
+// The tables that an exploration's page has without JavaScript.
+#pragma once
+
+#include "reports/json.hpp"
+#include "reports/results/explore_report.hpp"
+
+namespace reeve {
+
+// For exploration.mustache: the front and the first designs, and the best by each objective alone.
+Json static_tables(const ExploreReport& report);
+
+}  // namespace reeve

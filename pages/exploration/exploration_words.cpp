@@ -1,0 +1,334 @@
+#include "pages/exploration/exploration_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/objective_title.hpp"
+#include "reports/results/model_text.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr const char* not_actuated = "not actuated";
+
+std::string plural(std::uint64_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string enumeration(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+std::string titles(const std::vector<Objective>& objectives) {
+  std::vector<std::string> names;
+  for (const Objective objective : objectives) names.push_back(objective_title(row(objective)));
+  return enumeration(names);
+}
+
+std::string short_label(const ListedDesign& design) {
+  return design.name.empty() ? design.ranked.design.word : design.name;
+}
+
+// "T,B,P" for reading.
+std::string spaced(const std::string& list) {
+  if (list.empty()) return "none";
+  std::string text;
+  for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text;
+}
+
+double get(const ListedDesign& design, Objective objective) {
+  return value(design.ranked.design.values, objective);
+}
+
+std::string number_text(double value) { return fmt::format("{:.4g}", value); }
+
+double part_count(const ListedDesign& design) {
+  return get(design, Objective::sheaths) + get(design, Objective::pulleys) +
+         get(design, Objective::knots);
+}
+
+bool same_product(const ListedDesign& a, const ListedDesign& b) {
+  return uniformity_times_efficiency(a.ranked.design.values) ==
+         uniformity_times_efficiency(b.ranked.design.values);
+}
+
+std::string values_text(const ListedDesign& design, const std::vector<Objective>& objectives) {
+  std::vector<std::string> values;
+  for (const Objective objective : objectives) {
+    values.push_back(objective_title(row(objective)) + " " + number_text(get(design, objective)));
+  }
+  return enumeration(values);
+}
+
+// ", with 4 sheaths and 1 knot": the parts that the ranking does not count, which stand elsewhere.
+std::string with_parts(const ListedDesign& design, const std::vector<Objective>& objectives) {
+  const std::pair<Objective, const char*> parts[] = {
+      {Objective::sheaths, "sheath"}, {Objective::pulleys, "pulley"}, {Objective::knots, "knot"}};
+  std::vector<std::string> texts;
+  for (const auto& [objective, noun] : parts) {
+    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) continue;
+    texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
+  }
+  return texts.empty() ? "" : ", with " + enumeration(texts);
+}
+
+// Which of the ranking's rules put the first before the second of its front.
+std::string tie_text(const ListedDesign& first, const ListedDesign& second) {
+  if (!same_product(first, second)) return "";
+  if (part_count(first) < part_count(second))
+    return "; of those with the same product it needs fewest parts";
+  return "; among those with the same product and as many parts, only the order of their words "
+         "decides";
+}
+
+std::string why(const ExploreReport& report, const std::vector<ListedDesign>& listed) {
+  const std::string objectives = titles(report.options.order.objectives);
+  const std::uint64_t size = report.front.size() + report.result.front_equals_left_out;
+  if (size == 1) {
+    return fmt::format(
+        "It stands alone on the Pareto front: no other ranked design is better in any "
+        "of what the ranking counts: {}.",
+        objectives);
+  }
+  return fmt::format(
+      "It is one of {} designs on the Pareto front, which no other beats over {}. "
+      "Among these the one with the greatest product of mean uniformity and mean efficiency comes "
+      "first{}.",
+      size, objectives, listed.size() > 1 ? tie_text(listed[0], listed[1]) : "");
+}
+
+std::string next_text(const ExploreReport& report, const ListedDesign& first,
+                      const ListedDesign& second) {
+  std::vector<std::string> differences;
+  for (const Objective objective : report.options.order.objectives) {
+    if (get(first, objective) == get(second, objective)) continue;
+    differences.push_back(fmt::format("{} {} instead of {}", objective_title(row(objective)),
+                                      number_text(get(second, objective)),
+                                      number_text(get(first, objective))));
+  }
+  const std::string text = "Next comes " + design_label(second);
+  if (differences.empty()) {
+    return fmt::format("{}, which equals it in these{}.", text,
+                       with_parts(second, report.options.order.objectives));
+  }
+  return fmt::format("{}: {}{}.", text, enumeration(differences),
+                     with_parts(second, report.options.order.objectives));
+}
+
+// The known routing with the best rank behind `rank`, by its place in the report.
+std::optional<std::size_t> best_known(const ExploreReport& report, std::size_t rank) {
+  std::optional<std::size_t> best;
+  const std::vector<ReferenceStanding>& references = report.result.references;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    if (references[i].rank <= rank) continue;
+    if (!best || references[i].rank < references[*best].rank) best = i;
+  }
+  return best;
+}
+
+std::string known_text(const ExploreReport& report) {
+  const std::vector<ReferenceStanding>& references = report.result.references;
+  if (references.empty()) return "";
+  const bool won = std::any_of(references.begin(), references.end(),
+                               [](const ReferenceStanding& known) { return known.rank == 1; });
+  const std::optional<std::size_t> best = best_known(report, won ? 1 : 0);
+  if (!best) {
+    return won ? "It is a known routing; no other of these is among the listed designs."
+               : "None of the known routings is among the listed designs.";
+  }
+  const ReferenceStanding& known = references[*best];
+  return fmt::format(
+      "{}, {}, has rank {}: {} dominate{} it, and it has {}.",
+      won ? "It is a known routing; the next of these" : "The best of the known routings",
+      report.reference_names[*best], known.rank, plural(known.dominated_by, "design"),
+      known.dominated_by == 1 ? "s" : "",
+      values_text({{known.design, 0, 0}, "", std::nullopt}, report.options.order.objectives));
+}
+
+std::vector<std::string> won(const ExploreReport& report) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
+  std::vector<std::string> text{fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
+                                            plural(ranked_designs(report), "design"),
+                                            values_text(listed[0], report.options.order.objectives),
+                                            with_parts(listed[0], report.options.order.objectives)),
+                                why(report, listed)};
+  text.push_back(known_text(report));
+  if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
+  return text;
+}
+
+std::string friction_text(const Hardware& hardware) {
+  const auto law = [](const char* what, const ContactLaw& contact) {
+    return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.angle_rad);
+  };
+  std::string text =
+      fmt::format("Friction: {}, {}, {}.", law("tubes", hardware.tube),
+                  law("bearings", hardware.bearing), law("sheaths", hardware.sheath));
+  if (!hardware.fingers.empty() || !hardware.contacts.empty()) {
+    text += fmt::format(" {} and {} have values of their own.",
+                        plural(hardware.fingers.size(), "finger"),
+                        plural(hardware.contacts.size(), "contact"));
+  }
+  return text;
+}
+
+std::vector<std::string> explored(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  std::vector<std::string> text{fmt::format(
+      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}; {}; fingers {}.",
+      report.result.generated, plural(report.result.total, "routing"),
+      plural(static_cast<std::uint64_t>(generator.fingers), "finger"),
+      spaced(tips_text(generator.parts)), spaced(joins_text(generator.parts)),
+      spaced(ends_text(generator.parts)),
+      generator.one_tendon ? "one tendon" : "any number of tendons",
+      generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
+  text.push_back(fmt::format(
+      "Each was judged over the grasps {} (which fingers are held) and ranked over {}, front by "
+      "front.",
+      to_text(options.grasps), titles(options.order.objectives)));
+  text.push_back(friction_text(effective_hardware(options.model)));
+  for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
+    text.push_back(line.text);
+  }
+  return text;
+}
+
+std::vector<std::string> rejected(const ExploreReport& report) {
+  std::uint64_t sum = 0;
+  for (const Rejection& rejection : report.result.rejected) sum += rejection.count;
+  std::vector<std::string> text{fmt::format("{} of {} were rejected; {} are left and ranked.", sum,
+                                            plural(report.result.generated, "generated routing"),
+                                            ranked_designs(report))};
+  for (const Rejection& rejection : report.result.rejected) {
+    const bool slack = rejection.reason == not_actuated;
+    text.push_back(fmt::format("{}: {}{}.", rejection.count, rejection.reason,
+                               slack ? "; one of the tendons hangs on no motor" : " not met"));
+  }
+  return text;
+}
+
+std::string draws_text(const ExploreReport& report, const std::vector<ListedDesign>& listed) {
+  if (!report.uncertainty || !listed[0].distribution) {
+    return report.draws_stopped ? ""
+                                : "How the order changes with the friction coefficients was not "
+                                  "computed; --uncertainty draws them from their ranges.";
+  }
+  const auto share = [](const ListedDesign& design) {
+    return design.distribution ? design.distribution->first : 0;
+  };
+  const ListedDesign& most = *std::max_element(
+      listed.begin(), listed.end(),
+      [&](const ListedDesign& a, const ListedDesign& b) { return share(a) < share(b); });
+  std::string text = fmt::format(
+      "With friction coefficients drawn {} times from their ranges, {} stays first in {:.1f} % of "
+      "the draws.",
+      report.uncertainty->draws, design_label(listed[0]), 100 * share(listed[0]));
+  if (&most != &listed[0] && share(most) > share(listed[0])) {
+    text +=
+        fmt::format(" {} is first most often: in {:.1f} %.", design_label(most), 100 * share(most));
+  }
+  return text;
+}
+
+std::vector<std::string> changes(const ExploreReport& report) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  if (listed.empty()) return {};
+  std::vector<std::string> stays;
+  std::vector<std::string> changed;
+  for (const SingleBest& best : single_bests(report)) {
+    const std::string title = objective_title(best.objective);
+    if (&best.design == &listed[0]) {
+      stays.push_back(title);
+    } else {
+      changed.push_back(fmt::format("{} ({})", title, short_label(best.design)));
+    }
+  }
+  std::vector<std::string> text;
+  if (!changed.empty()) {
+    text.push_back("Another of the listed designs comes first if nothing counts but " +
+                   enumeration(changed) + ".");
+  }
+  if (!stays.empty()) {
+    text.push_back(fmt::format("{} stays first, or equal to the first, by {}.",
+                               design_label(listed[0]), enumeration(stays)));
+  }
+  if (listed.size() < ranked_designs(report)) {
+    text.push_back(fmt::format(
+        "The list holds the first {} of {} ranked designs. One that it leaves out may be better "
+        "in an objective that the ranking does not use.",
+        listed.size(), ranked_designs(report)));
+  }
+  text.push_back(draws_text(report, listed));
+  return text;
+}
+
+std::vector<std::string> caveats(const ExploreReport& report) {
+  std::vector<std::string> text;
+  const std::string partial = partial_note(report);
+  if (!partial.empty()) text.push_back("This exploration is partial: " + partial + ".");
+  const Shard& shard = report.options.shard;
+  if (shard.count > 1) {
+    text.push_back(
+        fmt::format("This is part {} of {} of the whole: what is best here need not be "
+                    "best of all.",
+                    shard.index, shard.count));
+  }
+  for (const std::string& note : notes(report)) text.push_back("Note: " + note + ".");
+  return text;
+}
+
+void drop_empty(std::vector<std::string>& sentences) {
+  std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
+}
+
+}  // namespace
+
+// Only what the motor pulls is evaluated; the constraints look at the values.
+std::uint64_t ranked_designs(const ExploreReport& report) {
+  std::uint64_t count = report.result.evaluated;
+  for (const Rejection& rejection : report.result.rejected) {
+    if (rejection.reason != not_actuated) count -= rejection.count;
+  }
+  return count;
+}
+
+ExplorationWords exploration_words(const ExploreReport& report) {
+  ExplorationWords words{won(report), explored(report), rejected(report), changes(report),
+                         caveats(report)};
+  drop_empty(words.won);
+  drop_empty(words.changes);
+  return words;
+}
+
+std::vector<SingleBest> single_bests(const ExploreReport& report) {
+  std::vector<SingleBest> bests;
+  for (const BestDesigns& best : report.result.best) {
+    if (!is_shown(best.objective, report.options.order, report.options.score)) continue;
+    for (const ListedDesign& design : listed_designs(report)) {
+      if (design.ranked.design.word != best.words.front()) continue;
+      bests.push_back({row(best.objective), design, best.count - 1});
+      break;
+    }
+  }
+  return bests;
+}
+
+std::string design_label(const ListedDesign& design) {
+  const std::string& word = design.ranked.design.word;
+  return design.name.empty() ? word : design.name + " (" + word + ")";
+}
+
+}  // namespace reeve

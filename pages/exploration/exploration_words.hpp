@@ -1,0 +1,39 @@
+// What an exploration found, in plain words: only what its values support.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reports/results/explore_report.hpp"
+
+namespace reeve {
+
+// How many were left to rank: evaluated, and no constraint rejected them.
+std::uint64_t ranked_designs(const ExploreReport& report);
+
+// Sentences.
+struct ExplorationWords {
+  std::vector<std::string> won;
+  std::vector<std::string> explored;
+  std::vector<std::string> rejected;
+  std::vector<std::string> changes;  // under which settings another design comes first
+  std::vector<std::string> caveats;
+};
+
+ExplorationWords exploration_words(const ExploreReport& report);
+
+// Who comes first among the listed designs if nothing but one objective counts.
+struct SingleBest {
+  const ObjectiveRow& objective;
+  const ListedDesign& design;  // of those that are equally good, the one with the best rank
+  std::size_t equal = 0;       // others that are as good
+};
+
+// One for each objective, or none if no design is listed.
+std::vector<SingleBest> single_bests(const ExploreReport& report);
+
+// "TR7 (1-P-2-P-1)", or the word alone.
+std::string design_label(const ListedDesign& design);
+
+}  // namespace reeve

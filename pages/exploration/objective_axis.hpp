@@ -1,0 +1,12 @@
+// An objective as an axis of a chart.
+#pragma once
+
+#include "reports/chart/chart.hpp"
+#include "search/judge/objectives.hpp"
+
+namespace reeve {
+
+// Named with its unit and which way is better; no longer than what the objective can be.
+chart::Axis objective_axis(Objective objective);
+
+}  // namespace reeve

@@ -1,0 +1,129 @@
+#include "pages/ranking/ranking_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/routing.hpp"
+#include "pages/exploration/objective_title.hpp"
+#include "reports/results/data_text.hpp"
+#include "reports/sheet/text_table.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+std::string both_means(const ListedDesign& design) {
+  const ObjectiveValues& values = design.ranked.design.values;
+  return fmt::format("mean uniformity {} and mean efficiency {}",
+                     fixed(value(values, Objective::uniformity_mean)),
+                     fixed(value(values, Objective::efficiency_mean)));
+}
+
+std::string label_of(const RankReport& report, const Labels& labels, const std::string& word) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (report.designs[i].ranked.design.word == word) return labels[i];
+  }
+  return word;
+}
+
+std::string compared(const RankReport& report) {
+  const Hardware hardware = effective_hardware(report.model);
+  const bool with_own = !hardware.fingers.empty() || !hardware.contacts.empty();
+  return fmt::format(
+      "Compared: {} with {} in the grasps {} (held fingers), by {}, at the friction coefficients "
+      "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.",
+      plural(report.designs.size(), "routing"),
+      plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
+      to_text(report.grasps), objective_titles(report.order.objectives), hardware.tube.mu,
+      hardware.sheath.mu, hardware.bearing.mu,
+      with_own ? "; some fingers or contacts have their own" : "");
+}
+
+std::string winner(const RankReport& report, const Labels& labels) {
+  if (labels.size() == 1) {
+    return fmt::format("{} alone was given, with {}.", labels[0], both_means(report.designs[0]));
+  }
+  return fmt::format("{} comes first, with {}. Next is {}, with {}.", labels[0],
+                     both_means(report.designs[0]), labels[1], both_means(report.designs[1]));
+}
+
+std::string front(const RankReport& report, const Labels& labels) {
+  if (labels.size() < 2) return "";
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (report.designs[i].ranked.front == 1) names.push_back(labels[i]);
+  }
+  if (names.size() == 1) {
+    return labels[0] +
+           " is alone on the Pareto front: no other is better in any of the objectives "
+           "chosen.";
+  }
+  return fmt::format(
+      "{} routings are on the Pareto front, none of which is better than another in all objectives "
+      "chosen: {}. Among them the product of both means decides.",
+      names.size(), fmt::join(names, ", "));
+}
+
+// Objectives that put others first, those with the same ones together.
+Json others(const RankReport& report, const Labels& labels) {
+  const std::string& first = report.designs.front().ranked.design.word;
+  Json list = Json::array();
+  for (const BestDesigns& best : report.details->best) {
+    if (!is_shown(best.objective, report.order, report.score)) continue;
+    if (std::find(best.words.begin(), best.words.end(), first) != best.words.end()) continue;
+    std::vector<std::string> names;
+    for (const std::string& word : best.words) names.push_back(label_of(report, labels, word));
+    list.push_back({{"objective", objective_title(row(best.objective))},
+                    {"meaning", row(best.objective).meaning},
+                    {"routings", fmt::format("{}", fmt::join(names, ", "))}});
+  }
+  return list;
+}
+
+std::string uncertainty(const RankReport& report, const Labels& labels) {
+  if (!report.uncertainty) return "";
+  const RankDistribution& drawn = *report.designs.front().distribution;
+  return fmt::format(
+      "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} % of the draws.",
+      plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
+      fixed(100 * drawn.first, 1));
+}
+
+std::string margin(const RankReport& report, const Labels& labels) {
+  if (!report.margins || report.margins->empty()) return "";
+  const auto least = std::min_element(
+      report.margins->begin(), report.margins->end(),
+      [](const Margin& a, const Margin& b) { return a.least_lead < b.least_lead; });
+  const std::string over = label_of(report, labels, least->challenger);
+  const std::string lead = fixed(least->least_lead, 4);
+  if (least->least_lead > 0) {
+    return fmt::format(
+        "Nowhere that was searched in the ranges of the coefficients does another take the lead: "
+        "it is least over {}, {} in mean uniformity × mean efficiency.",
+        over, lead);
+  }
+  return fmt::format(
+      "Within the ranges of the coefficients the order can turn: the lead over {} falls to {} in "
+      "mean uniformity × mean efficiency.",
+      over, lead);
+}
+
+}  // namespace
+
+Json ranking_answer(const RankReport& report, const Labels& labels) {
+  Json values{{"compared", compared(report)},
+              {"winner", winner(report, labels)},
+              {"front", front(report, labels)},
+              {"uncertainty", uncertainty(report, labels)},
+              {"margin", margin(report, labels)}};
+  values["others"] = others(report, labels);
+  const auto& data = report.details->distributions.data;
+  values["simulated"] = data && data->simulated;
+  values["has_others"] = !values["others"].empty();
+  values["hint"] = !report.uncertainty && !report.margins && labels.size() > 1;
+  return values;
+}
+
+}  // namespace reeve

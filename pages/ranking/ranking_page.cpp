@@ -1,0 +1,182 @@
+#include "pages/ranking/ranking_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "pages/exploration/objective_title.hpp"
+#include "pages/ranking/distribution_figure.hpp"
+#include "pages/ranking/ranking_answer.hpp"
+#include "pages/ranking/ranking_charts.hpp"
+#include "pages/routing/routing_parts.hpp"
+#include "pages/shell/settings.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/sheet/text_table.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+// The page draws so many of the best; more would make it unwieldy. The rest is in the JSON.
+constexpr std::size_t most_drawn = 20;
+
+Labels design_labels(const RankReport& report) {
+  std::vector<NamedRouting> routings;
+  for (const ListedDesign& design : report.designs) {
+    routings.push_back({design.name, design.ranked.design.word});
+  }
+  return labels(routings);
+}
+
+HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
+  Table table{
+      {number_column("rank"), number_column("front"), text_column("routing"), text_column("word")},
+      {}};
+  const std::vector<Objective> shown = shown_objectives(report.order, report.score);
+  for (const Objective objective : shown) {
+    table.columns.push_back(number_column(objective_title(row(objective))));
+  }
+  if (report.uncertainty) {
+    for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {
+      table.columns.push_back(number_column(heading));
+    }
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const ListedDesign& design = report.designs[i];
+    std::vector<std::string> cells{std::to_string(design.ranked.rank),
+                                   std::to_string(design.ranked.front), labels[i],
+                                   design.ranked.design.word};
+    for (const Objective objective : shown) {
+      cells.push_back(objective_text(row(objective), design.ranked.design.values));
+    }
+    if (design.distribution) {
+      const RankDistribution& drawn = *design.distribution;
+      cells.push_back(fixed(100 * drawn.first, 1));
+      for (const double rank : {drawn.median, drawn.low, drawn.high}) {
+        cells.push_back(fixed(rank, 0));
+      }
+    }
+    table.add(std::move(cells));
+  }
+  return {"ranking-table", "Objectives; the headings sort", std::move(table), true};
+}
+
+HtmlTable margin_table(const RankReport& report, const Labels& labels) {
+  Table table{{text_column("over"), number_column("lead"), number_column("least lead"),
+               number_column("μ tube"), number_column("μ sheath"), number_column("μ bearing"),
+               number_column("sheath angle", "rad")},
+              {}};
+  for (std::size_t i = 0; i < report.margins->size(); ++i) {
+    const Margin& margin = (*report.margins)[i];
+    table.add({labels[i + 1], fixed(margin.nominal_lead, 4), fixed(margin.least_lead, 4),
+               fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu), fixed(margin.at.bearing.mu, 5),
+               fixed(margin.at.sheath.angle_rad, 2)});
+  }
+  return {"margins-table",
+          "Lead of the first, in mean uniformity × mean efficiency, and the coefficients at "
+          "which it is least; below 0 the order turns there",
+          std::move(table), true};
+}
+
+std::string uncertainty_html(const UncertaintyOptions& options) {
+  const UncertaintyRanges& ranges = options.ranges;
+  const auto percent = [](double half_width) {
+    return fmt::format("± {:.3g} %", 100 * half_width);
+  };
+  Table table{{text_column("quantity"), text_column("range")}, {}};
+  table.add({"friction coefficient of the tubes",
+             fmt::format("{:g} to {:g}", ranges.tube_mu.low, ranges.tube_mu.high)});
+  table.add({"friction coefficient of the sheaths",
+             fmt::format("{:g} to {:g}", ranges.sheath_mu.low, ranges.sheath_mu.high)});
+  table.add({"friction coefficient of the bearings", percent(ranges.bearing_mu_relative)});
+  table.add({"wrap angle of the sheaths", percent(ranges.sheath_angle_relative)});
+  table.add({"draws", std::to_string(options.draws)});
+  table.add({"seed", std::to_string(options.seed)});
+  return html({"ranges-table", "Ranges from which the coefficients were drawn", std::move(table)});
+}
+
+// The page as it grows: text, and the figures that also become files.
+class RankingPageBuilder {
+ public:
+  RankingPageBuilder(const RankReport& report, const std::string& command)
+      : report_(report),
+        routings_(report.details->routings),
+        labels_(design_labels(report)),
+        command_(command) {}
+
+  RankingPage build();
+
+ private:
+  std::string add(const Figure& figure) {
+    page_.figures.push_back({figure.id, figure.svg});
+    return figure_html(figure);
+  }
+  std::string distributions();
+  Json grasp(std::size_t index);
+  Json grasps();
+
+  const RankReport& report_;
+  const std::vector<ShownRouting>& routings_;
+  Labels labels_;
+  const std::string& command_;
+  RankingPage page_;
+};
+
+std::string RankingPageBuilder::distributions() {
+  std::string html;
+  for (const Figure& figure : distribution_figures(report_.details->distributions)) {
+    html += add(figure);
+  }
+  return html + distribution_notes(report_.details->distributions);
+}
+
+Json RankingPageBuilder::grasp(std::size_t index) {
+  const Grasp held = routings_.front().grasps[index].grasp;
+  std::string schematics;
+  for (std::size_t i = 0; i < routings_.size() && i < most_drawn; ++i) {
+    const ShownGrasp& shown = routings_[i].grasps[index];
+    const std::string id =
+        fmt::format("schematic-{}-{}", report_.designs[i].ranked.rank, grasp_id(held));
+    schematics += schematic_html(id, routings_[i], shown);
+    page_.figures.push_back(schematic_file(id, routings_[i], shown));
+  }
+  return {{"id", grasp_id(held)},
+          {"words", grasp_words(held)},
+          {"schematics", schematics},
+          {"tensions", add(tensions_figure(routings_, labels_, index, most_drawn))}};
+}
+
+Json RankingPageBuilder::grasps() {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < routings_.front().grasps.size(); ++i) list.push_back(grasp(i));
+  return list;
+}
+
+RankingPage RankingPageBuilder::build() {
+  const std::string title =
+      fmt::format("Ranking of {} routing{}", labels_.size(), labels_.size() == 1 ? "" : "s");
+  Json values{{"title", title},
+              {"answer", render("ranking_answer.mustache", ranking_answer(report_, labels_))},
+              {"ranking", html(ranking_table(report_, labels_))},
+              {"pareto", add(pareto_figure(report_, labels_))},
+              {"distributions", distributions()},
+              {"most", routings_.size() > most_drawn ? std::to_string(most_drawn) : ""}};
+  values["grasps"] = grasps();
+  values["ranks"] = report_.uncertainty ? add(rank_figure(report_, labels_)) : "";
+  values["margins"] =
+      report_.margins && !report_.margins->empty() ? html(margin_table(report_, labels_)) : "";
+  const std::string more = report_.uncertainty ? uncertainty_html(*report_.uncertainty) : "";
+  values["settings"] =
+      settings_html(report_.model, report_.unconverged, report_.grasps, command_, more);
+  page_.html = page_html({title, render("ranking.mustache", values), "ranking.js", Json::object()});
+  return std::move(page_);
+}
+
+}  // namespace
+
+RankingPage ranking_page(const RankReport& report, const std::string& command) {
+  return RankingPageBuilder(report, command).build();
+}
+
+}  // namespace reeve

@@ -1,0 +1,93 @@
+#include "pages/routing/routing_page.hpp"
+
+#include <fmt/format.h>
+
+#include "pages/routing/routing_parts.hpp"
+#include "pages/routing/tension_charts.hpp"
+#include "pages/shell/settings.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/chart/chart_svg.hpp"
+#include "reports/sheet/text_table.hpp"
+
+namespace reeve {
+namespace {
+
+const char* verb(Direction direction) {
+  return direction == Direction::pull ? "pulls the tendons in" : "lets the fingers draw them out";
+}
+
+Figure tension_figure(const ShownRouting& report) {
+  std::string alt = "Bars of the strand tensions over the motor tension.";
+  for (const ShownGrasp& shown : report.grasps) {
+    alt += " " + grasp_words(shown.grasp) + ":";
+    for (const auto& [segment, tension] : strands(report.network, shown.state)) {
+      alt += " " + name(segment) + " " + fixed(tension);
+    }
+    alt += ".";
+  }
+  chart::Chart chart = tension_chart(report);
+  chart.alt = alt;
+  return {"tensions", "Strand tensions in each grasp",
+          "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
+}
+
+// Of what the page rests on, the sentence that people look for first.
+std::string summary(const ShownRouting& report) {
+  const ObjectiveValues& values = report.values;
+  return fmt::format(
+      "Over the grasps below its mean uniformity is {} (worst {}) and its mean efficiency {} "
+      "(worst {}).",
+      fixed(value(values, Objective::uniformity_mean)),
+      fixed(value(values, Objective::uniformity_worst)),
+      fixed(value(values, Objective::efficiency_mean)),
+      fixed(value(values, Objective::efficiency_worst)));
+}
+
+Json jams(const ShownRouting& report) {
+  Json list = Json::array();
+  for (const ShownGrasp& shown : report.grasps) {
+    if (shown.state.jams) list.push_back(grasp_words(shown.grasp));
+  }
+  return list;
+}
+
+GraspSet grasps(const ShownRouting& report) {
+  GraspSet grasps;
+  for (const ShownGrasp& shown : report.grasps) grasps.push_back({shown.grasp, 1});
+  return grasps;
+}
+
+}  // namespace
+
+RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
+  RoutingPage page;
+  std::string schematics;
+  for (const ShownGrasp& shown : report.grasps) {
+    const std::string id = "schematic-" + grasp_id(shown.grasp);
+    schematics += schematic_html(id, report, shown);
+    page.figures.push_back(schematic_file(id, report, shown));
+  }
+  Json values{{"name", report.name},
+              {"word", report.word},
+              {"canonical", report.canonical == report.word ? "" : report.canonical},
+              {"verb", verb(report.direction)},
+              {"summary", summary(report)},
+              {"jams", jams(report)},
+              {"objectives", html(objective_table(report))},
+              {"schematics", schematics},
+              {"tensions", html(tension_table(report))},
+              {"contacts", html(contact_table(report))}};
+  values["has_strands"] = report.network.fingers > 0;
+  if (report.network.fingers > 0) {
+    const Figure tensions = tension_figure(report);
+    values["figure"] = figure_html(tensions);
+    values["shares"] = html(share_table(report));
+    page.figures.push_back({tensions.id, tensions.svg});
+  }
+  values["settings"] = settings_html(report.model, report.unconverged, grasps(report), command);
+  const std::string title = report.name.empty() ? report.word : report.name + " " + report.word;
+  page.html = page_html({title, render("routing.mustache", values), "", Json::object()});
+  return page;
+}
+
+}  // namespace reeve

@@ -1,0 +1,45 @@
+#include "pages/shell/figure_files.hpp"
+
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include "reports/files.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr const char* list_name = ".reeve";
+
+// A line that is no plain file name is none of ours: the list may have been tampered with.
+std::set<std::string> listed(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  std::ifstream list(folder / list_name);
+  for (std::string name; std::getline(list, name);) {
+    const bool is_plain = std::filesystem::path(name).filename() == name && name.ends_with(".svg");
+    if (is_plain) names.insert(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
+  const std::filesystem::path folder = directory / "figures";
+  prepare_directory(folder, "--out");
+  std::set<std::string> stale = listed(folder);
+  std::string names;
+  for (const FigureFile& figure : figures) {
+    const std::string name = figure.id + ".svg";
+    write_file(folder / name, figure.svg);
+    stale.erase(name);
+    names += name + "\n";
+  }
+  for (const std::string& name : stale) {
+    std::error_code ignored;
+    std::filesystem::remove(folder / name, ignored);
+  }
+  write_file(folder / list_name, names);
+}
+
+}  // namespace reeve

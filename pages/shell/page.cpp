@@ -1,0 +1,58 @@
+#include "pages/shell/page.hpp"
+
+#include <sstream>
+
+#include "core/version.hpp"
+#include "pages/shell/asset_table.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/files.hpp"
+
+namespace reeve {
+namespace {
+
+Json values(const Figure& figure) {
+  return {
+      {"id", figure.id}, {"title", figure.title}, {"caption", figure.caption}, {"svg", figure.svg}};
+}
+
+}  // namespace
+
+std::string figure_html(const Figure& figure) { return render("figure.mustache", values(figure)); }
+
+std::string live_figure_html(const Figure& figure, const std::string& alt) {
+  Json all = values(figure);
+  all["alt"] = alt;
+  return render("live_figure.mustache", all);
+}
+
+std::string schematic_html(const std::string& id, const std::string& svg) {
+  return render("schematic.mustache", {{"id", id}, {"svg", svg}});
+}
+
+namespace {
+
+Json scripts(const std::string& names) {
+  Json list = Json::array();
+  std::istringstream in(names);
+  for (std::string name; in >> name;) list.push_back(asset(name));
+  return list;
+}
+
+}  // namespace
+
+std::string page_html(const Page& page) {
+  Json values{{"title", page.title},        {"body", page.body},
+              {"style", asset("page.css")}, {"data", script_json(page.data)},
+              {"common", asset("page.js")}, {"scripts", scripts(page.script)},
+              {"version", version_json()},  {"live", false}};
+  if (page.live) {
+    values["live"] = {{"theme", script_json(Json::parse(asset("theme.json")))},
+                      {"license", asset("vega-license.txt")},
+                      {"vega", asset("vega.js")},
+                      {"vega_lite", asset("vega-lite.js")},
+                      {"charts", asset("live_charts.js")}};
+  }
+  return render("page.mustache", values);
+}
+
+}  // namespace reeve

@@ -1,0 +1,82 @@
+#include "pages/shell/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+#include "pages/routing/routing_parts.hpp"
+#include "pages/shell/template.hpp"
+#include "reports/results/model_text.hpp"
+
+namespace reeve {
+namespace {
+
+std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
+
+struct HardwareRows {
+  void add(const std::string& part, const char* quantity, double value, const char* unit) {
+    table.add({part, quantity, six_digits(value), unit});
+  }
+  void add(const std::string& part, const char* quantity, const std::optional<double>& value,
+           const char* unit) {
+    if (value) add(part, quantity, *value, unit);
+  }
+  void add(const std::string& part, const ContactLaw& law) {
+    add(part, "friction coefficient", law.mu, "1");
+    add(part, "wrap angle", law.angle_rad, "rad");
+  }
+
+  Table table{
+      {text_column("part"), text_column("quantity"), number_column("value"), text_column("unit")},
+      {}};
+};
+
+}  // namespace
+
+HtmlTable hardware_table(const Hardware& hardware) {
+  HardwareRows rows;
+  rows.add("tube", hardware.tube);
+  rows.add("bearing", hardware.bearing);
+  rows.add("sheath", hardware.sheath);
+  for (const FingerHardware& finger : hardware.fingers) {
+    const std::string part = fmt::format("finger {}", finger.finger);
+    rows.add(part, "friction coefficient at the tip", finger.tip_mu, "1");
+    rows.add(part, "wrap angle at the tip", finger.tip_angle_rad, "rad");
+    rows.add(part, "friction coefficient of its sheaths", finger.sheath_mu, "1");
+    rows.add(part, "wrap angle of its sheaths", finger.sheath_angle_rad, "rad");
+    rows.add(part, "length of a strand", finger.strand_mm, "mm");
+    rows.add(part, "closing, relative to the others", finger.closing, "1");
+  }
+  for (const ContactHardware& contact : hardware.contacts) {
+    const std::string part = contact.segment + "-" + contact.other_segment;
+    rows.add(part, "friction coefficient", contact.mu, "1");
+    rows.add(part, "wrap angle", contact.angle_rad, "rad");
+  }
+  rows.add("strand", "length", hardware.strand_mm, "mm");
+  rows.add("motor-side segment", "length", hardware.motor_side_mm, "mm");
+  rows.add("other segment at the hand", "length", hardware.hand_mm, "mm");
+  return {"hardware-table", "Hardware", std::move(rows.table)};
+}
+
+HtmlTable grasp_table(const GraspSet& grasps) {
+  Table table{{text_column("grasp"), number_column("weight")}, {}};
+  for (const WeightedGrasp& grasp : grasps) {
+    table.add({grasp_words(grasp.grasp), six_digits(grasp.weight)});
+  }
+  return {"grasps-table", "Grasps, and their weights in the means", std::move(table)};
+}
+
+std::string settings_html(const Model& model, std::uint64_t unconverged, const GraspSet& grasps,
+                          const std::string& command, const std::string& more) {
+  Json lines = Json::array();
+  for (const SheetLine& line : model_lines(model, unconverged))
+    lines.push_back({{"text", line.text}});
+  return render("settings.mustache", {{"model", lines},
+                                      {"grasps", html(grasp_table(grasps))},
+                                      {"hardware", html(hardware_table(model.hardware))},
+                                      {"more", more},
+                                      {"command", command}});
+}
+
+}  // namespace reeve

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/results/data_text.hpp"
+
+namespace reeve {
+namespace {
+
+// Of what the causes were fitted to, where nothing was held out.
+std::string fitted_gain_text(const DiagnosisReport& report) {
+  double before = 0, after = 0;
+  for (const ComparedCell& cell : report.result.cells) {
+    before += std::pow(cell.cell.measured_N - cell.before_N, 2);
+    after += std::pow(cell.cell.measured_N - cell.after_N, 2);
+  }
+  const auto cells = static_cast<double>(report.result.cells.size());
+  return fmt::format(
+      "Nothing was held out, so how much better the model forecasts is not known; on the readings "
+      "that it was fitted to, residuals go from {} to {}.\n",
+      newton(std::sqrt(before / cells)), newton(std::sqrt(after / cells)));
+}
+
+std::string gain_line(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  if (!result.held_out) return fitted_gain_text(report);
+  return fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));
+}
+
+std::string chance_sentence(const DiagnosisReport& report) {
+  return "chance alone would give such a gain " +
+         chance_text(report.result.p_value, report.settings.replicates) + ".\n";
+}
+
+std::string rest_text(const DiagnosisReport& report) {
+  return fmt::format("Nothing else is left to explain ({})",
+                     p_text(report.result.structure_p_value, report.settings.replicates));
+}
+
+bool cannot_be_told_apart(const DiagnosisResult& result, const std::string& name) {
+  return std::any_of(result.indistinguishable.begin(), result.indistinguishable.end(),
+                     [&](const auto& names) { return names.front() == name; });
+}
+
+// One line for each cause that stands alone.
+std::string cause_lines(const DiagnosisResult& result) {
+  std::string text;
+  for (const NamedCause& cause : result.causes) {
+    if (cannot_be_told_apart(result, cause.name)) continue;
+    text += fmt::format("{}: {}.\n", capitalised((text.empty() ? "" : "besides, ") + cause.meaning),
+                        cause_text(cause));
+  }
+  return text;
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  return text;
+}
+
+std::string indistinguishable_lines(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  std::string text;
+  for (const std::vector<std::string>& names : result.indistinguishable) {
+    text += fmt::format("{} explains the data: which of them, the data cannot tell.\n",
+                        names_text(names));
+    for (const NamedCause& cause : result.causes) {
+      if (cause.name != names.front()) continue;
+      text += fmt::format("If it is the first: {}: {}.\n", cause.meaning, cause_text(cause));
+    }
+  }
+  return text;
+}
+
+std::string separation_line(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  const std::vector<std::string>& names = result.indistinguishable.front();
+  if (!result.separating_measurement) {
+    return fmt::format("No measurement that was looked at tells {} from {}.\n", names[0], names[1]);
+  }
+  return fmt::format("To tell {} from {}, measure {}.\n", names[0], names[1],
+                     measurement_text(*result.separating_measurement, report));
+}
+
+std::string none_answer(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  if (result.too_few_readings) {
+    return "Whether anything is wrong cannot be said: the readings are too few.\n"
+           "No cause was looked for.\n"
+           "The notes below say how many it takes.\n";
+  }
+  std::string text = "The model as it stands explains the data as well as their noise allows.\n";
+  if (result.not_confirmed.empty()) {
+    text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
+                        chance_text(result.p_value, report.settings.replicates));
+  } else {
+    text += fmt::format(
+        "No cause is named: {} looked likely, but the training runs do not confirm it when each is "
+        "forecast from the others.\n",
+        names_text(result.not_confirmed));
+  }
+  return text + rest_text(report) + ".\n";
+}
+
+std::string apart_lines(const DiagnosisReport& report) {
+  std::string text;
+  for (const std::string& sentence : without_apart_sentences(report)) text += sentence + "\n";
+  return text;
+}
+
+std::string cause_answer(const DiagnosisReport& report) {
+  return cause_lines(report.result) + gain_line(report) + rest_text(report) + "; " +
+         chance_sentence(report) + apart_lines(report);
+}
+
+std::string indistinguishable_answer(const DiagnosisReport& report) {
+  return indistinguishable_lines(report) + cause_lines(report.result) + gain_line(report) +
+         separation_line(report) + apart_lines(report);
+}
+
+std::string unexplained_answer(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  const Unexplained& left = *result.unexplained;
+  std::string text = fmt::format(
+      "The residuals follow something that no cause in the library explains: {}{} ({}).\n",
+      left.about, left.where.empty() ? "" : ", most of all " + left.where,
+      p_text(left.p_value, report.settings.replicates));
+  if (result.causes.empty()) {
+    text += "No cause is named.\nThe model stays as it is.\n";
+    return text;
+  }
+  text += "Part of it is explained, so take the sizes with care:\n";
+  return text + indistinguishable_lines(report) + cause_lines(result) + gain_line(report) +
+         apart_lines(report);
+}
+
+}  // namespace
+
+std::string diagnosis_answer(const DiagnosisReport& report) {
+  switch (report.result.verdict) {
+    case Verdict::none:
+      return none_answer(report);
+    case Verdict::cause:
+      return cause_answer(report);
+    case Verdict::unexplained:
+      return unexplained_answer(report);
+    case Verdict::indistinguishable:
+      return indistinguishable_answer(report);
+  }
+  return "";
+}
+
+}  // namespace reeve

@@ -1,0 +1,246 @@
+#include "reports/diagnosis/diagnosis_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/results/data_text.hpp"
+
+namespace reeve {
+namespace {
+
+const PublishedLine* line_of(const PublishedModel& model, std::size_t group) {
+  const auto found = std::find_if(model.lines.begin(), model.lines.end(),
+                                  [&](const PublishedLine& line) { return line.group == group; });
+  return found == model.lines.end() ? nullptr : &*found;
+}
+
+std::string published_heading(const PublishedModel& model) {
+  return fmt::format("{}, mu {:g}", model.name, model.mu);
+}
+
+std::string factor(double loss) { return fixed(std::exp(-loss), 3); }
+
+std::string stretch_text(const DiagnosisReport& report, const Loss& loss) {
+  return fmt::format("{}, {} to {}", routing_name(report, loss.routing), name(loss.high),
+                     name(loss.low));
+}
+
+const NamedCause* find_cause(const DiagnosisReport& report, std::string_view name) {
+  for (const NamedCause& cause : report.result.causes) {
+    if (cause.name == name) return &cause;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string routing_name(const DiagnosisReport& report, std::size_t routing) {
+  const std::string& word = report.data.routings[routing].word;
+  const auto named = report.names.find(word);
+  return named == report.names.end() || named->second.empty() ? word : named->second;
+}
+
+std::string contacts_text(const std::vector<ContactKind>& contacts) {
+  std::string text;
+  for (const ContactKind kind : contacts)
+    text += (text.empty() ? "" : ", ") + std::string(name(kind));
+  return text;
+}
+
+Table share_error_table(const DiagnosisReport& report) {
+  const ShareErrors& errors = report.result.share_errors;
+  const bool left_out = errors.left_out.has_value();
+  const bool extended = !report.result.model.effects.empty();
+  Table table{{text_column("routing"), text_column("held"), number_column("readings"),
+               number_column("held out"), number_column("as it stands")},
+              {}};
+  if (extended) table.columns.push_back(number_column("extended"));
+  if (left_out) table.columns.push_back(number_column("fitted without it"));
+  for (const PublishedModel& model : report.published) {
+    table.columns.push_back(number_column(published_heading(model)));
+  }
+  for (std::size_t g = 0; g < errors.groups.size(); ++g) {
+    const ShareError& group = errors.groups[g];
+    std::vector<std::string> cells{routing_name(report, group.routing), to_text(group.grasp),
+                                   std::to_string(group.rows), std::to_string(group.held_out_rows),
+                                   percent(group.before)};
+    if (extended) cells.push_back(percent(group.after));
+    if (left_out) cells.push_back(percent(*group.left_out));
+    for (const PublishedModel& model : report.published) {
+      const PublishedLine* line = line_of(model, g);
+      cells.push_back(line == nullptr ? "-" : percent(line->error));
+    }
+    table.add(std::move(cells));
+  }
+  if (errors.groups.size() > 1) {
+    std::vector<std::string> cells{"mean", "", "", "", percent(errors.before)};
+    if (extended) cells.push_back(percent(errors.after));
+    if (left_out) cells.push_back(percent(*errors.left_out));
+    for (const PublishedModel& model : report.published) cells.push_back(percent(model.error));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Table loss_table(const DiagnosisReport& report) {
+  const bool extended = !report.result.model.effects.empty();
+  Table table{
+      {text_column("routing"), text_column("held"), text_column("direction"), text_column("from"),
+       text_column("to"), text_column("over"), number_column("readings", "", 2),
+       number_column("measured"), number_column("as it stands")},
+      {}};
+  if (extended) table.columns.push_back(number_column("extended"));
+  table.columns.push_back(text_column("remark"));
+  for (const Loss& loss : report.result.losses) {
+    std::vector<std::string> cells{routing_name(report, loss.routing),
+                                   to_text(loss.grasp),
+                                   direction_field(loss.direction),
+                                   name(loss.high),
+                                   name(loss.low),
+                                   contacts_text(loss.over),
+                                   std::to_string(loss.rows),
+                                   factor(loss.measured),
+                                   factor(loss.before)};
+    if (extended) cells.push_back(factor(loss.after));
+    cells.push_back(loss.stands_apart ? "stands apart" : "");
+    table.add(std::move(cells), loss.stands_apart ? Tint::notable : Tint::none);
+  }
+  return table;
+}
+
+std::vector<std::string> loss_sentences(const DiagnosisReport& report) {
+  std::vector<std::string> sentences;
+  for (const Loss& loss : report.result.losses) {
+    if (!loss.stands_apart) continue;
+    double least = 1;
+    double most = 0;
+    for (const Loss& other : report.result.losses) {
+      if (&other == &loss || other.over != loss.over) continue;
+      least = std::min(least, std::exp(-other.measured));
+      most = std::max(most, std::exp(-other.measured));
+    }
+    std::string text =
+        fmt::format("{}: {} of the tension is left, where the extended model has {}",
+                    stretch_text(report, loss), factor(loss.measured), factor(loss.after));
+    if (most > 0) {
+      text += fmt::format(" and other stretches over {} read {} to {}", contacts_text(loss.over),
+                          fixed(least, 2), fixed(most, 2));
+    }
+    sentences.push_back(text + ": this contact, or this reading, is not like the others.");
+  }
+  return sentences;
+}
+
+namespace {
+
+// "T4 of TR1 (line 9)"
+std::string cell_text(const DiagnosisReport& report, const Cell& cell) {
+  const Reading& reading = report.data.readings[cell.reading];
+  return fmt::format("{} of {} (line {})", report.data.channels[cell.channel].name,
+                     routing_name(report, reading.routing), reading.line);
+}
+
+std::string refitted_text(const WithoutApart& without, const NamedCause& cause) {
+  for (std::size_t e = 0; e < without.model.effects.size(); ++e) {
+    if (name(without.model.effects[e]) != cause.name) continue;
+    NamedCause refitted = cause;
+    for (std::size_t p = 0; p < refitted.parameters.size(); ++p) {
+      EstimatedParameter& parameter = refitted.parameters[p];
+      parameter.value = without.model.effects[e].values[p];
+      parameter.low = without.intervals[e][p].low;
+      parameter.high = without.intervals[e][p].high;
+    }
+    return size_with_interval(refitted);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> without_apart_sentences(const DiagnosisReport& report) {
+  constexpr std::size_t most_named = 4;
+  if (!report.result.without_apart) return {};
+  const WithoutApart& without = *report.result.without_apart;
+  std::string cells;
+  for (std::size_t i = 0; i < without.left_out.size() && i < most_named; ++i) {
+    cells += (i == 0 ? "" : ", ") + cell_text(report, without.left_out[i]);
+  }
+  if (without.left_out.size() > most_named) {
+    cells += fmt::format(" and {} more", without.left_out.size() - most_named);
+  }
+  std::string sizes;
+  for (const NamedCause& cause : report.result.causes) {
+    const std::string text = refitted_text(without, cause);
+    if (!text.empty()) sizes += (sizes.empty() ? "" : "; ") + text;
+  }
+  return {
+      fmt::format("Fitted to all readings but {}: {}; the tension distribution is then off by "
+                  "{} on average.",
+                  cells, sizes, percent(without.share_error))};
+}
+
+std::vector<std::string> influence_sentences(const DiagnosisReport& report) {
+  std::vector<std::string> sentences;
+  for (const NamedCause& cause : report.result.causes) {
+    for (std::size_t p = 0; p < cause.parameters.size(); ++p) {
+      const EstimatedParameter& parameter = cause.parameters[p];
+      const LeftOutRun* farthest = nullptr;
+      double low = 0, high = 0, moved = 0;
+      for (const LeftOutRun& run : report.result.left_out) {
+        double value = parameter.value;
+        for (const Effect& effect : run.model.effects) {
+          if (name(effect) == cause.name) value = effect.values[p];
+        }
+        low = farthest == nullptr ? value : std::min(low, value);
+        high = farthest == nullptr ? value : std::max(high, value);
+        const double by = std::abs(value - parameter.value);
+        if (farthest == nullptr || by > moved) {
+          farthest = &run;
+          moved = by;
+        }
+      }
+      if (farthest == nullptr) continue;
+      sentences.push_back(fmt::format(
+          "With any one run left out and the others fitted, {} of {} lies between {} and {}; run {} "
+          "moves it farthest.",
+          parameter.name, cause.name, estimate(parameter, low), estimate(parameter, high),
+          report.data.runs[farthest->run]));
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> published_sentences(const DiagnosisReport& report) {
+  std::vector<std::string> sentences;
+  const NamedCause* sheath = find_cause(report, "sheath_friction");
+  for (const PublishedModel& model : report.published) {
+    sentences.push_back(fmt::format(
+        "The lines that are published ({}, mu = {:g}) are off by {} on average, the equations with "
+        "that coefficient by {}.",
+        model.name, model.mu, percent(model.error), percent(model.equations)));
+    for (const PublishedLoss& other : model.losses) {
+      const Loss& loss = report.result.losses[other.loss];
+      if (other.sheaths_drawn == other.sheaths) continue;
+      std::string text = fmt::format(
+          "{}, as ln of the ratio: the lines lose {:.2f} with {} of the {} sheaths that the "
+          "equations have, the equations {:.2f}, the readings {:.2f}",
+          stretch_text(report, loss), other.printed, other.sheaths_drawn, other.sheaths,
+          other.equations, loss.measured);
+      if (sheath != nullptr) {
+        const double rig = sheath->parameters.front().value;
+        text += fmt::format("; {} sheaths of mu = {} add up to {:.3f}, and {} of {:g} to {:g}",
+                            other.sheaths, estimate(sheath->parameters.front(), rig),
+                            other.sheaths * rig, other.sheaths_drawn, model.mu,
+                            other.sheaths_drawn * model.mu);
+      }
+      sentences.push_back(text + ".");
+    }
+  }
+  return sentences;
+}
+
+}  // namespace reeve

@@ -1,0 +1,31 @@
+// Evidence of a diagnosis that its text and its page both show.
+#pragma once
+
+#include <string>
+
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/sheet/sheet.hpp"
+
+namespace reeve {
+
+// A routing of the data by its catalogue name, or by its word.
+std::string routing_name(const DiagnosisReport& report, std::size_t routing);
+
+// "sheath, bearing, sheath"
+std::string contacts_text(const std::vector<ContactKind>& contacts);
+
+// How far the tension distribution is off, by routing. No rows where no reading has all strands.
+Table share_error_table(const DiagnosisReport& report);
+
+// What is lost from sensor to sensor, as the factor that is left. No rows where no two neighbouring
+// segments were measured.
+Table loss_table(const DiagnosisReport& report);
+
+// What stands apart in that table; how the parameters depend on single runs; where publications
+// draw other losses than their equations have. One sentence each; may be empty.
+std::vector<std::string> loss_sentences(const DiagnosisReport& report);
+std::vector<std::string> without_apart_sentences(const DiagnosisReport& report);
+std::vector<std::string> influence_sentences(const DiagnosisReport& report);
+std::vector<std::string> published_sentences(const DiagnosisReport& report);
+
+}  // namespace reeve

@@ -1,0 +1,23 @@
+// A diagnosis: the answer and its evidence for people, the same for programs, and every value.
+#pragma once
+
+#include <string>
+
+#include "core/uncertainty_ranges.hpp"
+#include "reports/sheet/sheet.hpp"
+#include "studies/diagnosis_study.hpp"
+
+namespace reeve {
+
+// What is wrong, which cause, how much better: a few lines.
+std::string diagnosis_answer(const DiagnosisReport& report);
+// The answer, then what it rests on.
+Sheet diagnosis_sheet(const DiagnosisReport& report);
+std::string diagnosis_json(const DiagnosisReport& report);
+// One line for each reading and channel; a comment line at the top if the data are simulated.
+std::string diagnosis_residuals_csv(const DiagnosisReport& report);
+// A model file that says where it is from.
+std::string extended_model_toml(const DiagnosisReport& report,
+                                const UncertaintyRanges& uncertainty);
+
+}  // namespace reeve

@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/search/rivals.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/results/data_text.hpp"
+
+namespace reeve {
+namespace {
+
+// Of lists that can be long; the JSON has all.
+constexpr std::size_t most_rows = 8;
+
+Section data_section(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  Section section{"Data", std::nullopt, {}};
+  section.lines.push_back(
+      {fmt::format("{}: {} in {}, {} of them held out; {} dropped", report.data.file,
+                   plural(result.rows, "reading"), plural(result.runs, "run"), result.held_out_runs,
+                   plural(result.dropped_duplicates, "repeated reading"))});
+  if (report.data.simulated) section.lines.push_back(simulated_line());
+  const Noise& noise = result.noise;
+  const char* source = noise.source == NoiseSource::repeats     ? "repeated readings"
+                       : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
+                       : noise.source == NoiseSource::repeats_and_smoothing
+                           ? "repeated readings and what no smooth law explains"
+                           : "what the model leaves";
+  section.lines.push_back({fmt::format(
+      "Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
+      100 * noise.relative, newton(noise.absolute_N), source, noise.degrees_of_freedom)});
+  return section;
+}
+
+std::string range_text(const std::optional<Range>& range) {
+  return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : "-";
+}
+
+std::vector<TableColumn> cause_columns() {
+  return {text_column("cause"),
+          text_column("parameter"),
+          number_column("value"),
+          number_column("95 % interval"),
+          number_column("nominal"),
+          number_column("literature", "", 1),
+          text_column("unit"),
+          number_column("p"),
+          text_column("runner-up (log-likelihood less)")};
+}
+
+Section causes_section(const DiagnosisReport& report) {
+  const std::vector<NamedCause>& causes = report.result.causes;
+  if (causes.empty()) return {};
+  Table table{cause_columns(), {}};
+  for (const NamedCause& cause : causes) {
+    const std::string p = fmt::format("{:.2g}", cause.p_value);
+    const std::string other = cause.runner_up ? fmt::format("{} ({:.1f})", cause.runner_up->name,
+                                                            cause.runner_up->delta_log_likelihood)
+                                              : "-";
+    if (cause.parameters.empty()) {
+      table.add({cause.name, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
+                 other});
+    }
+    for (const EstimatedParameter& parameter : cause.parameters) {
+      const bool first = &parameter == &cause.parameters.front();
+      table.add({first ? cause.name : "", parameter.name, estimate(parameter, parameter.value),
+                 fmt::format("{} to {}", estimate(parameter, parameter.low),
+                             estimate(parameter, parameter.high)),
+                 parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
+                 range_text(parameter.literature), parameter.unit, first ? p : "",
+                 first ? other : ""});
+    }
+  }
+  return {"Causes, each accepted against chance over the whole search", table, {}};
+}
+
+void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
+  table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
+             percent_text(held_out.reduction),
+             fmt::format("{} to {}", percent_text(held_out.low), percent_text(held_out.high)),
+             fmt::format("{:.3g}", held_out.log_likelihood_gain),
+             fmt::format("{:.3g} to {:.3g}", held_out.gain_low, held_out.gain_high),
+             fmt::format("{:.3g}", held_out.expected_gain)});
+}
+
+Section gains_section(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  if (!result.held_out) return {};
+  Table table{{text_column("with"), number_column("rms before"), number_column("rms after"),
+               number_column("reduction"), number_column("95 % interval"),
+               number_column("log-likelihood gain", "", 1), number_column("95 % interval", "", 2),
+               number_column("expected gain", "", 3)},
+              {}};
+  for (const NamedCause& cause : result.causes) {
+    if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
+  }
+  if (result.causes.size() > 1) add_gain(table, "all together", *result.held_out);
+  return {fmt::format("Gain on {} that the fit has not seen, each cause over all others",
+                      plural(result.held_out_runs, "run")),
+          table,
+          {}};
+}
+
+Section weighed_section(const DiagnosisReport& report) {
+  const std::vector<WeighedCause>& weighed = report.result.weighed;
+  if (weighed.empty()) return {};
+  Table table{{text_column("model"), number_column("training runs"), number_column("held-out runs"),
+               number_column("rms held out")},
+              {}};
+  for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
+    const std::optional<HeldOut>& held_out = weighed[i].held_out;
+    table.add({weighed[i].name, fmt::format("{:.1f}", weighed[i].gain),
+               held_out ? fmt::format("{:.1f}", held_out->log_likelihood_gain) : "-",
+               held_out ? newton(held_out->rms_after_N) : "-"});
+  }
+  Section section{"Weighed: gain in log-likelihood over the model as it stands", table, {}};
+  if (weighed.size() > most_rows) {
+    section.lines.push_back({fmt::format("… {} more", weighed.size() - most_rows)});
+  }
+  for (const std::string& name : report.result.not_confirmed) {
+    section.lines.push_back(
+        {fmt::format("{} is not named: the training runs do not confirm it.", name)});
+  }
+  return section;
+}
+
+Section indistinguishable_section(const DiagnosisReport& report) {
+  Section section{
+      fmt::format("Cannot be told apart (less than {:.2g} in log-likelihood between them)",
+                  alias_margin),
+      std::nullopt,
+      {}};
+  for (const std::vector<std::string>& names : report.result.indistinguishable) {
+    section.lines.push_back({fmt::format("- {}", fmt::join(names, ", "))});
+  }
+  return section;
+}
+
+Section left_section(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  if (result.structure.empty()) return {};
+  constexpr std::size_t most = 3;
+  Table table{{text_column("residuals follow"), number_column("deviations from chance"),
+               number_column("p of this alone")},
+              {}};
+  for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
+    const StructureFinding& finding = result.structure[i];
+    table.add({finding.about, fixed(finding.statistic, 1), fmt::format("{:.2g}", finding.p_value)});
+  }
+  return {fmt::format("What is left, the strongest of {} ({} for all together)",
+                      plural(result.structure.size(), "pattern"),
+                      p_text(result.structure_p_value, report.settings.replicates)),
+          table,
+          {}};
+}
+
+// Than that it is right.
+bool says_more_than_the_model(const DiagnosisReport& report) {
+  const std::vector<Loss>& losses = report.result.losses;
+  return !report.result.model.effects.empty() ||
+         std::any_of(losses.begin(), losses.end(),
+                     [](const Loss& loss) { return loss.stands_apart; });
+}
+
+void add_sentences(Section& section, const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) section.lines.push_back({sentence});
+}
+
+Section shares_section(const DiagnosisReport& report) {
+  if (report.result.share_errors.groups.empty() || !says_more_than_the_model(report)) return {};
+  Section section{
+      "Error of the tension distribution, root of the summed squared differences of the shares",
+      share_error_table(report),
+      {}};
+  add_sentences(section, published_sentences(report));
+  add_sentences(section, influence_sentences(report));
+  return section;
+}
+
+Section losses_section(const DiagnosisReport& report) {
+  constexpr std::size_t most_losses = 24;
+  Table table = loss_table(report);
+  if (table.rows.empty() || !says_more_than_the_model(report)) return {};
+  const std::size_t all = table.rows.size();
+  if (all > most_losses) table.rows.resize(most_losses);
+  Section section{
+      "What is left of the tension from sensor to sensor, stretch by stretch", table, {}};
+  if (all > most_losses) section.lines.push_back({fmt::format("… {} more", all - most_losses)});
+  add_sentences(section, loss_sentences(report));
+  return section;
+}
+
+Section next_section(const DiagnosisReport& report) {
+  const std::optional<PlannedMeasurement>& next = report.result.next_measurement;
+  if (!next) return {};
+  return {"Next measurement",
+          std::nullopt,
+          {{fmt::format("{}: {}.", measurement_text(*next, report), next->why)}}};
+}
+
+Section ranking_section(const DiagnosisReport& report) {
+  if (!report.ranking) return {};
+  const CatalogueRanking& ranking = *report.ranking;
+  Section section{"Ranking of the catalogue (2 fingers, over mean uniformity and efficiency)",
+                  std::nullopt,
+                  {}};
+  if (!ranking.changes()) {
+    section.lines.push_back({fmt::format("does not change: {}", fmt::join(ranking.after, ", "))});
+  } else {
+    section.lines.push_back({fmt::format("changes from  {}", fmt::join(ranking.before, ", "))});
+    section.lines.push_back({fmt::format("        to    {}", fmt::join(ranking.after, ", "))});
+  }
+  return section;
+}
+
+}  // namespace
+
+Sheet diagnosis_sheet(const DiagnosisReport& report) {
+  Section answer;
+  add_lines(answer.lines, diagnosis_answer(report));
+  Sheet sheet{{answer}};
+  for (const auto part :
+       {causes_section, gains_section, weighed_section, indistinguishable_section, left_section,
+        shares_section, losses_section, next_section, ranking_section, data_section}) {
+    sheet.add(part(report));
+  }
+  sheet.add(notes_section(report.result.notes));
+  return sheet;
+}
+
+}  // namespace reeve

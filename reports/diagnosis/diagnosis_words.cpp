@@ -1,0 +1,132 @@
+#include "reports/diagnosis/diagnosis_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/notation.hpp"
+#include "reports/results/data_text.hpp"
+
+namespace reeve {
+namespace {
+
+bool at_the_least(double p_value, std::size_t replicates) {
+  return p_value * static_cast<double>(replicates + 1) < 1.5;
+}
+
+std::string grasp_text(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  if (held.empty()) return "no finger held";
+  return fmt::format("finger{} {} held", held.size() == 1 ? "" : "s", fmt::join(held, ", "));
+}
+
+// Of what has fingers; a test bench has none.
+std::string held_text(const Measurement& at) {
+  return finger_count(parse_routing(at.routing)) == 0 ? "" : " with " + grasp_text(at.grasp);
+}
+
+// Names such as force_N have it already.
+std::string unit_text(const EstimatedParameter& parameter) {
+  const bool has_it = parameter.unit == "1" || parameter.name.ends_with("_" + parameter.unit);
+  return has_it ? "" : " " + parameter.unit;
+}
+
+std::string nominal_text(const EstimatedParameter& parameter, const Effect& effect) {
+  if (!parameter.nominal) return "";
+  // Other causes add to what the hardware says.
+  const bool in_hardware = effect.cause->reach() == Reach::hardware && *parameter.nominal != 0;
+  return fmt::format("; {} {}", in_hardware ? "the hardware says" : "without it",
+                     estimate(parameter, *parameter.nominal));
+}
+
+std::string literature_text(const EstimatedParameter& parameter) {
+  if (!parameter.literature) return "";
+  const Range range = *parameter.literature;
+  const bool outside = parameter.value < range.low || parameter.value > range.high;
+  return fmt::format("{} {:.4g} to {:.4g}", outside ? "; outside the literature's" : ", literature",
+                     range.low, range.high);
+}
+
+std::string parameter_text(const EstimatedParameter& parameter, const Effect& effect) {
+  return fmt::format("{} = {}{} ({} to {}{}{})", parameter.name,
+                     estimate(parameter, parameter.value), unit_text(parameter),
+                     estimate(parameter, parameter.low), estimate(parameter, parameter.high),
+                     nominal_text(parameter, effect), literature_text(parameter));
+}
+
+}  // namespace
+
+std::string estimate(const EstimatedParameter& parameter, double value) {
+  const double half = (parameter.high - parameter.low) / 2;
+  if (!std::isfinite(half) || half <= 0) return fmt::format("{:.4g}", value);
+  // Two digits of a width that begins with 1 or 2, else one.
+  const int places = std::clamp(static_cast<int>(std::ceil(std::log10(3 / half))), 0, 6);
+  const bool vanishes = value != 0 && std::abs(value) < 0.5 * std::pow(10.0, -places);
+  return vanishes ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, places);
+}
+
+std::string cause_text(const NamedCause& cause) {
+  std::string text = cause.name;
+  for (const EstimatedParameter& parameter : cause.parameters) {
+    text += ", " + parameter_text(parameter, cause.effect);
+  }
+  return cause.detail.empty() ? text : text + ", " + cause.detail;
+}
+
+std::string size_with_interval(const NamedCause& cause) {
+  std::string text = cause.name;
+  for (const EstimatedParameter& parameter : cause.parameters) {
+    text += fmt::format(", {} = {}{} ({} to {})", parameter.name,
+                        estimate(parameter, parameter.value), unit_text(parameter),
+                        estimate(parameter, parameter.low), estimate(parameter, parameter.high));
+  }
+  return text;
+}
+
+std::string gain_text(const HeldOut& held_out, std::size_t runs) {
+  const bool rises = held_out.reduction < 0;
+  return fmt::format("on {} {} by {} ({} to {}): from {} to {}", plural(runs, "held-out run"),
+                     rises ? "rise" : "fall", percent_text(std::abs(held_out.reduction)),
+                     percent_text(rises ? -held_out.high : held_out.low),
+                     percent_text(rises ? -held_out.low : held_out.high),
+                     newton(held_out.rms_before_N), newton(held_out.rms_after_N));
+}
+
+std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
+  const Measurement& at = planned.measurement;
+  const auto named = report.names.find(at.routing);
+  std::string text = named == report.names.end() || named->second.empty()
+                         ? at.routing
+                         : fmt::format("{} ({})", named->second, at.routing);
+  text += fmt::format("{}, {} with {:.3g} N at the motor", held_text(at),
+                      at.direction == Direction::pull ? "pulled" : "released",
+                      at.conditions.motor_tension_N);
+  if (at.uses_speed) text += fmt::format(", at {:.3g} mm/s", at.conditions.speed_mm_s);
+  if (at.uses_cycle) text += fmt::format(", after {:.0f} cycles", at.conditions.cycle);
+  if (at.uses_temperature) text += fmt::format(", at {:.3g} °C", at.conditions.temperature_C);
+  return text;
+}
+
+std::string newton(double value) { return fmt::format("{:.2g} N", value); }
+
+std::string percent_text(double share) {
+  return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // never -0
+}
+
+std::string chance_text(double p_value, std::size_t replicates) {
+  return fmt::format("in {} {:.2g} % of data sets",
+                     at_the_least(p_value, replicates) ? "fewer than" : "about", 100 * p_value);
+}
+
+std::string p_text(double p_value, std::size_t replicates) {
+  return fmt::format("p {} {:.2g}", at_the_least(p_value, replicates) ? "<" : "=", p_value);
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace reeve

@@ -1,0 +1,33 @@
+// Phrases of a diagnosis that both the answer and its evidence use.
+#pragma once
+
+#include <string>
+
+#include "reports/diagnosis/diagnosis_report.hpp"
+
+namespace reeve {
+
+// To as many places as the interval is known.
+std::string estimate(const EstimatedParameter& parameter, double value);
+
+// "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"
+std::string cause_text(const NamedCause& cause);
+
+// "tube_friction, mu = 0.090 (0.087 to 0.093)"
+std::string size_with_interval(const NamedCause& cause);
+
+// "on 2 held-out runs fall by 72 % (66 % to 77 %): from 0.41 N to 0.11 N"
+std::string gain_text(const HeldOut& held_out, std::size_t runs);
+
+// "TR3 (F-1-P-2-F) with finger 1 held, pulled with 20 N at the motor"
+std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report);
+
+std::string newton(double value);
+std::string percent_text(double share);  // "72 %"
+// "in fewer than 0.25 % of data sets", where the replicates show no smaller chance
+std::string chance_text(double p_value, std::size_t replicates);
+std::string p_text(double p_value, std::size_t replicates);  // "p = 0.4", "p < 0.0025"
+
+std::string capitalised(std::string text);
+
+}  // namespace reeve

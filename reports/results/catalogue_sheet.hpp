@@ -1,0 +1,20 @@
+// The catalogue's routings side by side, as schematics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/tension/tension.hpp"
+
+namespace reeve {
+
+struct ShownEntry {
+  std::string title;
+  Network network;
+  Grasp grasp;
+  TensionState state;
+};
+
+std::string catalogue_sheet(const std::vector<ShownEntry>& entries);
+
+}  // namespace reeve

@@ -1,0 +1,20 @@
+#include "reports/results/count_report.hpp"
+
+#include "reports/json.hpp"
+
+namespace reeve {
+
+Sheet count_sheet(const RoutingCounts& counts) {
+  Table table{{text_column("routings"), number_column("number")}, {}};
+  table.add({"all", std::to_string(counts.all)});
+  table.add({"every tendon actuated", std::to_string(counts.actuated)});
+  table.add({"actuated, one tendon", std::to_string(counts.one_tendon)});
+  return {{{"", table, {}}}};
+}
+
+std::string count_json(const RoutingCounts& counts) {
+  return print(
+      {{"all", counts.all}, {"actuated", counts.actuated}, {"one_tendon", counts.one_tendon}});
+}
+
+}  // namespace reeve

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "reports/sheet/sheet.hpp"
+#include "search/enumerate/counting.hpp"
+
+namespace reeve {
+
+Sheet count_sheet(const RoutingCounts& counts);
+std::string count_json(const RoutingCounts& counts);
+
+}  // namespace reeve

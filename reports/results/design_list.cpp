@@ -1,0 +1,154 @@
+#include "reports/results/design_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "diagnosis/data/csv_field.hpp"
+#include "search/judge/shown_objectives.hpp"
+
+namespace reeve {
+namespace {
+
+bool with_distributions(const std::vector<ListedDesign>& designs) {
+  return std::any_of(designs.begin(), designs.end(),
+                     [](const ListedDesign& design) { return design.distribution.has_value(); });
+}
+
+std::string range(const RankDistribution& distribution) {
+  return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
+}
+
+// Objectives that make one column: the parts of one family.
+using ColumnRows = std::vector<const ObjectiveRow*>;
+
+std::vector<ColumnRows> objective_columns(const Order& order, const Score& score) {
+  std::vector<ColumnRows> columns;
+  for (const Objective objective : shown_objectives(order, score)) {
+    const ObjectiveRow& about = row(objective);
+    const bool joins =
+        !columns.empty() && std::string_view(columns.back().front()->family) == about.family;
+    if (!joins) columns.emplace_back();
+    columns.back().push_back(&about);
+  }
+  return columns;
+}
+
+TableColumn objective_column(const ObjectiveRow& row) {
+  const std::string_view unit = row.unit;
+  const bool is_told = unit != "1" && !row.is_count();
+  return number_column(row.heading, is_told ? row.unit : "", row.dispensable);
+}
+
+std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values) {
+  std::string cell;
+  for (const ObjectiveRow* row : rows) {
+    cell += (cell.empty() ? "" : "/") + fixed(value(values, row->objective), row->decimals);
+  }
+  return cell;
+}
+
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool uncertain) {
+  std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
+                                   text_column("name"), text_column("routing")};
+  for (const ColumnRows& rows : objectives) columns.push_back(objective_column(*rows.front()));
+  if (!uncertain) return columns;
+  for (const char* heading : {"first", "median", "5–95 %"}) {
+    columns.push_back(number_column(heading, "", 1));
+  }
+  return columns;
+}
+
+}  // namespace
+
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
+                   const Score& score) {
+  const bool uncertain = with_distributions(designs);
+  const std::vector<ColumnRows> objectives = objective_columns(order, score);
+  Table table{columns(objectives, uncertain), {}};
+  for (const ListedDesign& design : designs) {
+    std::vector<std::string> cells{
+        std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
+        design.name.empty() ? "-" : design.name, design.ranked.design.word};
+    for (const ColumnRows& rows : objectives) {
+      cells.push_back(objective_cell(rows, design.ranked.design.values));
+    }
+    if (design.distribution) {
+      cells.push_back(percent(design.distribution->first));
+      cells.push_back(fixed(design.distribution->median, 0));
+      cells.push_back(range(*design.distribution));
+    }
+    cells.resize(table.columns.size());
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
+  std::string csv = note.empty() ? "" : "# " + note + "\n";
+  csv += "routing";
+  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += '\n';
+  for (const Design& design : designs) {
+    csv += design.word;
+    for (const double v : design.values) csv += fmt::format(",{}", v);
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note) {
+  const bool uncertain = with_distributions(designs);
+  std::string csv = note.empty() ? "" : "# " + note + "\n";
+  csv += "rank,front,routing,name";
+  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95\n" : "\n";
+  for (const ListedDesign& design : designs) {
+    csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
+                       design.ranked.design.word, csv_field(design.name));
+    for (const double v : design.ranked.design.values) csv += fmt::format(",{}", v);
+    if (design.distribution) {
+      const RankDistribution& d = *design.distribution;
+      csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);
+    } else if (uncertain) {
+      csv += ",,,,";
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+Json to_json(const ListedDesign& design) {
+  Json json{{"rank", design.ranked.rank},
+            {"front", design.ranked.front},
+            {"routing", design.ranked.design.word},
+            {"name", design.name.empty() ? Json(nullptr) : Json(design.name)}};
+  add_objectives(json, design.ranked.design.values);
+  if (design.distribution) {
+    json["rank_distribution"] = {{"first_share", design.distribution->first},
+                                 {"median", design.distribution->median},
+                                 {"p5", design.distribution->low},
+                                 {"p95", design.distribution->high}};
+  }
+  return json;
+}
+
+Json to_json(const std::vector<ListedDesign>& designs) {
+  Json json = Json::array();
+  for (const ListedDesign& design : designs) json.push_back(to_json(design));
+  return json;
+}
+
+Json to_json(const std::vector<BestDesigns>& best) {
+  Json json = Json::array();
+  for (const BestDesigns& one : best) {
+    json.push_back({{"objective", row(one.objective).name},
+                    {"value", number(one.value)},
+                    {"count", one.count},
+                    {"routings", one.words}});
+  }
+  return json;
+}
+
+}  // namespace reeve

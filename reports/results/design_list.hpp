@@ -1,0 +1,30 @@
+// A list of ranked designs as table, CSV and JSON: what `rank` and `explore` have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/json.hpp"
+#include "reports/sheet/sheet.hpp"
+#include "search/judge/order.hpp"
+#include "search/judge/score.hpp"
+#include "studies/listed_design.hpp"
+
+namespace reeve {
+
+// Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
+// objectives that the order asks for, and what the score is made of where it orders.
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order = {},
+                   const Score& score = authors_score());
+
+// RFC 4180. A note, if any, becomes a comment line at the top.
+std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");
+
+// Designs that have no rank.
+std::string sample_csv(const std::vector<Design>& designs, const std::string& note = "");
+
+Json to_json(const ListedDesign& design);
+Json to_json(const std::vector<ListedDesign>& designs);
+Json to_json(const std::vector<BestDesigns>& best);
+
+}  // namespace reeve

@@ -1,0 +1,182 @@
+#include "reports/results/explore_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/results/design_list.hpp"
+#include "reports/results/model_text.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr std::size_t shown_at_most = 10;
+
+std::vector<ListedDesign> first(const std::vector<ListedDesign>& designs, std::size_t count) {
+  return {designs.begin(),
+          designs.begin() + static_cast<std::ptrdiff_t>(std::min(count, designs.size()))};
+}
+
+double rate(const ExploreResult& result) {
+  return result.seconds > 0 ? static_cast<double>(result.evaluated) / result.seconds : 0;
+}
+
+std::string counts_text(const ExploreResult& result) {
+  std::string text = fmt::format("{} of {} routings generated", result.generated, result.total);
+  for (const Rejection& rejection : result.rejected) {
+    text += fmt::format(", {} rejected ({})", rejection.count, rejection.reason);
+  }
+  return text + fmt::format(", {} evaluated", result.evaluated);
+}
+
+Section front_section(const ExploreReport& report) {
+  std::string text = fmt::format("Pareto front over {}: {} design{}",
+                                 objective_names(report.options.order.objectives),
+                                 report.front.size(), report.front.size() == 1 ? "" : "s");
+  if (report.result.front_equals_left_out > 0) {
+    text +=
+        fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
+  }
+  if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
+  return {
+      text,
+      design_table(first(report.front, shown_at_most), report.options.order, report.options.score),
+      {}};
+}
+
+std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
+  if (reference.rank > 0) return std::to_string(reference.rank);
+  if (!reference.rejected_by.empty()) return "not " + reference.rejected_by;
+  return reference.generated ? fmt::format(">{}", report.options.top) : "not among them";
+}
+
+Section known_section(const ExploreReport& report) {
+  if (report.result.references.empty()) return {};
+  Table table{{text_column("name"), text_column("routing"), number_column("rank"),
+               number_column("front", "", 1), number_column("dominated by", "", 2),
+               number_column("uniformity"), number_column("efficiency")},
+              {}};
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    table.add({report.reference_names[i], reference.design.word, standing(report, reference),
+               reference.front > 0 ? std::to_string(reference.front) : "-",
+               std::to_string(reference.dominated_by),
+               fixed(value(reference.design.values, Objective::uniformity_mean)),
+               fixed(value(reference.design.values, Objective::efficiency_mean))});
+  }
+  return {"Where the known routings stand", table, {}};
+}
+
+std::vector<SheetLine> opening_lines(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  std::vector<SheetLine> lines{{counts_text(result) + fmt::format(" in {:.2f} s ({:.0f} a second)",
+                                                                  result.seconds, rate(result))}};
+  const std::string note = partial_note(report);
+  if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
+  for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
+  for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
+    lines.push_back(line);
+  }
+  lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
+                   to_text(report.options.grasps)});
+  return lines;
+}
+
+Json known_json(const ExploreReport& report) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    Json entry{{"name", report.reference_names[i]},
+               {"routing", reference.design.word},
+               {"rank", reference.rank > 0 ? Json(reference.rank) : Json(nullptr)},
+               {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
+               {"dominated_by", reference.dominated_by},
+               {"generated", reference.generated},
+               {"rejected_by",
+                reference.rejected_by.empty() ? Json(nullptr) : Json(reference.rejected_by)}};
+    add_objectives(entry, reference.design.values);
+    json.push_back(entry);
+  }
+  return json;
+}
+
+Json explore_settings(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  Json json{{"fingers", generator.fingers},
+            {"identical_fingers", generator.identity == FingerIdentity::identical},
+            {"parts",
+             {{"tips", tips_text(generator.parts)},
+              {"joins", joins_text(generator.parts)},
+              {"ends", ends_text(generator.parts)}}},
+            {"tendons", generator.one_tendon ? "one" : "any"},
+            {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
+            {"top", options.top}};
+  json["constraints"] = Json::array();
+  for (const Constraint& constraint : options.constraints) {
+    json["constraints"].push_back(constraint.text);
+  }
+  json.update(settings_json(options.order, options.score, options.grasps, options.model,
+                            report.result.unconverged));
+  json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+Sheet explore_sheet(const ExploreReport& report) {
+  const std::vector<ListedDesign> top = first(report.top, shown_at_most);
+  Sheet sheet{{{"", std::nullopt, opening_lines(report)},
+               front_section(report),
+               {fmt::format("Top {}", top.size()),
+                design_table(top, report.options.order, report.options.score),
+                {}}}};
+  sheet.add(known_section(report));
+  return sheet;
+}
+
+std::vector<std::string> notes(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const Hardware hardware = effective_hardware(options.model);
+  const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
+                     hardware.fingers.empty() && hardware.contacts.empty();
+  if (alike || options.generator.identity == FingerIdentity::distinct) return {};
+  return {
+      "the grasps or the hardware tell the fingers apart, but routings were listed for identical "
+      "fingers: each was evaluated with the finger numbers of its word only; --distinct-fingers "
+      "evaluates all"};
+}
+
+std::string partial_note(const ExploreReport& report) {
+  if (report.draws_stopped) {
+    return "stopped while drawing coefficients; the ranks have no distributions";
+  }
+  if (!report.result.partial) return "";
+  return fmt::format("stopped after {} of {} routings; ranks are among these",
+                     report.result.generated, report.result.total);
+}
+
+std::string explore_summary_json(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  Json json{{"generated", result.generated}};
+  json["rejected"] = Json::object();
+  for (const Rejection& rejection : result.rejected) {
+    json["rejected"][rejection.reason] = rejection.count;
+  }
+  json["evaluated"] = result.evaluated;
+  json["partial"] = result.partial || report.draws_stopped;
+  json["notes"] = notes(report);
+  json["total"] = result.total;
+  json["seconds"] = result.seconds;
+  json["designs_per_second"] = rate(result);
+  json["front_equals_left_out"] = result.front_equals_left_out;
+  json["front"] = to_json(report.front);
+  json["top"] = to_json(report.top);
+  json["best"] = to_json(report.result.best);
+  json["known"] = known_json(report);
+  json["settings"] = explore_settings(report);
+  json["version"] = version_json();
+  return print(json);
+}
+
+}  // namespace reeve

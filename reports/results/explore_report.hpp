@@ -1,0 +1,20 @@
+// What `explore` leaves behind: a table for the terminal, JSON for everything else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/sheet/sheet.hpp"
+#include "studies/exploration_study.hpp"
+
+namespace reeve {
+
+Sheet explore_sheet(const ExploreReport& report);
+std::string explore_summary_json(const ExploreReport& report);
+// What the user should know of how the ranking came about; usually nothing.
+std::vector<std::string> notes(const ExploreReport& report);
+
+// Set in the files of an exploration that was stopped; otherwise "".
+std::string partial_note(const ExploreReport& report);
+
+}  // namespace reeve

@@ -1,0 +1,89 @@
+#include "reports/results/rank_report.hpp"
+
+#include "reports/json.hpp"
+#include "reports/results/design_list.hpp"
+#include "reports/results/distribution_report.hpp"
+#include "reports/results/model_text.hpp"
+#include "reports/results/show_report.hpp"
+
+namespace reeve {
+namespace {
+
+std::string name_of(const RankReport& report, const std::string& word) {
+  for (const ListedDesign& design : report.designs) {
+    if (design.ranked.design.word == word && !design.name.empty()) return design.name;
+  }
+  return word;
+}
+
+Section margin_section(const RankReport& report) {
+  if (!report.margins || report.margins->empty()) return {};
+  Table table{{text_column("over"), number_column("lead"), number_column("least lead"),
+               number_column("mu tube"), number_column("mu sheath"), number_column("mu bearing"),
+               number_column("sheath angle, rad")},
+              {}};
+  for (const Margin& margin : *report.margins) {
+    table.add({name_of(report, margin.challenger), fixed(margin.nominal_lead, 4),
+               fixed(margin.least_lead, 4), fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu),
+               fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
+  }
+  return {
+      "Lead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
+      "coefficients it is least; below 0 the order turns there",
+      table,
+      {}};
+}
+
+Json margins_json(const std::vector<Margin>& margins) {
+  Json json = Json::array();
+  for (const Margin& margin : margins) {
+    json.push_back({{"over", margin.challenger},
+                    {"lead", margin.nominal_lead},
+                    {"least_lead", margin.least_lead},
+                    {"at",
+                     {{"tube_mu", margin.at.tube.mu},
+                      {"sheath_mu", margin.at.sheath.mu},
+                      {"bearing_mu", margin.at.bearing.mu},
+                      {"sheath_angle_rad", margin.at.sheath.angle_rad}}}});
+  }
+  return json;
+}
+
+void add_details(Json& json, const RankDetails& details) {
+  json["best"] = to_json(details.best);
+  json["routings"] = Json::array();
+  for (const ShownRouting& routing : details.routings) json["routings"].push_back(to_json(routing));
+  json["tension_distributions"] = Json::array();
+  for (const TensionDistribution& distribution : details.distributions.list) {
+    json["tension_distributions"].push_back(to_json(distribution));
+  }
+  json["measured_data"] =
+      details.distributions.data ? to_json(*details.distributions.data) : Json(nullptr);
+}
+
+}  // namespace
+
+Sheet rank_sheet(const RankReport& report) {
+  std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  lines.push_back({order_text(report.order, report.score) +
+                   "; uniformity and efficiency as mean/worst over the grasps " +
+                   to_text(report.grasps)});
+  Sheet sheet{{{"", std::nullopt, lines},
+               {"", design_table(report.designs, report.order, report.score), {}}}};
+  sheet.add(margin_section(report));
+  return sheet;
+}
+
+std::string rank_json(const RankReport& report) {
+  Json json{{"designs", to_json(report.designs)},
+            {"settings", settings_json(report.order, report.score, report.grasps, report.model,
+                                       report.unconverged)}};
+  json["settings"]["uncertainty"] =
+      report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  if (report.margins) json["margins"] = margins_json(*report.margins);
+  if (report.details) add_details(json, *report.details);
+  json["version"] = version_json();
+  return print(json);
+}
+
+}  // namespace reeve

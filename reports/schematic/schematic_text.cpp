@@ -1,0 +1,125 @@
+#include "reports/schematic/schematic_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "reports/schematic/schematic_measures.hpp"
+
+namespace reeve {
+
+using namespace measures;
+
+namespace {
+
+double add_lines(const std::string& text, double top, DrawnText style, SchematicLayout& layout) {
+  const double width = layout.width - 2 * margin;
+  const bool bold = style.weight == Weight::bold;
+  for (const std::string& piece : wrap(text, style.size, bold, width)) {
+    style.text = piece;
+    style.box = {margin, top, margin + std::min(width, text_width(piece, style.size, bold)),
+                 top + style.size + 4};
+    layout.texts.push_back(style);
+    top = style.box.bottom;
+  }
+  return top;
+}
+
+struct SymbolMeaning {
+  LegendSymbol symbol;
+  const char* text;
+};
+
+constexpr double legend_size = 12;
+constexpr std::array<SymbolMeaning, 7> legend_entries{{{LegendSymbol::tube, "tube"},
+                                                       {LegendSymbol::bearing, "bearing"},
+                                                       {LegendSymbol::sheath, "sheath"},
+                                                       {LegendSymbol::fixed, "fixed (F)"},
+                                                       {LegendSymbol::tied, "tied (M)"},
+                                                       {LegendSymbol::slides, "slides"},
+                                                       {LegendSymbol::slack, "slack"}}};
+
+}  // namespace
+
+double add_heading(const SchematicFrame& frame, SchematicLayout& layout) {
+  const double title = add_lines(frame.title, 10, {{}, "", 16, Weight::bold}, layout);
+  const double subtitle =
+      add_lines(frame.subtitle, title, {{}, "", small_size, Weight::normal}, layout);
+  return subtitle + 6;
+}
+
+void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& layout) {
+  const double middle = (finger.outline.left + finger.outline.right) / 2;
+  double bottom = finger.held ? finger.object.top - 1 : finger.outline.top - 3;
+  const auto add = [&](const std::string& text, Weight weight) {
+    const double half = text_width(text, small_size, weight == Weight::bold) / 2;
+    layout.texts.push_back({{middle - half, bottom - line_height, middle + half, bottom},
+                            text,
+                            small_size,
+                            weight,
+                            Align::middle});
+    bottom -= line_height;
+  };
+  if (finger.held) add("held", Weight::bold);
+  add(fmt::format("finger {}", number), Weight::normal);
+}
+
+DrawnText motor_text(const SchematicLayout& layout) {
+  const double top = (layout.motor.top + layout.motor.bottom - line_height) / 2;
+  const double width = text_width("motor 1.00", small_size, false);
+  constexpr double aside = 5;
+  DrawnText text{{}, "", small_size, Weight::normal, Align::start};
+  const double right = layout.motor.right + aside;
+  text.box = {right, top, right + width, top + line_height};
+  if (text.box.right > layout.width - margin / 2) {
+    const double left = layout.motor.left - aside;
+    text.box = {left - width, top, left, top + line_height};
+    text.align = Align::end;
+  }
+  return text;
+}
+
+namespace {
+
+void add_note(const Box& room, Legend& legend) {
+  const std::string note = "line width and number: tension at motor tension 1";
+  for (const std::string& piece : wrap(note, legend_size, false, room.right - room.left)) {
+    const double right = room.left + text_width(piece, legend_size, false);
+    const double bottom = legend.bottom + legend_size + 4;
+    legend.texts.push_back(
+        {{room.left, legend.bottom, right, bottom}, piece, legend_size, Weight::normal});
+    legend.bottom = bottom;
+  }
+}
+
+}  // namespace
+
+Legend legend(const Box& room, bool with_tension) {
+  constexpr double symbol = 22;
+  constexpr double high = 22;
+  constexpr double cell = 86;
+  Legend legend;
+  double x = room.left;
+  double y = room.top;
+  for (const SymbolMeaning& entry : legend_entries) {
+    const bool shows_tension =
+        entry.symbol == LegendSymbol::slides || entry.symbol == LegendSymbol::slack;
+    if (shows_tension && !with_tension) continue;
+    if (x + cell > room.right + 1) {
+      x = room.left;
+      y += high;
+    }
+    legend.items.push_back({entry.symbol, {x, y, x + symbol, y + high}});
+    const double left = x + symbol + 4;
+    const double right = left + text_width(entry.text, legend_size, false);
+    legend.texts.push_back(
+        {{left, y + 3, right, y + high - 3}, entry.text, legend_size, Weight::normal});
+    x += cell;
+  }
+  legend.bottom = y + high + 2;
+  if (with_tension) add_note(room, legend);
+  return legend;
+}
+
+}  // namespace reeve

@@ -1,0 +1,39 @@
+#include "reports/sheet/sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace reeve {
+
+TableColumn text_column(const std::string& heading) { return {heading, "", true}; }
+
+TableColumn number_column(const std::string& heading, const std::string& unit,
+                          unsigned dispensable) {
+  return {heading, unit, false, dispensable};
+}
+
+void Table::add(std::vector<std::string> cells, Tint tint) {
+  rows.push_back({std::move(cells), tint});
+}
+
+void Sheet::add(Section section) {
+  if (section.table || !section.lines.empty()) sections.push_back(std::move(section));
+}
+
+void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat) {
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back({line, caveat});
+}
+
+std::string fixed(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+std::string percent(double share) {
+  return std::isfinite(share) ? fixed(100 * share, 1) + " %" : "-";
+}
+
+}  // namespace reeve

@@ -1,0 +1,13 @@
+// A sheet for a terminal, a pipe or a file.
+#pragma once
+
+#include <string>
+
+#include "reports/sheet/sheet.hpp"
+#include "reports/sheet/text_table.hpp"
+
+namespace reeve {
+
+std::string text(const Sheet& sheet, const Look& look = {});
+
+}  // namespace reeve

@@ -1,0 +1,41 @@
+// How many routings a set of parts makes.
+//
+// With t tip kinds, J join kinds and E end kinds, the tendons through k fingers are, up to their
+// symmetries,
+//   identical fingers (Burnside)
+//     open   half of E^2 J^(k-1) t^k plus the palindromes E J^(k/2) t^((k+1)/2)
+//     loops  (1/2k) [ Σ_{r<k} (tJ)^gcd(r,k) + walks that the k reflections leave as they are ]
+//   distinct fingers
+//     open   E^2 J^(k-1) t^k k! / 2                 (k = 1: t E (E+1) / 2)
+//     loops  t^k J^k (k-1)! / 2                     (k = 1: tJ; k = 2: t^2 J (J+1) / 2)
+// A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons.
+// Numbers beyond 2^63 are refused with an InputError.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/canonical.hpp"
+#include "search/enumerate/parts.hpp"
+
+namespace reeve {
+
+// Tendons by number of fingers: [k] for k = 1 … fingers; [0] is 0.
+using TendonCounts = std::vector<std::uint64_t>;
+
+TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity);
+
+// sets[r], r = 0 … fingers: sets of tendons, none with more than `largest` fingers, that pass r
+// fingers in all. Distinct fingers: of r given fingers.
+std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
+                                       FingerIdentity identity);
+
+struct RoutingCounts {
+  std::uint64_t all = 0;
+  std::uint64_t actuated = 0;    // every tendon hangs on the carriage
+  std::uint64_t one_tendon = 0;  // actuated, and a single tendon
+};
+
+RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity);
+
+}  // namespace reeve

@@ -1,0 +1,76 @@
+#include "search/enumerate/numbering.hpp"
+
+#include <algorithm>
+
+#include "core/canonical.hpp"
+
+namespace reeve {
+namespace {
+
+std::uint64_t bit(int finger) { return std::uint64_t{1} << (finger - 1); }
+
+int first_finger(const Tendon& tendon) {
+  return std::find_if(tendon.walk.begin(), tendon.walk.end(),
+                      [](const Token& token) { return token.kind == TokenKind::finger; })
+      ->finger;
+}
+
+}  // namespace
+
+void Numbering::start(Routing& routing) {
+  places_.clear();
+  used_ = 0;
+  for (std::size_t t = 0; t < routing.tendons.size(); ++t) {
+    const Walk& walk = routing.tendons[t].walk;
+    bool opens_twin = t > 0 && same_shape(routing.tendons[t - 1], routing.tendons[t]);
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      if (walk[i].kind != TokenKind::finger) continue;
+      places_.push_back({t, i, opens_twin, false});
+      opens_twin = false;
+    }
+    places_.back().ends_tendon = true;
+  }
+  advance(routing, 0, 1);
+}
+
+bool Numbering::next(Routing& routing) {
+  const Place& last = places_.back();
+  const int finger = routing.tendons[last.tendon].walk[last.token].finger;
+  used_ &= ~bit(finger);
+  return advance(routing, places_.size() - 1, finger + 1);
+}
+
+// Backtracking from `place`, which takes fingers from `from` on; the places before it hold theirs.
+bool Numbering::advance(Routing& routing, std::size_t place, int from) {
+  const int fingers = static_cast<int>(places_.size());
+  while (true) {
+    Token& token = routing.tendons[places_[place].tendon].walk[places_[place].token];
+    int finger = from;
+    for (; finger <= fingers; ++finger) {
+      if ((used_ & bit(finger)) != 0) continue;
+      token.finger = static_cast<std::uint8_t>(finger);
+      if (admits(routing, places_[place])) break;
+    }
+    if (finger <= fingers) {
+      used_ |= bit(finger);
+      if (++place == places_.size()) return true;
+      from = 1;
+    } else {
+      if (place-- == 0) return false;
+      const Place& before = places_[place];
+      from = routing.tendons[before.tendon].walk[before.token].finger + 1;
+      used_ &= ~bit(from - 1);
+    }
+  }
+}
+
+bool Numbering::admits(const Routing& routing, const Place& place) const {
+  const Tendon& tendon = routing.tendons[place.tendon];
+  if (place.opens_twin &&
+      tendon.walk[place.token].finger < first_finger(routing.tendons[place.tendon - 1])) {
+    return false;
+  }
+  return !place.ends_tendon || is_canonical(tendon);
+}
+
+}  // namespace reeve

@@ -1,0 +1,99 @@
+#include "search/enumerate/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+template <typename Kind>
+using Named = std::pair<const char*, Kind>;
+
+constexpr std::array<Named<TipKind>, 2> tip_names{
+    {{"tube", TipKind::tube}, {"bearing", TipKind::bearing}}};
+constexpr std::array<Named<TokenKind>, 3> join_names{{{"T", TokenKind::tube_join},
+                                                      {"B", TokenKind::bearing_join},
+                                                      {"P", TokenKind::movable_pulley}}};
+constexpr std::array<Named<TokenKind>, 2> end_names{
+    {{"M", TokenKind::motor_end}, {"F", TokenKind::fixed_end}}};
+
+template <typename Kind, std::size_t n>
+std::vector<Kind> parse(const std::string& option, const std::string& text,
+                        const std::array<Named<Kind>, n>& names) {
+  std::vector<Kind> kinds;
+  std::string expected;
+  for (const auto& [label, kind] : names)
+    expected += (expected.empty() ? "" : ", ") + std::string(label);
+  for (std::size_t at = 0; at < text.size() + 1 && !text.empty();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string item = text.substr(at, comma - at);
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [&](const auto& named) { return named.first == item; });
+    if (found == names.end()) {
+      throw InputError(fmt::format("{} '{}': '{}': expected a comma-separated list of {}", option,
+                                   text, item, expected));
+    }
+    kinds.push_back(found->second);
+    at = comma + 1;
+  }
+  std::sort(kinds.begin(), kinds.end());
+  kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+  return kinds;
+}
+
+template <typename Kind, std::size_t n>
+std::string print(const std::vector<Kind>& kinds, const std::array<Named<Kind>, n>& names) {
+  std::string text;
+  for (const auto& [label, kind] : names) {
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
+    text += (text.empty() ? "" : ",") + std::string(label);
+  }
+  return text;
+}
+
+}  // namespace
+
+PartSet paper_parts() {
+  return {{TipKind::tube},
+          {TokenKind::tube_join, TokenKind::movable_pulley},
+          {TokenKind::motor_end, TokenKind::fixed_end}};
+}
+
+PartSet full_parts() {
+  return {{TipKind::tube, TipKind::bearing},
+          {TokenKind::tube_join, TokenKind::bearing_join, TokenKind::movable_pulley},
+          {TokenKind::motor_end, TokenKind::fixed_end}};
+}
+
+std::vector<TipKind> parse_tips(const std::string& text) { return parse("tips", text, tip_names); }
+std::vector<TokenKind> parse_joins(const std::string& text) {
+  return parse("joins", text, join_names);
+}
+std::vector<TokenKind> parse_ends(const std::string& text) {
+  return parse("ends", text, end_names);
+}
+
+std::string tips_text(const PartSet& parts) { return print(parts.tips, tip_names); }
+std::string joins_text(const PartSet& parts) { return print(parts.joins, join_names); }
+std::string ends_text(const PartSet& parts) { return print(parts.ends, end_names); }
+
+void validate(const PartSet& parts) {
+  if (parts.tips.empty()) throw InputError("tips '': expected at least one of tube, bearing");
+  if (parts.joins.empty() && parts.ends.empty()) {
+    throw InputError("joins '', ends '': expected at least one join or one end");
+  }
+}
+
+PartSet passive_parts(const PartSet& parts) {
+  PartSet passive = parts;
+  std::erase_if(passive.joins, is_on_carriage);
+  std::erase_if(passive.ends, is_on_carriage);
+  return passive;
+}
+
+}  // namespace reeve

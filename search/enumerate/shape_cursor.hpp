@@ -1,0 +1,32 @@
+// The tendons that a set of parts allows, without finger numbers, one after the other.
+#pragma once
+
+#include <cstdint>
+
+#include "core/routing.hpp"
+#include "search/enumerate/parts.hpp"
+
+namespace reeve {
+
+// Tendon shapes through a given number of fingers in canonical order: open ones, then loops.
+class ShapeCursor {
+ public:
+  // Moves to the first shape; false if there is none.
+  bool start(const PartSet& parts, int fingers);
+  bool next(const PartSet& parts);
+
+  int fingers() const { return fingers_; }
+  std::uint64_t index() const { return index_; }  // among the shapes of this size
+  const Tendon& shape() const { return shape_; }
+
+ private:
+  bool start_walk(const PartSet& parts, bool closed);
+  bool next_walk(const PartSet& parts);
+  bool settle(const PartSet& parts);
+
+  Tendon shape_;
+  int fingers_ = 0;
+  std::uint64_t index_ = 0;
+};
+
+}  // namespace reeve

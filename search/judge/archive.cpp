@@ -1,0 +1,128 @@
+#include "search/judge/archive.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace reeve {
+namespace {
+
+// Thinning out costs more than filling, so it waits until a good part is new.
+constexpr std::size_t least_backlog = 4096;
+
+// Beyond that many rows, letting a design in costs less than proving that it cannot rank, provided
+// that thinning out is quick.
+constexpr Eigen::Index quick_proof = 8192;
+
+bool equal(const Goodness& a, const Goodness& b) { return (a == b).all(); }
+
+bool greater(const Goodness& a, const Goodness& b) {
+  return std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end());
+}
+
+}  // namespace
+
+Archive::Archive(Order order, std::size_t keep) : order_(std::move(order)), keep_(keep) {}
+
+bool Archive::may_rank(const ObjectiveValues& values) const {
+  const Goodness candidate = goodness(values, order_.objectives);
+  if (corner_.size() > 0 && (candidate < corner_).all()) return false;
+  if (sweeps() && guards_.rows() > quick_proof) return true;
+  return !has_enough_dominators(guards_.rows(), candidate, 0);
+}
+
+void Archive::add(Design design) {
+  Goodness value = goodness(design.values, order_.objectives);
+  entries_.push_back({std::move(design), std::move(value), 0});
+  if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
+}
+
+// `beaten` are known to beat it besides.
+bool Archive::has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                                    Eigen::Index beaten) const {
+  const auto enough = static_cast<Eigen::Index>(keep_);
+  // Counting costs time for each row, and there are not even as many.
+  if (rows + beaten < enough) return false;
+  return count_dominators(guards_, rows, candidate, enough) + beaten >= enough;
+}
+
+SweepCounter Archive::counter() const {
+  std::vector<double> values;
+  if (!sweeps()) return SweepCounter({});
+  for (const Entry& entry : entries_) values.push_back(second_value(entry.goodness));
+  return SweepCounter(std::move(values));
+}
+
+void Archive::compact() {
+  SweepCounter better = counter();
+  std::sort(entries_.begin(), entries_.end(), [this](const Entry& a, const Entry& b) {
+    if (!equal(a.goodness, b.goodness)) return greater(a.goodness, b.goodness);
+    return precedes_within_front(a.design, b.design, order_);
+  });
+  const auto enough = static_cast<Eigen::Index>(keep_);
+  guards_.resize(static_cast<Eigen::Index>(entries_.size()),
+                 static_cast<Eigen::Index>(order_.objectives.size()));
+  Eigen::Index kept = 0;
+  Eigen::Index equals = 0;  // kept entries that equal the next one
+  for (Entry& entry : entries_) {
+    Entry* last = kept == 0 ? nullptr : &entries_[static_cast<std::size_t>(kept - 1)];
+    const bool is_twin = last != nullptr && equal(last->goodness, entry.goodness);
+    equals = is_twin ? equals : 0;
+    if (is_twin && equals >= enough) {
+      last->equals_left_out += entry.equals_left_out + 1;
+      continue;
+    }
+    if (sweeps() ? better.not_less(second_value(entry.goodness)) >= enough
+                 : has_enough_dominators(kept, entry.goodness, equals)) {
+      continue;
+    }
+    if (sweeps()) better.add(second_value(entry.goodness));
+    guards_.row(kept) = entry.goodness.transpose();
+    Entry& slot = entries_[static_cast<std::size_t>(kept)];
+    if (&slot != &entry) slot = std::move(entry);
+    ++kept;
+    ++equals;
+  }
+  entries_.resize(static_cast<std::size_t>(kept));
+  guards_.conservativeResize(kept, Eigen::NoChange);
+  compacted_ = entries_.size();
+  place_guards();
+}
+
+// Of all sets of `keep` guards, those that are good in their weakest objective span a deep corner.
+void Archive::place_guards() {
+  const auto keep = static_cast<Eigen::Index>(keep_);
+  if (guards_.rows() < keep) return;
+  const Goodness low = guards_.colwise().minCoeff().transpose();
+  const Goodness span = (guards_.colwise().maxCoeff().transpose() - low).max(1e-300);
+  std::vector<double> weakest;
+  for (Eigen::Index i = 0; i < guards_.rows(); ++i) {
+    weakest.push_back(((guards_.row(i).transpose() - low) / span).minCoeff());
+  }
+  std::vector<Eigen::Index> order(weakest.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  const auto last = order.begin() + static_cast<std::ptrdiff_t>(keep_) - 1;
+  std::nth_element(order.begin(), last, order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return weakest[static_cast<std::size_t>(a)] > weakest[static_cast<std::size_t>(b)];
+  });
+  corner_ = guards_.row(order.front()).transpose();
+  for (auto guard = order.begin(); guard != last + 1; ++guard) {
+    corner_ = corner_.min(guards_.row(*guard).transpose());
+  }
+}
+
+Archive::Content Archive::content() {
+  compact();
+  Content content;
+  std::vector<Design> designs;
+  for (const Entry& entry : entries_) {
+    designs.push_back(entry.design);
+    if (count_dominators(guards_, guards_.rows(), entry.goodness, 1) == 0) {
+      content.front_equals_left_out += entry.equals_left_out;
+    }
+  }
+  content.ranked = rank(std::move(designs), order_);
+  return content;
+}
+
+}  // namespace reeve

@@ -1,0 +1,60 @@
+// The designs that can still be among the best, out of a stream of any length.
+//
+// A design that at least `keep` others beat (dominate it, or equal it in the chosen objectives and
+// precede it within the front) cannot be among the first `keep` of the ranking: each of them comes
+// before it. The designs that fewer beat (the keep-skyband) are all that is held. They suffice for
+// the exact fronts too, since whatever dominates a member is a member or is itself dominated by
+// enough members. The front is whole, but for designs beyond the first `keep` of those that are
+// equal in all chosen objectives: these are only counted.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/enumerate/sweep_counter.hpp"
+#include "search/judge/pareto.hpp"
+#include "search/judge/ranking.hpp"
+
+namespace reeve {
+
+class Archive {
+ public:
+  // keep >= 1
+  Archive(Order order, std::size_t keep);
+
+  // False if enough designs are known to beat these values; may be asked from many threads.
+  bool may_rank(const ObjectiveValues& values) const;
+
+  void add(Design design);
+
+  struct Content {
+    std::vector<RankedDesign> ranked;  // best first; at least the first `keep` and the front
+    std::uint64_t front_equals_left_out = 0;
+  };
+  Content content();
+
+  std::size_t held() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    Design design;
+    Goodness goodness;
+    std::uint64_t equals_left_out = 0;
+  };
+
+  bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
+                             Eigen::Index beaten) const;
+  bool sweeps() const { return order_.objectives.size() <= 2; }
+  SweepCounter counter() const;
+  void compact();
+  void place_guards();
+
+  Order order_;
+  std::size_t keep_;
+  std::vector<Entry> entries_;  // the first compacted_ are sorted and thinned out
+  std::size_t compacted_ = 0;
+  GoodnessMatrix guards_;  // of the compacted entries
+  Goodness corner_;        // `keep` guards dominate whatever is worse than this in everything
+};
+
+}  // namespace reeve

@@ -1,0 +1,82 @@
+#include "search/judge/evaluation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/notation.hpp"
+
+namespace reeve {
+
+DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
+    : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
+
+DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score)
+    : model_(std::make_shared<const Model>(model)),
+      needs_word_(reaches(model, Reach::contact)),
+      builder_(effective_hardware(model)),
+      grasps_(std::move(grasps)),
+      score_(std::move(score)) {
+  if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
+    model_solver_.emplace(*model_);
+  }
+}
+
+const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+  if (!model_solver_) {
+    solver_.solve(network_, mechanics_, grasp, direction, state_);
+    return state_;
+  }
+  const TensionState& state = model_solver_->solve(grasp, direction, model_->conditions);
+  if (!model_solver_->converged()) ++unconverged_;
+  return state;
+}
+
+GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, Extent extent) {
+  GraspOutcome outcome;
+  outcome.weight = grasp.weight;
+  const TensionState& pulled = solve(grasp.grasp, Direction::pull);
+  outcome.jams = pulled.jams;
+  outcome.pull = performance(network_, pulled);
+  outcome.indicators = indicators(network_, pulled);
+  if (extent == Extent::pulling) return outcome;
+  const TensionState& released = solve(grasp.grasp, Direction::release);
+  outcome.return_friction =
+      return_friction(outcome.pull, performance(network_, released, Direction::release));
+  return outcome;
+}
+
+const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, Extent extent) {
+  expand(routing, network_);
+  builder_.apply(network_, mechanics_);
+  if (model_solver_) {
+    model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
+  }
+  outcome_.grasps.clear();
+  for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
+  outcome_.parts = parts(network_);
+  const auto motor_sides =
+      std::count_if(network_.segments.begin(), network_.segments.end(),
+                    [](const Segment& segment) { return segment.kind == SegmentKind::motor_side; });
+  outcome_.travel = 2.0 * network_.fingers / static_cast<double>(motor_sides);
+  return outcome_;
+}
+
+const DesignOutcome& DesignEvaluator::outcome(const Routing& routing) {
+  return outcome(routing, Extent::pulling_and_releasing);
+}
+
+ObjectiveValues DesignEvaluator::evaluate(const Routing& routing) {
+  ObjectiveValues values{};
+  compute_objectives(outcome(routing), values);
+  add_score(score_, values);
+  return values;
+}
+
+ObjectiveValues DesignEvaluator::evaluate_pulling(const Routing& routing) {
+  ObjectiveValues values{};
+  compute_objectives(outcome(routing, Extent::pulling), values);
+  add_score(score_, values);
+  return values;
+}
+
+}  // namespace reeve

@@ -1,0 +1,62 @@
+// One design in all its grasps: the bridge from the tension model to the objectives.
+//
+// A model's effects on hardware, friction and contacts are in it, friction at the model's reference
+// conditions; those on readings and records are the rig's and left out.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "causes/model.hpp"
+#include "causes/model_solver.hpp"
+#include "core/grasp.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/tension/tension.hpp"
+#include "search/judge/objectives.hpp"
+#include "search/judge/score.hpp"
+
+namespace reeve {
+
+// Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
+// One for each thread. (With a seized contact, evaluating allocates.)
+class DesignEvaluator {
+ public:
+  DesignEvaluator(const Hardware& hardware, GraspSet grasps);
+  DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score());
+
+  // The outcome is valid until the next call. Two tension solves a grasp: pull and release.
+  const DesignOutcome& outcome(const Routing& routing);
+
+  ObjectiveValues evaluate(const Routing& routing);
+
+  // All objectives but return friction, which is left at 0, in half the time: one solve a grasp.
+  ObjectiveValues evaluate_pulling(const Routing& routing);
+
+  // Solves so far that did not converge: friction that depends on the tension, and forces that eat
+  // nearly all of it. Their figures are then approximate.
+  std::size_t unconverged() const { return unconverged_; }
+
+ private:
+  enum class Extent { pulling, pulling_and_releasing };
+
+  const DesignOutcome& outcome(const Routing& routing, Extent extent);
+  GraspOutcome in_grasp(const WeightedGrasp& grasp, Extent extent);
+  const TensionState& solve(Grasp grasp, Direction direction);
+
+  std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
+  // Only where exponents or contacts are others than the hardware says; costs several solves.
+  std::optional<ModelSolver> model_solver_;
+  bool needs_word_ = false;
+  std::size_t unconverged_ = 0;
+  MechanicsBuilder builder_;
+  GraspSet grasps_;
+  Score score_;
+  Network network_;
+  Mechanics mechanics_;
+  TensionSolver solver_;
+  TensionState state_;
+  DesignOutcome outcome_;
+};
+
+}  // namespace reeve

@@ -1,0 +1,193 @@
+#include "search/judge/objectives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+using Grasps = std::vector<GraspOutcome>;
+
+template <typename Get>
+double mean(const Grasps& grasps, Get get) {
+  double sum = 0;
+  double weight = 0;
+  for (const GraspOutcome& grasp : grasps) {
+    sum += grasp.weight * get(grasp);
+    weight += grasp.weight;
+  }
+  return sum / weight;
+}
+
+template <typename Get>
+double worst(const Grasps& grasps, Get get) {
+  double least = get(grasps.front());
+  for (const GraspOutcome& grasp : grasps) least = std::min(least, get(grasp));
+  return least;
+}
+
+double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
+double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
+
+constexpr std::array<ObjectiveRow, objective_count> table{{
+    {Objective::uniformity_mean, "uniformity_mean", "uniformity", "mean", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }},
+    {Objective::uniformity_worst, "uniformity_worst", "uniformity", "worst", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }},
+    {Objective::efficiency_mean, "efficiency_mean", "efficiency", "mean", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }},
+    {Objective::efficiency_worst, "efficiency_worst", "efficiency", "worst", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }},
+    {Objective::force_transmission, "force_transmission", "force_transmission", "", "force", "1",
+     Better::higher, 3, 3, false, "sum of strand tensions over motor tension, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.pull.force_transmission; });
+     }},
+    {Objective::jams, "jams", "jams", "", "jams", "grasps", Better::lower, 0, 5, false,
+     "grasps in which the carriage is blocked",
+     [](const DesignOutcome& d) {
+       return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
+                                                [](const GraspOutcome& g) { return g.jams; }));
+     }},
+    {Objective::sheaths, "sheaths", "sheaths", "", "sheaths", "parts", Better::lower, 0, 6, false,
+     "sheaths between hand and motor: one for each M, two for each P",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.sheaths); }},
+    {Objective::pulleys, "pulleys", "pulleys", "", "pulleys", "parts", Better::lower, 0, 8, false,
+     "parts with a bearing: P, B and fingertips with a bearing",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.pulleys); }},
+    {Objective::knots, "knots", "knots", "", "knots", "parts", Better::lower, 0, 9, false,
+     "closed loops, whose ends must be tied together",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.knots); }},
+    {Objective::travel, "travel", "travel", "", "travel", "mm/mm", Better::lower, 2, 4, false,
+     "carriage travel per mm that each strand gives up, all fingers closing, on average",
+     [](const DesignOutcome& d) { return d.travel; }},
+    {Objective::return_friction, "return_friction", "return_friction", "", "return", "1",
+     Better::higher, 3, 7, false,
+     "motor tension releasing over pulling at equal strand work, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.return_friction; });
+     }},
+    {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
+     Better::higher, 2, 1, true,
+     "10 less the difference of the finger pulls over all pull, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.adaptability; });
+     }},
+    {Objective::torsional_balance, "torsional_balance", "torsional_balance", "", "balance", "1",
+     Better::higher, 2, 1, true,
+     "10 less the greatest difference between the strands of a finger, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.torsional_balance; });
+     }},
+    {Objective::reliability, "reliability", "reliability", "", "reliability", "1", Better::higher,
+     2, 1, true, "10 less the greatest friction force at any contact, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.reliability; });
+     }},
+    {Objective::authors_efficiency, "authors_efficiency", "authors_efficiency", "",
+     "auth. efficiency", "1", Better::higher, 2, 1, true,
+     "10 times work over motor work if all strands closed alike, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.authors_efficiency; });
+     }},
+    {Objective::transmission, "transmission", "transmission", "", "transmission", "1",
+     Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
+     }},
+    {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
+     "weighted mean of objectives; unless others are asked for, of the five before it", nullptr},
+}};
+
+std::string names() {
+  std::string list;
+  for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
+  return list;
+}
+
+}  // namespace
+
+std::string without_outer_spaces(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+double on_grid(double value) {
+  constexpr double grid = 1e10;
+  return std::round(value * grid) / grid;
+}
+
+const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }
+
+const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
+
+void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    values[i] = table[i].compute == nullptr ? 0 : on_grid(table[i].compute(outcome));
+  }
+}
+
+Objective parse_objective(const std::string& name, const std::string& option) {
+  if (name == "uniformity" || name == "efficiency") return parse_objective(name + "_mean", option);
+  for (const ObjectiveRow& row : table) {
+    if (row.name == name) return row.objective;
+  }
+  throw InputError(
+      fmt::format("{}: unknown objective '{}'; expected one of {}", option, name, names()));
+}
+
+std::vector<Objective> parse_objectives(const std::string& text) {
+  std::vector<Objective> objectives;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string name = without_outer_spaces(text.substr(at, comma - at));
+    const Objective objective = parse_objective(name, fmt::format("objectives '{}'", text));
+    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
+      throw InputError(fmt::format("objectives '{}': '{}' is named twice", text, name));
+    }
+    objectives.push_back(objective);
+    at = comma + 1;
+  }
+  return objectives;
+}
+
+bool Constraint::admits(const ObjectiveValues& values) const {
+  const double v = value(values, objective);
+  if (comparison == "<=") return v <= bound;
+  if (comparison == ">=") return v >= bound;
+  if (comparison == "<") return v < bound;
+  if (comparison == ">") return v > bound;
+  return v == bound;
+}
+
+Constraint parse_constraint(const std::string& text) {
+  const std::string option = fmt::format("constraint '{}'", text);
+  const std::size_t at = std::min(text.find_first_of("<>="), text.size());
+  const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
+  const std::string comparison = text.substr(at, end - at);
+  const std::string number = without_outer_spaces(text.substr(end));
+  constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
+  double bound = 0;
+  const char* last = number.data() + number.size();
+  const auto [stop, error] = std::from_chars(number.data(), last, bound);
+  const bool is_number = error == std::errc{} && stop == last && std::isfinite(bound);
+  if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
+    throw InputError(fmt::format(
+        "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
+        option));
+  }
+  const std::string name = without_outer_spaces(text.substr(0, at));
+  // On the grid of the values, so that a bound copied with all its digits holds.
+  return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
+}
+
+}  // namespace reeve

@@ -1,0 +1,82 @@
+#include "search/judge/score.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace reeve {
+namespace {
+
+constexpr double greatest_weight = 1e6;
+
+ScoreTerm parse_term(const std::string& text, const std::string& option) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  ScoreTerm term{parse_objective(without_outer_spaces(text.substr(0, equals)), option), 1};
+  if (term.objective == Objective::score) {
+    throw InputError(option + ": a score is no part of itself; expected other objectives");
+  }
+  if (equals == text.size()) return term;
+  const std::string number = without_outer_spaces(text.substr(equals + 1));
+  const char* last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, term.weight);
+  if (error != std::errc{} || end != last || !(term.weight > 0 && term.weight <= greatest_weight)) {
+    throw InputError(
+        fmt::format("{}: '{}': expected a weight above 0 and at most {}, such as "
+                    "adaptability=2",
+                    option, text, greatest_weight));
+  }
+  return term;
+}
+
+}  // namespace
+
+Score authors_score() {
+  return {{{Objective::adaptability, 1},
+           {Objective::torsional_balance, 1},
+           {Objective::reliability, 1},
+           {Objective::authors_efficiency, 1},
+           {Objective::transmission, 1}}};
+}
+
+void add_score(const Score& score, ObjectiveValues& values) {
+  double sum = 0;
+  double weights = 0;
+  for (const ScoreTerm& term : score.terms) {
+    const double given = value(values, term.objective);
+    sum += term.weight * (row(term.objective).better == Better::higher ? given : -given);
+    weights += term.weight;
+  }
+  values[static_cast<std::size_t>(Objective::score)] = on_grid(sum / weights);
+}
+
+Score parse_score(const std::string& text) {
+  if (text == "authors") return authors_score();
+  const std::string option = fmt::format("score '{}'", text);
+  Score score;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const ScoreTerm term = parse_term(text.substr(at, comma - at), option);
+    for (const ScoreTerm& other : score.terms) {
+      if (other.objective == term.objective) {
+        throw InputError(fmt::format("{}: '{}' is named twice", option, row(term.objective).name));
+      }
+    }
+    score.terms.push_back(term);
+    at = comma + 1;
+  }
+  return score;
+}
+
+std::string to_text(const Score& score) {
+  std::string text;
+  for (const ScoreTerm& term : score.terms) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", row(term.objective).name, term.weight);
+  }
+  return text;
+}
+
+}  // namespace reeve

@@ -1,0 +1,17 @@
+// Which objectives are shown to people: all but those that are shown on demand only, and of these
+// the chosen ones, and what the score is made of where it counts.
+#pragma once
+
+#include <vector>
+
+#include "search/judge/order.hpp"
+#include "search/judge/score.hpp"
+
+namespace reeve {
+
+// In the order of their table.
+std::vector<Objective> shown_objectives(const Order& order, const Score& score);
+
+bool is_shown(Objective objective, const Order& order, const Score& score);
+
+}  // namespace reeve

@@ -1,0 +1,38 @@
+#include "search/uncertainty/coefficient_box.hpp"
+
+#include <algorithm>
+
+namespace reeve {
+namespace {
+
+Interval around(double value, double relative) {
+  return {value * (1 - relative), value * (1 + relative)};
+}
+
+// What the user has in hand is possible, whatever the literature says.
+Interval widened(const MuRange& range, double nominal) {
+  return {std::min(range.low, nominal), std::max(range.high, nominal)};
+}
+
+}  // namespace
+
+CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges& ranges) {
+  return {widened(ranges.tube_mu, nominal.tube.mu), widened(ranges.sheath_mu, nominal.sheath.mu),
+          around(nominal.bearing.mu, ranges.bearing_mu_relative),
+          around(nominal.sheath.angle_rad, ranges.sheath_angle_relative)};
+}
+
+Hardware at_point(const Hardware& nominal, const std::vector<double>& point) {
+  Hardware hardware = nominal;
+  hardware.tube.mu = point[0];
+  hardware.sheath.mu = point[1];
+  hardware.bearing.mu = point[2];
+  hardware.sheath.angle_rad = point[3];
+  return hardware;
+}
+
+Model at_point(const Model& nominal, const std::vector<double>& point) {
+  return {at_point(nominal.hardware, point), nominal.effects, nominal.conditions};
+}
+
+}  // namespace reeve

@@ -1,0 +1,43 @@
+// How far the first place is from changing hands.
+//
+// The lead of a design over another is the difference of their products mean uniformity × mean
+// efficiency, by which designs of one front are ordered. Its least value over all coefficients in
+// their ranges says whether the order is safe (positive) or where it would turn (negative), and the
+// coefficients at which it is least are the ones to measure. Where uncertainty.hpp samples, this
+// looks for the worst case.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "search/explore.hpp"
+#include "search/judge/ranking.hpp"
+
+namespace reeve {
+
+struct Margin {
+  std::string challenger;  // word of the other design
+  double nominal_lead = 0;
+  double least_lead = 0;
+  Hardware at;  // the coefficients of the least lead, effects on them included
+};
+
+struct MarginOptions {
+  Model nominal;
+  UncertaintyRanges ranges;
+  GraspSet grasps;
+  int evaluations = 1000;  // for each challenger and each of two stages
+  int threads = 0;
+};
+
+// Of the first design over each of the others, in their order. Nothing if stopped. The front must
+// be that of the two means: then the first has the greatest product.
+std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& ranked,
+                                           const MarginOptions& options,
+                                           const Supervision& supervision = {});
+
+}  // namespace reeve
