@@ -112,7 +112,8 @@ std::vector<PublishedModel> published_models(const Catalogue& catalogue, const M
   for (auto& [key, model] : models) {
     const std::string& first = model.lines.front().source;
     const std::string& last = model.lines.back().source;
-    model.name = first == last ? first : first + " to " + last;
+    model.name = first;
+    if (last != first) model.name += " to " + last;
     for (const PublishedLine& line : model.lines) {
       model.error += line.error / static_cast<double>(model.lines.size());
       model.equations += line.equations / static_cast<double>(model.lines.size());

@@ -37,7 +37,7 @@ class LeftOut {
     if (jacobian_.cols() == 0) return left.squaredNorm();
     const MatrixXd others = jacobian_.transpose() * jacobian_ - run.square;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(others);
-    const VectorXd known = axes.eigenvalues();
+    const VectorXd& known = axes.eigenvalues();
     const MatrixXd& directions = axes.eigenvectors();
     for (Eigen::Index k = 0; k < known.size(); ++k) {
       const double told = directions.col(k).dot(run.square * directions.col(k));

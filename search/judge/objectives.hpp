@@ -68,9 +68,9 @@ struct ObjectiveRow {
   const char* heading;  // of a narrow column
   const char* unit;
   Better better;
-  int decimals;     // in tables; counts have none
-  int dispensable;  // the greater, the sooner a narrow window does without it; 0: never
-  bool on_demand;   // in tables for people only where it is asked for
+  int decimals;          // in tables; counts have none
+  unsigned dispensable;  // the greater, the sooner a narrow window does without it; 0: never
+  bool on_demand;        // in tables for people only where it is asked for
   const char* meaning;
   double (*compute)(const DesignOutcome&);  // of all but the score, which is made of the others
 
