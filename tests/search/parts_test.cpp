@@ -48,7 +48,7 @@ TEST(Parts, UnknownItemsAreNamedWithWhatWasExpected) {
   EXPECT_EQ(testing::input_error([] { parse_joins("T,X,P"); }),
             "joins 'T,X,P': 'X': expected a comma-separated list of T, B, P");
   EXPECT_EQ(testing::input_error([] { parse_ends("m"); }),
-            "--ends 'm': 'm': expected a comma-separated list of M, F");
+            "ends 'm': 'm': expected a comma-separated list of M, F");
 }
 
 TEST(Parts, EmptyItemsAndBlanksAreErrors) {
@@ -57,7 +57,7 @@ TEST(Parts, EmptyItemsAndBlanksAreErrors) {
   EXPECT_EQ(testing::input_error([] { parse_tips("tube,"); }),
             "tips 'tube,': '': expected a comma-separated list of tube, bearing");
   EXPECT_EQ(testing::input_error([] { parse_ends("M,,F"); }),
-            "--ends 'M,,F': '': expected a comma-separated list of M, F");
+            "ends 'M,,F': '': expected a comma-separated list of M, F");
   EXPECT_EQ(testing::input_error([] { parse_joins("T, P"); }),
             "joins 'T, P': ' P': expected a comma-separated list of T, B, P");
 }
