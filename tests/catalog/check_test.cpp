@@ -257,5 +257,19 @@ TEST(Check, SkipsEntriesWithoutPublishedNumbers) {
   EXPECT_TRUE(check(read_catalogue(folder.path())).items.empty());
 }
 
+// The figure in which another routing has the same lines is the one that is meant.
+TEST(CheckOfAFault, FindsRepeatedLinesInTheSameFigure) {
+  const std::string figure = "[[lines]]\nsource = \"Fig. 9 (b)\"";
+  const Edited edited("tr4.toml", figure,
+                      "[[lines]]\nsource = \"Fig. 8\"\nmu = 0.09\nshare_percent = [\"30\", "
+                      "\"30\", \"20\", \"20\"]\nread_to_percent = 0.3\n\n" +
+                          figure);
+  const CheckReport report = edited.check();
+  const CheckItem* repeated = find(report, "TR5", "Fig. 9 (b)", "share of T3, %");
+  ASSERT_NE(repeated, nullptr);
+  EXPECT_NE(repeated->reason.find("repeat those of Fig. 9 (b), for TR4"), std::string::npos)
+      << repeated->reason;
+}
+
 }  // namespace
 }  // namespace reeve

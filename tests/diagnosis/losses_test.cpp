@@ -243,5 +243,24 @@ TEST(Losses, LeaveOutContactsThatHoldWithLess) {
   }
 }
 
+// Two sheaths lose far more than the model says, but there is nothing else of their kind.
+TEST(Losses, AreComparedWithThoseOverTheSameContacts) {
+  const double t = std::exp(-tube), s = std::exp(-2 * sheath - bearing);
+  std::string text = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
+  for (const char* held : {"", "2"}) {
+    text += fmt::format("1,M-1-T-2-F,{},50,{},{},{}\n", held, 50 * t, 50 * t * t, 50 * t * t * t);
+  }
+  text += fmt::format("1,M-1-P-2-F,1,50,{},{},{}\n", 50 * t, 25 * t * s, 25 * t * t * s);
+  const MeasuredData data = read_data(text);
+  std::vector<ComparedCell> cells = compared(data);
+  for (ComparedCell& cell : cells) {
+    if (cell.cell.reading == 2 && cell.cell.channel > 1) cell.after_N *= 2;
+  }
+  const auto found = losses(data, Model{}, cells);
+  ASSERT_EQ(found.size(), 9U);
+  EXPECT_NEAR(found[7].measured - found[7].after, std::log(2.0), 1e-9);
+  for (const Loss& loss : found) EXPECT_FALSE(loss.stands_apart) << name(loss.high);
+}
+
 }  // namespace
 }  // namespace reeve::testing
