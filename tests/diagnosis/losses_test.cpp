@@ -245,7 +245,7 @@ TEST(Losses, LeaveOutContactsThatHoldWithLess) {
 
 // Two sheaths lose far more than the model says, but there is nothing else of their kind.
 TEST(Losses, AreComparedWithThoseOverTheSameContacts) {
-  const double t = std::exp(-tube), s = std::exp(-2 * sheath - bearing);
+  const double t = std::exp(-tube_loss), s = std::exp(-2 * sheath_loss - bearing);
   std::string text = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
   for (const char* held : {"", "2"}) {
     text += fmt::format("1,M-1-T-2-F,{},50,{},{},{}\n", held, 50 * t, 50 * t * t, 50 * t * t * t);
