@@ -616,8 +616,7 @@ std::string error_of(const GeneratorOptions& o) {
 TEST(Generator, ImpossibleOptionsAreRefused) {
   const PartSet paper = paper_parts();
   EXPECT_EQ(error_of(options(paper, 0, identical)), "fingers 0: expected a number from 1 to 64");
-  EXPECT_EQ(error_of(options(paper, -1, identical)),
-            "fingers -1: expected a number from 1 to 64");
+  EXPECT_EQ(error_of(options(paper, -1, identical)), "fingers -1: expected a number from 1 to 64");
   EXPECT_EQ(error_of(options(paper, 65, distinct)), "fingers 65: expected a number from 1 to 64");
   EXPECT_EQ(error_of(options({{}, paper.joins, paper.ends}, 2, identical)),
             "tips '': expected at least one of tube, bearing");
