@@ -83,6 +83,7 @@ void add_losses(const DiagnosisResult& result, const ShareError& group, const Ca
 
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result) {
+  if (data.simulated) return {};  // of which nobody has published anything
   std::map<std::pair<double, std::string>, PublishedModel> models;
   const std::vector<ShareError>& groups = result.share_errors.groups;
   const SharesOfData measured = measured_shares(data);

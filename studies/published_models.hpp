@@ -39,7 +39,7 @@ struct PublishedModel {
 };
 
 // By coefficient, the greatest first. Empty if no group of the diagnosis' share errors is
-// published.
+// published, or the data are simulated.
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result);
 

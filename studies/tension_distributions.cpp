@@ -19,6 +19,11 @@
 namespace reeve {
 namespace {
 
+bool is_coefficient_of_tubes_or_sheaths(const Effect& effect) {
+  const std::string_view name = effect.cause->name();
+  return name == "tube_friction" || name == "sheath_friction";
+}
+
 // Strand by strand; NaN where all are slack.
 std::vector<double> model_shares(const ShownRouting& report) {
   const ShownGrasp& shown = report.grasps.front();
@@ -209,6 +214,9 @@ TensionDistribution Distributions::at(const FrictionCase& which, Grasp grasp) {
   result.kind = which.kind;
   result.tube_mu = hardware.tube.mu;
   result.sheath_mu = hardware.sheath.mu;
+  for (const Effect& effect : which.model.effects) {
+    if (!is_coefficient_of_tubes_or_sheaths(effect)) result.other_effects.push_back(name(effect));
+  }
   result.sensors_differ = reaches(which.model, Reach::reading);
   result.grasp = grasp;
   for (const Routing& routing : request_.routings) {
@@ -243,10 +251,7 @@ TensionDistributions Distributions::run(const std::vector<Grasp>& grasps) {
 FrictionCase with_coefficient(Model model, double mu) {
   model.hardware.tube.mu = mu;
   model.hardware.sheath.mu = mu;
-  std::erase_if(model.effects, [](const Effect& effect) {
-    const std::string_view name = effect.cause->name();
-    return name == "tube_friction" || name == "sheath_friction";
-  });
+  std::erase_if(model.effects, is_coefficient_of_tubes_or_sheaths);
   return {FrictionKind::coefficient, std::move(model)};
 }
 

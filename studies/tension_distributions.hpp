@@ -78,6 +78,7 @@ struct TensionDistribution {
   FrictionKind kind = FrictionKind::model;
   double tube_mu = 0;
   double sheath_mu = 0;
+  std::vector<std::string> other_effects{};  // names of those on other than these coefficients
   bool sensors_differ = false;  // by the case; the shares are those of the tensions themselves
   Grasp grasp;
   std::vector<RoutingShares> routings;  // in the order in which they were asked for

@@ -1,6 +1,7 @@
 #include "pages/ranking/distribution_figure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -157,8 +158,10 @@ std::string row_title(std::size_t row, const TensionDistribution& distribution) 
   const std::string one =
       fmt::format("({}) μ of tubes and sheaths {:g}", letter(row), distribution.tube_mu);
   const auto two = [&](const char* what) {
-    return fmt::format("({}) {}: μ of tubes {:.2g}, of sheaths {:.2g}", letter(row), what,
-                       distribution.tube_mu, distribution.sheath_mu);
+    const std::vector<std::string>& others = distribution.other_effects;
+    return fmt::format("({}) {}: {}{}μ of tubes {:.2g}, of sheaths {:.2g}", letter(row), what,
+                       fmt::join(others, ", "), others.empty() ? "" : "; ", distribution.tube_mu,
+                       distribution.sheath_mu);
   };
   switch (distribution.kind) {
     case FrictionKind::coefficient:

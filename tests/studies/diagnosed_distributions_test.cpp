@@ -94,6 +94,15 @@ TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
   EXPECT_EQ(both->list[1].kind, FrictionKind::diagnosed);
 }
 
+TEST(DiagnosedDistributions, NameWhatElseIsDiagnosed) {
+  DiagnosisResult result = with_friction(0.05, 0.045);
+  add_effect(result.model, {find_cause("pretension"), {}, {2}});
+  const auto all = diagnosed_distributions(the_seven(), {}, result, {}, the_catalogue());
+  ASSERT_TRUE(all);
+  EXPECT_TRUE(all->list[0].other_effects.empty());
+  EXPECT_EQ(all->list[1].other_effects, std::vector<std::string>{"pretension"});
+}
+
 TEST(DiagnosedDistributions, AreNoneWhereNoReadingHasAllStrands) {
   const MeasuredData data =
       read_data("run,routing,held,T1_N,T2_N\n1,M-1-T-2-M,none,4,3\n1,TR5,none,4,3\n");

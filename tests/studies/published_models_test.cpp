@@ -22,9 +22,9 @@ const Catalogue& catalogue() {
   return shipped;
 }
 
-std::vector<PublishedModel> published(const std::string& rows) {
+std::vector<PublishedModel> published(const std::string& rows, const std::string& above = "") {
   const MeasuredData data = parse_measured_data(
-      "run,routing,held,T1_N,T2_N,T3_N,T4_N\n" + rows, "d.csv",
+      above + "run,routing,held,T1_N,T2_N,T3_N,T4_N\n" + rows, "d.csv",
       [](const std::string& name) { return catalogue().find_name(name)->routing; });
   DiagnosisResult result;
   for (std::size_t i = 0; i < data.readings.size(); ++i) {
@@ -87,6 +87,10 @@ TEST(PublishedModels, NameTheLossesThatTheirLinesHaveOtherwise) {
   EXPECT_NEAR(losses[1].equations, tube, 1e-9);
   EXPECT_EQ(losses[1].sheaths, 0);
   EXPECT_EQ(losses[1].sheaths_drawn, 0);
+}
+
+TEST(PublishedModels, OfSimulatedReadingsAreNone) {
+  EXPECT_TRUE(published(readings, "# simulated\n").empty());
 }
 
 TEST(PublishedModels, OfReadingsInAnotherGraspAreNone) {
