@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <atomic>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +15,10 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
-#include "diagnosis/diagnose.hpp"
-#include "diagnosis/plan/power.hpp"
 #include "reports/files.hpp"
 #include "reports/results/power_report.hpp"
 #include "reports/results/simulation_report.hpp"
+#include "studies/simulation_study.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -150,48 +146,17 @@ SimulationReport report_of(const SimulateFlags& flags) {
   return report;
 }
 
-// As their user would diagnose them: from the file.
-MeasuredData read_back(const SimulationReport& report) {
-  return parse_measured_data(simulation_csv(report), "simulated readings",
-                             [&](const std::string& text) {
-                               for (const PlannedRouting& routing : report.plan.routings) {
-                                 if (routing.label == text) return parse_routing(routing.word);
-                               }
-                               return parse_routing(text);
-                             });
-}
-
-PowerReport power_of(SimulationReport experiment, std::size_t experiments) {
-  PowerReport report;
-  std::vector<std::string> hidden;
-  for (const Effect& effect : experiment.model.effects) hidden.push_back(name(effect));
-  report.experiment = experiment;
-  const std::atomic<bool>& stop = stop_on_interrupt();
-  ProgressLine progress("diagnosing");
-  DiagnoseOptions options;
-  options.stage = [&](const char*) { return stop.load(); };
-  for (std::size_t i = 0; i < experiments; ++i) {
-    progress({i, experiments});
-    experiment.seed = report.experiment.seed + i;
-    experiment.simulation =
-        simulate(experiment.plan, experiment.model, experiment.noise, experiment.seed);
-    options.seed = experiment.seed;
-    const std::optional<DiagnosisResult> result =
-        diagnose_until(read_back(experiment), experiment.model.hardware, options);
-    if (!result || stop) throw Interrupted();
-    report.trials.push_back(judged(experiment.seed, *result, hidden));
-  }
-  return report;
-}
-
 void run(const SimulateFlags& flags) {
   const bool to_file = flags.out_given->count() > 0;
   if (to_file && flags.out.empty()) throw InputError("-o '': expected a file");
   SimulationReport report = report_of(flags);
   if (flags.power > 0) {
-    const PowerReport power = power_of(std::move(report), flags.power);
-    std::cout << (flags.format.is("json") ? power_json(power)
-                                          : printed(power_sheet(power), flags.format));
+    const auto power = supervised([&](const StudySupervision& supervision) {
+      return power_study(std::move(report), flags.power, simulation_csv, supervision);
+    });
+    if (!power) throw Interrupted();
+    std::cout << (flags.format.is("json") ? power_json(*power)
+                                          : printed(power_sheet(*power), flags.format));
     return;
   }
   report.simulation = simulate(report.plan, report.model, report.noise, report.seed);

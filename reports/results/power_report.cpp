@@ -4,6 +4,7 @@
 
 #include "causes/named_effect.hpp"
 #include "reports/json.hpp"
+#include "reports/results/simulation_report.hpp"
 
 namespace reeve {
 namespace {

@@ -2,18 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "diagnosis/plan/power.hpp"
-#include "reports/results/simulation_report.hpp"
 #include "reports/sheet/sheet.hpp"
+#include "studies/simulation_study.hpp"
 
 namespace reeve {
-
-struct PowerReport {
-  SimulationReport experiment;  // the first one
-  std::vector<PowerTrial> trials;
-};
 
 Sheet power_sheet(const PowerReport& report);
 std::string power_json(const PowerReport& report);

@@ -2,23 +2,11 @@
 // are simulated and how, and one row for each reading.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "causes/model.hpp"
-#include "diagnosis/plan/experiment.hpp"
-#include "diagnosis/plan/simulation.hpp"
+#include "studies/simulation_study.hpp"
 
 namespace reeve {
-
-struct SimulationReport {
-  ExperimentPlan plan;
-  Model model;
-  AddedNoise noise;
-  std::uint64_t seed = 1;
-  std::string command;  // that makes it again
-  Simulation simulation;
-};
 
 std::string simulation_csv(const SimulationReport& report);
 // What was written, in one line.
