@@ -16,7 +16,7 @@
 namespace reeve {
 namespace {
 
-constexpr const char* model = "model";
+constexpr const char* model_name = "model";
 
 using Rows = std::vector<const TensionDistribution*>;
 
@@ -121,9 +121,10 @@ std::vector<chart::Layer> model_layers(const RoutingShares& routing) {
     line.through.push_back({at, strand.model});
     points.spots.push_back(
         {at, strand.model,
-         fmt::format("{}, {}: {}", strand.strand, model, share_text(strand.model)), ""});
+         fmt::format("{}, {}: {}", strand.strand, model_name, share_text(strand.model)), ""});
   }
-  return {{model, model_style, chart::Paths{{line}, false}}, {model, model_style, points}};
+  return {{model_name, model_style, chart::Paths{{line}, false}},
+          {model_name, model_style, points}};
 }
 
 chart::Panel panel(const RoutingShares& routing, const std::string& title,
@@ -155,8 +156,6 @@ chart::Panel panel(const RoutingShares& routing, const std::string& title,
 char letter(std::size_t row) { return static_cast<char>('a' + row); }
 
 std::string row_title(std::size_t row, const TensionDistribution& distribution) {
-  const std::string one =
-      fmt::format("({}) μ of tubes and sheaths {:g}", letter(row), distribution.tube_mu);
   const auto two = [&](const char* what) {
     const std::vector<std::string>& others = distribution.other_effects;
     return fmt::format("({}) {}: {}{}μ of tubes {:.2g}, of sheaths {:.2g}", letter(row), what,
@@ -165,13 +164,13 @@ std::string row_title(std::size_t row, const TensionDistribution& distribution) 
   };
   switch (distribution.kind) {
     case FrictionKind::coefficient:
-      return one;
+      return fmt::format("({}) μ of tubes and sheaths {:g}", letter(row), distribution.tube_mu);
     case FrictionKind::model:
       return two("the model as it stands");
     case FrictionKind::diagnosed:
       return two("as diagnosed");
   }
-  return one;
+  return "";
 }
 
 chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
