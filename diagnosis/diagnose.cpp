@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/error.hpp"
@@ -16,6 +15,7 @@
 #include "diagnosis/search/cause_search.hpp"
 #include "diagnosis/search/cross_validation.hpp"
 #include "diagnosis/search/rivals.hpp"
+#include "diagnosis/search/weighed.hpp"
 
 namespace reeve {
 namespace {
@@ -59,7 +59,8 @@ class Diagnosis {
     plan_measurements();
     if (stopped("leaving out one run after the other")) return std::nullopt;
     leave_out_runs();
-    compare_cells();
+    result_.cells =
+        compared_cells(sample_, nominal_, result_.model, result_.noise, result_.left_out);
     result_.share_errors = share_errors(data_, result_.cells);
     result_.losses = losses(data_, result_.model, result_.cells);
     result_.without_apart =
@@ -181,7 +182,12 @@ class Diagnosis {
 
   // The held-out runs are opened here, once: every number that needs them is taken now.
   void confirm() {
-    weigh();
+    std::vector<std::string> names;
+    for (const NamedCause& cause : result_.causes) names.push_back(cause.name);
+    const auto weighed = weighed_models(problem_, nominal_, result_.model, names, rivals_);
+    for (const WeighedModel& model : weighed) {
+      result_.weighed.push_back({model.name, model.gain, std::nullopt});
+    }
     if (sample_.held_out.cells.empty()) return;
     const Problem unseen =
         problem(sample_.held_out, deviations_under(sample_.held_out, result_.model));
@@ -190,11 +196,10 @@ class Diagnosis {
       const Fit before = fit(problem_, without(result_.model, place(result_.model, cause.effect)));
       cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
     }
-    for (WeighedCause& weighed : result_.weighed) {
-      const auto found = std::find_if(weighed_models_.begin(), weighed_models_.end(),
-                                      [&](const auto& item) { return item.first == weighed.name; });
+    for (std::size_t i = 0; i < weighed.size(); ++i) {
       try {
-        weighed.held_out = held_out_gain(unseen, nominal_, found->second, options_.seed);
+        result_.weighed[i].held_out =
+            held_out_gain(unseen, nominal_, weighed[i].model, options_.seed);
       } catch (const InputError&) {
         // In some held-out row this model has no tensions: nothing to weigh it by.
       }
@@ -203,33 +208,6 @@ class Diagnosis {
     result_.run_gains = run_gains(unseen, nominal_, result_.model);
     if (!result_.causes.empty()) {
       result_.held_out = held_out_gain(unseen, nominal_, result_.model, options_.seed);
-    }
-  }
-
-  // The first accepted cause beside whatever might stand in its place.
-  void weigh() {
-    const double nothing = misfit(problem_, nominal_);
-    const auto add = [&](const std::string& name, const Model& model, double misfit) {
-      const auto known = std::find_if(weighed_models_.begin(), weighed_models_.end(),
-                                      [&](const auto& item) { return item.first == name; });
-      if (known != weighed_models_.end()) return;
-      weighed_models_.emplace_back(name, model);
-      result_.weighed.push_back({name, (nothing - misfit) / 2, std::nullopt});
-    };
-    if (result_.causes.empty()) return;
-    std::string all;
-    for (const NamedCause& cause : result_.causes) {
-      all += (all.empty() ? "" : " + ") + cause.name;
-    }
-    add(all, result_.model, misfit(problem_, result_.model));
-    for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-      std::string kept;
-      for (std::size_t o = 0; o < result_.causes.size(); ++o) {
-        if (o != c) kept += " + " + result_.causes[o].name;
-      }
-      for (const Rival& other : rivals_[c]) {
-        add(other.name + kept, other.fit.model, other.fit.misfit);
-      }
     }
   }
 
@@ -315,42 +293,6 @@ class Diagnosis {
     result_.left_out = left_out_runs(data_, readings, result_.model, result_.noise, workers_);
   }
 
-  std::map<std::pair<std::size_t, std::size_t>, double> left_out_forecasts() const {
-    std::map<std::pair<std::size_t, std::size_t>, double> forecasts;
-    for (const LeftOutRun& run : result_.left_out) {
-      for (std::size_t i = 0; i < run.cells.size(); ++i) {
-        forecasts[{run.cells[i].reading, run.cells[i].channel}] = run.forecast_N[i];
-      }
-    }
-    return forecasts;
-  }
-
-  void compare_cells() {
-    const auto left_out = left_out_forecasts();
-    for (const bool held_out : {false, true}) {
-      const Dataset& part = held_out ? sample_.held_out : sample_.training;
-      if (part.cells.empty()) continue;
-      const Forecast before = forecast(part, nominal_);
-      const Forecast after = forecast(part, result_.model);
-      const Eigen::VectorXd deviation = deviations(part, result_.noise, after.reading_N);
-      const Problem seen = problem(part, deviation);
-      const Eigen::VectorXd residual_before = residuals(seen, before);
-      const Eigen::VectorXd residual_after = residuals(seen, after);
-      for (std::size_t i = 0; i < part.cells.size(); ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        const auto other = left_out.find({part.cells[i].reading, part.cells[i].channel});
-        result_.cells.push_back(
-            {part.cells[i], held_out, before.reading_N[k], after.reading_N[k], deviation[k],
-             residual_before[k], residual_after[k],
-             other == left_out.end() ? std::nullopt : std::optional(other->second)});
-      }
-    }
-    std::stable_sort(result_.cells.begin(), result_.cells.end(),
-                     [](const ComparedCell& a, const ComparedCell& b) {
-                       return a.cell.reading < b.cell.reading;
-                     });
-  }
-
   const MeasuredData& data_;
   const DiagnoseOptions& options_;
   Workers workers_;
@@ -361,8 +303,7 @@ class Diagnosis {
   Problem problem_;
   std::vector<Candidate> candidates_;
   std::vector<Indistinguishable> indistinguishable_;
-  std::vector<std::vector<Rival>> rivals_;  // parallel to the causes as accepted
-  std::vector<std::pair<std::string, Model>> weighed_models_;
+  std::vector<std::vector<Rival>> rivals_;  // parallel to the causes
   DiagnosisResult result_;
 };
 

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "diagnosis/data/dataset.hpp"
+#include "causes/model.hpp"
+#include "diagnosis/data/sample.hpp"
+#include "diagnosis/model/noise.hpp"
+#include "diagnosis/verdict/left_out.hpp"
 
 namespace reeve {
 
@@ -19,5 +23,10 @@ struct ComparedCell {
   double residual_after = 0;
   std::optional<double> left_out_N;  // of the causes fitted without its run (left_out.hpp)
 };
+
+// All cells of the sample, in the order of the readings.
+std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
+                                         const Model& after, const Noise& noise,
+                                         const std::vector<LeftOutRun>& left_out);
 
 }  // namespace reeve

@@ -172,7 +172,7 @@ TEST(BestByObjective, NamesTheFirstOfTheRankAndCountsAllThatAreAsGood) {
 }
 
 TEST(BestByObjective, HasARowForEveryObjectiveInTheOrderOfTheTable) {
-  const auto all = best_by_objective(rank({design("a", {})}, both), 1);
+  const auto all = best_by_objective(rank({design("a", {})}, both_means), 1);
   ASSERT_EQ(all.size(), objective_count);
   for (std::size_t i = 0; i < objective_count; ++i) {
     EXPECT_EQ(all[i].objective, objective_table()[i].objective);

@@ -1,0 +1,56 @@
+#include "diagnosis/verdict/compared_cell.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "diagnosis/model/forecast.hpp"
+#include "diagnosis/model/problem.hpp"
+
+namespace reeve {
+namespace {
+
+// By reading and channel.
+using LeftOutForecasts = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+LeftOutForecasts forecasts_of(const std::vector<LeftOutRun>& runs) {
+  LeftOutForecasts forecasts;
+  for (const LeftOutRun& run : runs) {
+    for (std::size_t i = 0; i < run.cells.size(); ++i) {
+      forecasts[{run.cells[i].reading, run.cells[i].channel}] = run.forecast_N[i];
+    }
+  }
+  return forecasts;
+}
+
+}  // namespace
+
+std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
+                                         const Model& after, const Noise& noise,
+                                         const std::vector<LeftOutRun>& left_out) {
+  const LeftOutForecasts others = forecasts_of(left_out);
+  std::vector<ComparedCell> result;
+  for (const bool held_out : {false, true}) {
+    const Dataset& part = held_out ? sample.held_out : sample.training;
+    if (part.cells.empty()) continue;
+    const Forecast at_first = forecast(part, before);
+    const Forecast at_last = forecast(part, after);
+    const Eigen::VectorXd deviation = deviations(part, noise, at_last.reading_N);
+    const Problem seen = problem(part, deviation);
+    const Eigen::VectorXd residual_before = residuals(seen, at_first);
+    const Eigen::VectorXd residual_after = residuals(seen, at_last);
+    for (std::size_t i = 0; i < part.cells.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      const auto other = others.find({part.cells[i].reading, part.cells[i].channel});
+      result.push_back({part.cells[i], held_out, at_first.reading_N[k], at_last.reading_N[k],
+                        deviation[k], residual_before[k], residual_after[k],
+                        other == others.end() ? std::nullopt : std::optional(other->second)});
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const ComparedCell& a, const ComparedCell& b) {
+    return a.cell.reading < b.cell.reading;
+  });
+  return result;
+}
+
+}  // namespace reeve

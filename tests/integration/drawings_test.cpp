@@ -1,0 +1,79 @@
+// What the subcommands draw.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// Graphviz decides where it is installed; braces and quotes are a poor man's judge.
+void expect_drawable(const std::string& dot) {
+  const TemporaryFolder folder;
+  folder.write("drawing.dot", dot);
+  ProcessOptions options;
+  options.directory = folder.path();
+  const ProcessResult result = run_process({"dot", "-Tsvg", "drawing.dot"}, options);
+  if (result.exit_code != 127) {
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("</svg>"), std::string::npos);
+  }
+  EXPECT_TRUE(dot.starts_with("graph"));
+  EXPECT_TRUE(dot.ends_with("}\n"));
+  EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
+  EXPECT_EQ(std::count(dot.begin(), dot.end(), '"') % 2, 0);
+}
+
+TEST(Drawing, IsAcceptedByGraphviz) {
+  for (const Arguments& routing : {Arguments{"TR5"}, Arguments{"TR7", "--held", "1"},
+                                   Arguments{"M-F"}, Arguments{"M-1b-B-2-F+M-3-M", "--held", "3"},
+                                   Arguments{"TR4", "--direction", "release", "--held", "none"}}) {
+    Arguments arguments{"show"};
+    arguments.insert(arguments.end(), routing.begin(), routing.end());
+    arguments.insert(arguments.end(), {"--format", "dot"});
+    const ProcessResult result = reeve(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    expect_drawable(result.out);
+  }
+}
+
+TEST(Schematic, LiesBesideTheUsualResult) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  for (const Arguments& command :
+       {Arguments{"show", "TR5", "--held", "1"}, Arguments{"show", "M-F", "--format", "json"},
+        Arguments{"check"}}) {
+    Arguments drawing = command;
+    drawing.insert(drawing.end(), {"--svg", file});
+    const ProcessResult result = reeve(drawing);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, reeve(command).out);
+    EXPECT_TRUE(read_text(file).starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    EXPECT_TRUE(read_text(file).ends_with("</svg>\n"));
+  }
+}
+
+TEST(Schematic, WithoutAGraspHasNoTensions) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  reeve({"show", "TR5", "--svg", file});
+  EXPECT_EQ(read_text(file).find("Tensions"), std::string::npos);
+  reeve({"show", "TR5", "--held", "none", "--svg", file});
+  EXPECT_NE(read_text(file).find("Tensions"), std::string::npos);
+}
+
+// Nor is the link itself replaced by a file.
+TEST(Schematic, FollowsALink) {
+  const TemporaryFolder folder;
+  folder.write("target.svg", "old");
+  const std::string link = (folder.path() / "link.svg").string();
+  std::filesystem::create_symlink(folder.path() / "target.svg", link);
+  EXPECT_EQ(reeve({"show", "TR5", "--svg", link}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_TRUE(read_text(folder.path() / "target.svg").starts_with("<svg"));
+}
+
+}  // namespace
+}  // namespace reeve::testing

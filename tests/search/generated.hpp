@@ -1,0 +1,97 @@
+// What a generator gives, and the parts that it is asked for in its tests.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "search/enumerate/generator.hpp"
+
+namespace reeve::testing {
+
+inline constexpr FingerIdentity identical = FingerIdentity::identical;
+inline constexpr FingerIdentity distinct = FingerIdentity::distinct;
+
+inline PartSet parts_of(const char* tips, const char* joins, const char* ends) {
+  return {parse_tips(tips), parse_joins(joins), parse_ends(ends)};
+}
+
+// No joins, no ends, one kind only, no motor, nothing but motor.
+inline std::vector<PartSet> odd_parts() {
+  return {
+      parts_of("tube", "T,P", ""),       parts_of("tube,bearing", "T,B,P", ""),
+      parts_of("tube", "", "M,F"),       parts_of("tube,bearing", "", "M,F"),
+      parts_of("tube", "P", ""),         parts_of("tube", "T", ""),
+      parts_of("bearing", "", "M"),      parts_of("tube", "", "F"),
+      parts_of("tube", "P", "F"),        parts_of("bearing", "T", "M"),
+      parts_of("tube", "P", "M"),        parts_of("tube,bearing", "B", "F"),
+      parts_of("bearing", "B,P", "M,F"),
+  };
+}
+
+inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIdentity identity,
+                                   bool one_tendon = false) {
+  return {parts, fingers, identity, one_tendon};
+}
+
+inline std::string label_of(const GeneratorOptions& o) {
+  return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) + ", " +
+         std::to_string(o.fingers) + (o.identity == distinct ? " distinct" : "") + " fingers" +
+         (o.one_tendon ? ", one tendon" : "");
+}
+
+inline void for_each_generated(const GeneratorOptions& o,
+                               const std::function<void(const Routing&)>& visit) {
+  RoutingGenerator generator(o);
+  Routing routing;
+  while (generator.next(routing)) visit(routing);
+}
+
+inline std::vector<std::string> generated_words(const GeneratorOptions& o) {
+  std::vector<std::string> result;
+  for_each_generated(o, [&](const Routing& routing) { result.push_back(to_word(routing)); });
+  return result;
+}
+
+inline int token_rank(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::motor_end:
+      return 0;
+    case TokenKind::fixed_end:
+      return 1;
+    case TokenKind::finger:
+      return token.tip == TipKind::tube ? 2 : 3;
+    case TokenKind::tube_join:
+      return 4;
+    case TokenKind::bearing_join:
+      return 5;
+    case TokenKind::movable_pulley:
+      return 6;
+  }
+  return 7;
+}
+
+// Compares as canonical.hpp says: the tendons' shapes, and then the numbers of the fingers.
+struct CanonicalKey {
+  std::vector<std::tuple<int, bool, std::vector<int>>> shapes;
+  std::vector<int> numbers;
+
+  friend auto operator<=>(const CanonicalKey&, const CanonicalKey&) = default;
+};
+
+inline CanonicalKey canonical_key(const Routing& routing) {
+  CanonicalKey key;
+  for (const Tendon& tendon : routing.tendons) {
+    std::vector<int> ranks;
+    for (const Token& token : tendon.walk) {
+      ranks.push_back(token_rank(token));
+      if (token.kind == TokenKind::finger) key.numbers.push_back(token.finger);
+    }
+    key.shapes.emplace_back(-finger_count(tendon), tendon.closed, ranks);
+  }
+  return key;
+}
+
+}  // namespace reeve::testing

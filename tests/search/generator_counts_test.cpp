@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "search/enumerate/generator.hpp"
+#include "tests/search/generated.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/counting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Counts = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
+
+Counts generated_counts(const GeneratorOptions& o) {
+  std::uint64_t all = 0;
+  std::uint64_t actuated = 0;
+  std::uint64_t one_tendon = 0;
+  RoutingGenerator generator(o);
+  Routing routing;
+  while (generator.next(routing)) {
+    ++all;
+    if (!is_actuated(routing)) continue;
+    ++actuated;
+    if (routing.tendons.size() == 1) ++one_tendon;
+  }
+  EXPECT_EQ(generator.total(), all);
+  return {all, actuated, one_tendon};
+}
+
+CountedParts counted(const PartSet& parts) {
+  const auto on_carriage = [](const std::vector<TokenKind>& kinds) {
+    return static_cast<int>(std::count_if(kinds.begin(), kinds.end(), is_on_carriage));
+  };
+  CountedParts result;
+  result.tube_like_tips = static_cast<int>(parts.tips.size());
+  result.motor_joins = on_carriage(parts.joins);
+  result.passive_joins = static_cast<int>(parts.joins.size()) - result.motor_joins;
+  result.motor_ends = on_carriage(parts.ends);
+  result.fixed_ends = static_cast<int>(parts.ends.size()) - result.motor_ends;
+  return result;
+}
+
+Counts formula_counts(const GeneratorOptions& o) {
+  const auto c = o.identity == identical ? count_identical(counted(o.parts), o.fingers)
+                                         : count_distinct(counted(o.parts), o.fingers);
+  return {c.all, c.actuated, c.one_tendon};
+}
+
+Counts brute_force_counts(const GeneratorOptions& o) {
+  const auto c = brute_force_counts(counted(o.parts), o.fingers, o.identity == identical);
+  return {c.all, c.actuated, c.one_tendon};
+}
+
+TEST(Generator, TableOfPaperParts) {
+  EXPECT_EQ(generated_counts(generating(paper_parts(), 1, identical)), Counts(5, 3, 3));
+  EXPECT_EQ(generated_counts(generating(paper_parts(), 2, identical)), Counts(24, 13, 7));
+  EXPECT_EQ(generated_counts(generating(paper_parts(), 3, identical)), Counts(94, 43, 12));
+  EXPECT_EQ(generated_counts(generating(paper_parts(), 4, identical)), Counts(346, 145, 24));
+}
+
+TEST(Generator, TableOfFullParts) {
+  EXPECT_EQ(generated_counts(generating(full_parts(), 1, identical)), Counts(12, 6, 6));
+  EXPECT_EQ(generated_counts(generating(full_parts(), 2, identical)), Counts(126, 54, 33));
+  EXPECT_EQ(generated_counts(generating(full_parts(), 3, identical)), Counts(1152, 426, 172));
+  EXPECT_EQ(generated_counts(generating(full_parts(), 4, identical)), Counts(9942, 3402, 990));
+}
+
+void expect_formula(const PartSet& parts, int most, FingerIdentity identity) {
+  for (int fingers = 1; fingers <= most; ++fingers) {
+    const GeneratorOptions o = generating(parts, fingers, identity);
+    EXPECT_EQ(generated_counts(o), formula_counts(o)) << label_of(o);
+  }
+}
+
+TEST(Generator, CountsOfIdenticalFingersAreThoseOfTheFormulas) {
+  expect_formula(paper_parts(), 8, identical);
+  expect_formula(full_parts(), 6, identical);
+}
+
+TEST(Generator, CountsOfDistinctFingersAreThoseOfTheFormulas) {
+  expect_formula(paper_parts(), 6, distinct);
+  expect_formula(full_parts(), 4, distinct);
+}
+
+TEST(Generator, CountsOfOddPartsAreThoseOfTheFormulas) {
+  for (const PartSet& parts : odd_parts()) {
+    expect_formula(parts, 5, identical);
+    expect_formula(parts, 4, distinct);
+  }
+}
+
+TEST(Generator, TotalsOfMoreFingersAreThoseOfTheFormulas) {
+  for (const PartSet& parts : {paper_parts(), full_parts()}) {
+    for (int fingers = 1; fingers <= 12; ++fingers) {
+      const GeneratorOptions o = generating(parts, fingers, identical);
+      EXPECT_EQ(RoutingGenerator(o).total(), std::get<0>(formula_counts(o))) << label_of(o);
+    }
+    for (int fingers = 1; fingers <= 8; ++fingers) {
+      const GeneratorOptions o = generating(parts, fingers, distinct);
+      EXPECT_EQ(RoutingGenerator(o).total(), std::get<0>(formula_counts(o))) << label_of(o);
+    }
+  }
+}
+
+TEST(Generator, CountsAreThoseOfBruteForce) {
+  for (const FingerIdentity identity : {identical, distinct}) {
+    for (int fingers = 1; fingers <= 3; ++fingers) {
+      for (const PartSet& parts : {paper_parts(), full_parts()}) {
+        const GeneratorOptions o = generating(parts, fingers, identity);
+        EXPECT_EQ(generated_counts(o), brute_force_counts(o)) << label_of(o);
+      }
+      for (const PartSet& parts : odd_parts()) {
+        const GeneratorOptions o = generating(parts, fingers, identity);
+        EXPECT_EQ(generated_counts(o), brute_force_counts(o)) << label_of(o);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,33 @@
+// One tendon's problem of the reference model, in numbers.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <set>
+
+#include "tests/support/reference_model.hpp"
+#include "tests/support/reference_walk.hpp"
+
+namespace reeve::testing::reference {
+
+using Real = long double;
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Index = Eigen::Index;
+
+struct Problem {
+  bool loop = false;
+  bool jams = false;
+  Vector length, elastic, phi;    // L, E, phi
+  Vector slip;                    // zero-order slip of each contact, D = 1
+  std::map<int, double> closing;  // of the fingers that close
+};
+
+// Whether a contact is taken as frictionless.
+bool tied(const Problem& problem, Index k);
+
+// Throws std::invalid_argument for a tendon without a motor-side segment.
+Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
+             const ReferenceHardware& hardware);
+
+}  // namespace reeve::testing::reference

@@ -1,0 +1,95 @@
+#include "tests/support/reference_walk.hpp"
+
+#include <cctype>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+
+namespace reeve::testing::reference {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+int finger_of(const std::string& token) {
+  return std::isdigit(static_cast<unsigned char>(token.at(0))) ? std::stoi(token) : 0;
+}
+
+std::string tip_kind(const std::string& token) { return token.back() == 'b' ? "bearing" : "tube"; }
+
+// 0 -> a, 25 -> z, 26 -> aa, ...
+std::string letters(int number) {
+  std::string name;
+  for (int rest = number + 1; rest > 0; rest = (rest - 1) / 26)
+    name.insert(name.begin(), static_cast<char>('a' + (rest - 1) % 26));
+  return name;
+}
+
+class Reader {
+ public:
+  std::vector<Tendon> read(const std::string& word) {
+    std::vector<Tendon> tendons;
+    for (const auto& walk : split(word, '+')) tendons.push_back(read_walk(split(walk, '-')));
+    return tendons;
+  }
+
+ private:
+  Tendon read_walk(const std::vector<std::string>& tokens) {
+    Tendon tendon;
+    tendon.loop =
+        tokens.size() > 1 && finger_of(tokens.front()) != 0 && tokens.front() == tokens.back();
+    if (tokens.front() == "M") {
+      tendon.segments.push_back(motor_side());
+      tendon.kinds.emplace_back("sheath");
+    }
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+      if (i > 0) pass(tokens[i], tendon);
+      tendon.segments.push_back(stretch(tokens[i], tokens[i + 1]));
+    }
+    if (tokens.back() == "M") {
+      tendon.kinds.emplace_back("sheath");
+      tendon.segments.push_back(motor_side());
+    }
+    if (tendon.loop) tendon.kinds.push_back(tip_kind(tokens.front()));
+    for (const auto& segment : tendon.segments)
+      if (segment.finger != 0) tendon.fingers.insert(segment.finger);
+    return tendon;
+  }
+
+  void pass(const std::string& token, Tendon& tendon) {
+    if (finger_of(token) != 0) {
+      tendon.kinds.push_back(tip_kind(token));
+    } else if (token == "T") {
+      tendon.kinds.emplace_back("tube");
+    } else if (token == "B") {
+      tendon.kinds.emplace_back("bearing");
+    } else if (token == "P") {
+      for (const char* kind : {"sheath", "bearing", "sheath"}) tendon.kinds.emplace_back(kind);
+      for (int side = 0; side < 2; ++side) tendon.segments.push_back(motor_side());
+    } else {
+      throw std::invalid_argument("the reference model does not know the token " + token);
+    }
+  }
+
+  Segment motor_side() { return {letters(motor_sides_++), Place::motor_side, 0}; }
+
+  Segment stretch(const std::string& before, const std::string& after) {
+    if (const int f = finger_of(before)) return {"T" + std::to_string(2 * f), Place::strand, f};
+    if (const int f = finger_of(after)) return {"T" + std::to_string(2 * f - 1), Place::strand, f};
+    return {"h" + std::to_string(++hands_), Place::hand, 0};
+  }
+
+  int motor_sides_ = 0;
+  int hands_ = 0;
+};
+
+}  // namespace
+
+std::vector<Tendon> read_tendons(const std::string& word) { return Reader().read(word); }
+
+}  // namespace reeve::testing::reference
