@@ -24,7 +24,7 @@ std::vector<Subject> channel_subjects(const Survey& survey) {
 }
 
 bool is_channel(const Segment& segment, const Subject& subject) {
-  return segment.kind == subject.channel->kind && segment.number == subject.channel->number;
+  return segment == *subject.channel;
 }
 
 double exponent_with_force(double phi, double high_N, double force_N) {

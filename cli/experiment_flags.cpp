@@ -9,19 +9,10 @@
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "core/text.hpp"
 
 namespace reeve::cli {
 namespace {
-
-std::vector<std::string> items(const std::string& text) {
-  std::vector<std::string> items;
-  for (std::size_t at = 0;;) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    items.push_back(text.substr(at, comma - at));
-    if (comma == text.size()) return items;
-    at = comma + 1;
-  }
-}
 
 bool is_number(const std::string& text, Range range, double& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -49,7 +40,7 @@ Levels read_levels(const std::string& option, const std::string& text, Range ran
                     option, text, item, range.low, range.high));
   };
   if (colon == std::string::npos) {
-    for (const std::string& item : items(text)) levels.list.push_back(read(item));
+    for (const std::string& item : comma_separated(text)) levels.list.push_back(read(item));
     return levels;
   }
   levels.range = {read(text.substr(0, colon)), read(text.substr(colon + 1))};
@@ -59,7 +50,7 @@ Levels read_levels(const std::string& option, const std::string& text, Range ran
 
 std::vector<Direction> read_directions(const std::string& text) {
   std::vector<Direction> directions;
-  for (const std::string& item : items(text)) {
+  for (const std::string& item : comma_separated(text)) {
     const Direction direction = item == "release" ? Direction::release : Direction::pull;
     const bool known = item == "release" || item == "pull";
     if (!known || std::count(directions.begin(), directions.end(), direction) > 0) {
@@ -89,7 +80,7 @@ std::vector<Grasp> read_grasps(const std::string& text, int fingers) {
 std::vector<PlannedRouting> read_routings(const ExperimentFlags& flags,
                                           const Catalogue& catalogue) {
   std::vector<PlannedRouting> routings;
-  for (const std::string& text : items(flags.routings)) {
+  for (const std::string& text : comma_separated(flags.routings)) {
     const CatalogueEntry* entry = catalogue.find_name(text);
     const Routing routing =
         for_option("--routings: ", [&] { return read_actuated_routing(text, catalogue); });
@@ -129,7 +120,7 @@ std::vector<Segment> read_channels(const std::string& text,
                                    const std::vector<PlannedRouting>& routings) {
   if (text == "strands" || text == "all") return all_channels(routings, text == "strands");
   std::vector<Segment> channels;
-  for (const std::string& item : items(text)) {
+  for (const std::string& item : comma_separated(text)) {
     try {
       channels.push_back(parse_segment(item));
     } catch (const InputError&) {

@@ -6,11 +6,6 @@
 #include "core/routing.hpp"
 
 namespace reeve {
-namespace {
-
-bool same(const Segment& a, const Segment& b) { return a.kind == b.kind && a.number == b.number; }
-
-}  // namespace
 
 int highest_finger(const ContactHardware& contact) {
   return std::max(parse_segment(contact.segment).finger,
@@ -85,8 +80,7 @@ void MechanicsBuilder::apply_overrides(const Network& network, Mechanics& mechan
       for (const ContactOverride& override_ : by_contact_) {
         const Segment& l = network.segments[left];
         const Segment& r = network.segments[right];
-        if ((same(override_.a, l) && same(override_.b, r)) ||
-            (same(override_.a, r) && same(override_.b, l))) {
+        if ((override_.a == l && override_.b == r) || (override_.a == r && override_.b == l)) {
           law.mu = override_.law.mu.value_or(law.mu);
           law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
         }
@@ -107,8 +101,7 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
       for (std::size_t k = 0; k < tendon.contacts; ++k) {
         const Segment& l = network.segments[ends_of(tendon, k).left];
         const Segment& r = network.segments[ends_of(tendon, k).right];
-        found |=
-            (same(wanted.a, l) && same(wanted.b, r)) || (same(wanted.a, r) && same(wanted.b, l));
+        found |= (wanted.a == l && wanted.b == r) || (wanted.a == r && wanted.b == l);
       }
     }
     if (!found) unmatched.push_back(wanted.law.segment + "-" + wanted.law.other_segment);

@@ -157,6 +157,12 @@ const char* name(ContactKind kind) {
   return "";
 }
 
+std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted) {
+  const auto found = std::find(network.segments.begin(), network.segments.end(), wanted);
+  if (found == network.segments.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - network.segments.begin());
+}
+
 Segment parse_segment(const std::string& text) {
   const bool numbered = text.size() > 1 && text.size() < 6 && (text[0] == 'T' || text[0] == 'h') &&
                         text.find_first_not_of("0123456789", 1) == std::string::npos &&

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct Segment {
   SegmentKind kind = SegmentKind::strand;
   int number = 0;  // strands: 2f-1 or 2f; otherwise counted from 1 within the kind
   int finger = 0;  // strands only
+
+  // The finger follows from these.
+  friend bool operator==(const Segment& a, const Segment& b) {
+    return a.kind == b.kind && a.number == b.number;
+  }
 };
 
 enum class ContactKind : std::uint8_t { tube, bearing, sheath };
@@ -73,6 +79,9 @@ inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
   const std::size_t next = k + 1 == tendon.segments ? 0 : k + 1;
   return {tendon.first_segment + k, tendon.first_segment + next};
 }
+
+// The place of a segment among the network's, if it has it.
+std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted);
 
 // T1, a, h1.
 std::string name(const Segment& segment);

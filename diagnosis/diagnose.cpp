@@ -9,6 +9,7 @@
 #include "diagnosis/data/sample.hpp"
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
+#include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
 #include "diagnosis/search/candidates.hpp"
@@ -16,6 +17,7 @@
 #include "diagnosis/search/cross_validation.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "diagnosis/search/weighed.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
@@ -96,7 +98,7 @@ class Diagnosis {
   void estimate_noise() {
     const std::optional<Noise> measured = noise_without_model(sample_.training);
     noise_is_measured_ = measured.has_value();
-    result_.noise = measured ? *measured : noise_left_by(nominal_);
+    result_.noise = measured ? *measured : noise_left_by(sample_.training, nominal_);
     problem_ = problem(sample_.training, deviations_under(sample_.training, nominal_));
   }
 
@@ -104,18 +106,8 @@ class Diagnosis {
     return deviations(part, result_.noise, forecast(part, model).reading_N);
   }
 
-  Noise noise_left_by(const Model& model) const {
-    const Forecast at = forecast(sample_.training, model);
-    // In newton, and so sure that no reading is near what a sensor cannot read below.
-    constexpr double sure_N = 1e-6;
-    const auto cells = static_cast<Eigen::Index>(sample_.training.cells.size());
-    const Problem plain = problem(sample_.training, Eigen::VectorXd::Constant(cells, sure_N));
-    return noise_of_residuals(sample_.training, sure_N * residuals(plain, at),
-                              static_cast<double>(parameter_count(model)));
-  }
-
   void update_noise(Problem& problem, const Model& model) {
-    if (!noise_is_measured_) result_.noise = noise_left_by(model);
+    if (!noise_is_measured_) result_.noise = noise_left_by(sample_.training, model);
     problem.deviation_N = deviations_under(sample_.training, model);
   }
 
@@ -147,13 +139,14 @@ class Diagnosis {
   bool drop_unconfirmed() {
     while (!result_.causes.empty()) {
       if (stopped("confirming the causes")) return false;
+      const LeftOutMisfits with_all = left_out_misfits(problem_, result_.model);
       double least = refuted;
       std::size_t weakest = result_.causes.size();
       Model kept;
       for (std::size_t c = 0; c < result_.causes.size(); ++c) {
         const std::size_t at = place(result_.model, result_.causes[c].effect);
         const Model before = fit(problem_, without(result_.model, at)).model;
-        const double gain = left_out_gain(problem_, before, result_.model);
+        const double gain = left_out_gain(left_out_misfits(problem_, before), with_all);
         if (gain >= least) continue;
         least = gain;
         weakest = c;
@@ -162,6 +155,7 @@ class Diagnosis {
       if (weakest == result_.causes.size()) return true;
       result_.not_confirmed.push_back(result_.causes[weakest].name);
       result_.model = kept;
+      update_noise(problem_, result_.model);
       result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(weakest));
     }
     return true;
@@ -215,8 +209,8 @@ class Diagnosis {
     const Forecast at = forecast(sample_.training, result_.model);
     const Projection projection(problem_, result_.model, at);
     const Eigen::VectorXd left = projection.taken_out(residuals(problem_, at));
-    const NullModel null_model(problem_, projection, at, options_.seed + 104729,
-                               options_.replicates);
+    const NullModel null_model(problem_, projection, at,
+                               streams::seed_of_what_is_left(options_.seed), options_.replicates);
     const auto tests = structure_tests(problem_, at, projection);
     const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
     result_.structure = found.findings;

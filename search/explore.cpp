@@ -41,7 +41,7 @@ class Exploration {
         archive_(options.order, options.top),
         sample_(options.sample),
         constraint_failures_(options.constraints.size(), 0),
-        needs_release_(judges_return_friction(options)) {
+        deciding_(extent_for(deciding_objectives(options), options.score)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score);
     }
@@ -96,13 +96,12 @@ class Exploration {
     DesignEvaluator& evaluator = evaluators_[block.worker];
     for (std::size_t i = block.begin; i < block.end; ++i) {
       Slot& slot = slots_[i];
-      slot.values = needs_release_ ? evaluator.evaluate(slot.routing)
-                                   : evaluator.evaluate_pulling(slot.routing);
+      slot.values = evaluator.evaluate(slot.routing, deciding_);
       slot.failed_constraint = first_failure(slot.values);
       slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
       slot.sampled = slot.failed_constraint == 0 && sample_.would_enter(slot.place);
-      // Return friction alone decides nothing here, so only what is kept needs it.
-      if (slot.may_rank && !needs_release_) slot.values = evaluator.evaluate(slot.routing);
+      // What decides nothing here only what is kept needs.
+      if (slot.may_rank && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
       compare_with_references(slot, block.worker);
     }
   }
@@ -174,7 +173,7 @@ class Exploration {
     return result;
   }
 
-  // Most of what was sampled on the way is not in the sample, so its return friction waits.
+  // Most of what was sampled on the way is not in the sample, so what decides nothing waits.
   std::vector<Design> sampled() {
     std::vector<Design> designs = sample_.designs();
     for (Design& design : designs) {
@@ -196,21 +195,13 @@ class Exploration {
     }
   }
 
-  static bool judges_return_friction(const ExploreOptions& options) {
-    const auto about = [](Objective objective) {
-      return [objective](const auto& item) { return item.objective == objective; };
-    };
-    const auto& terms = options.score.terms;
-    const auto& constraints = options.constraints;
-    const auto is_friction = about(Objective::return_friction);
-    const bool in_score = std::any_of(terms.begin(), terms.end(), is_friction);
-    const auto decides = [&](Objective objective) {
-      const auto& chosen = options.order.objectives;
-      return std::find(chosen.begin(), chosen.end(), objective) != chosen.end() ||
-             std::any_of(constraints.begin(), constraints.end(), about(objective));
-    };
-    return decides(Objective::return_friction) ||
-           (in_score && (options.order.by_score || decides(Objective::score)));
+  static std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
+    std::vector<Objective> objectives = options.order.objectives;
+    if (options.order.by_score) objectives.push_back(Objective::score);
+    for (const Constraint& constraint : options.constraints) {
+      objectives.push_back(constraint.objective);
+    }
+    return objectives;
   }
 
   const ExploreOptions& options_;
@@ -220,7 +211,7 @@ class Exploration {
   Archive archive_;
   DesignSample sample_;
   std::vector<std::uint64_t> constraint_failures_;
-  bool needs_release_;
+  Extent deciding_;
   std::vector<DesignEvaluator> evaluators_;
   std::vector<ReferenceStanding> references_;
   std::vector<Goodness> reference_goodness_;

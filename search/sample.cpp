@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::uint64_t seed = 0;
-constexpr std::uint32_t stream = 0;
 
-double lot(std::uint64_t place) { return uniform(seed, stream, place); }
+double lot(std::uint64_t place) { return uniform(seed, streams::design_sample, place); }
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve {
 namespace {
@@ -101,12 +102,6 @@ void require(const CsvReader& csv, const std::vector<DataColumn>& columns, DataR
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
 
 std::vector<DataColumn> read_columns(const CsvReader& csv) {
   const CsvRow& header = csv.header();

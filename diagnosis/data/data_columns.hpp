@@ -46,7 +46,4 @@ std::vector<DataColumn> read_columns(const CsvReader& csv);
 
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role);
 
-// Without spaces and tabs at both ends.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace reeve

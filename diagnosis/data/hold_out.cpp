@@ -7,11 +7,10 @@
 
 #include "diagnosis/data/data_notes.hpp"
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
-
-constexpr std::uint32_t hold_out_stream = 0x401d;
 
 // Runs by the routings they were measured on, each list in an order drawn by the seed; the longest
 // list first, lists of one length in an order drawn by the seed. Of runs that are nothing but
@@ -28,7 +27,7 @@ std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
   for (std::size_t run = 0; run < data.runs.size(); ++run) {
     if (!routings[run].empty()) by_routings[routings[run]].push_back(run);
   }
-  const auto drawn = [&](std::size_t run) { return uniform(seed, hold_out_stream, run); };
+  const auto drawn = [&](std::size_t run) { return uniform(seed, streams::hold_out, run); };
   std::vector<std::vector<std::size_t>> result;
   for (auto& [key, runs] : by_routings) {
     std::stable_sort(runs.begin(), runs.end(),

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "core/text.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/csv_number.hpp"
 #include "diagnosis/data/data_columns.hpp"
@@ -213,14 +214,6 @@ class DataReader {
     }
     data_.routings.push_back(std::move(measured));
     return data_.routings.size() - 1;
-  }
-
-  static std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted) {
-    for (std::size_t i = 0; i < network.segments.size(); ++i) {
-      const Segment& segment = network.segments[i];
-      if (segment.kind == wanted.kind && segment.number == wanted.number) return i;
-    }
-    return std::nullopt;
   }
 
   CsvReader csv_;

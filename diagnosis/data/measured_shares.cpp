@@ -9,19 +9,12 @@ namespace {
 
 // T1 … T2n of a reading over their sum; empty if one is missing, or if all are slack.
 std::vector<double> shares(const MeasuredData& data, const Reading& reading) {
-  const int fingers = data.routings[reading.routing].network.fingers;
-  std::vector<std::optional<double>> tension(2 * static_cast<std::size_t>(fingers));
-  for (std::size_t c = 0; c < data.channels.size(); ++c) {
-    const Segment& segment = data.channels[c].segment;
-    if (segment.kind != SegmentKind::strand || !reading.tension_N[c]) continue;
-    tension[static_cast<std::size_t>(segment.number - 1)] = reading.tension_N[c];
-  }
   std::vector<double> result;
   double sum = 0;
-  for (const std::optional<double>& one : tension) {
-    if (!one) return {};
-    result.push_back(*one);
-    sum += *one;
+  for (const std::size_t c : strand_channels(data, data.routings[reading.routing])) {
+    if (!reading.tension_N[c]) return {};
+    result.push_back(*reading.tension_N[c]);
+    sum += result.back();
   }
   if (!(sum > 0)) return {};
   for (double& share : result) share /= sum;
@@ -59,6 +52,19 @@ ShareGroup& group_of(std::vector<ShareGroup>& groups, const Reading& reading) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> strand_channels(const MeasuredData& data, const MeasuredRouting& routing) {
+  std::vector<std::size_t> channels;
+  for (int strand = 1; strand <= 2 * routing.network.fingers; ++strand) {
+    const auto found =
+        std::find_if(data.channels.begin(), data.channels.end(), [&](const Channel& channel) {
+          return channel.segment == Segment{SegmentKind::strand, strand, 0};
+        });
+    if (found == data.channels.end()) return {};
+    channels.push_back(static_cast<std::size_t>(found - data.channels.begin()));
+  }
+  return channels;
+}
 
 SharesOfData measured_shares(const MeasuredData& data) {
   DataNote released{NoteKind::not_compared, "readings of releasing are left out", {}};

@@ -27,6 +27,9 @@ struct SharesOfData {
   std::vector<DataNote> notes;         // on readings that are in no group
 };
 
+// The columns of T1 … T2n, n: fingers of the routing; empty if one is not among them.
+std::vector<std::size_t> strand_channels(const MeasuredData& data, const MeasuredRouting& routing);
+
 SharesOfData measured_shares(const MeasuredData& data);
 
 }  // namespace reeve

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/search/candidates.hpp"
 #include "numerics/minimise.hpp"
 
 namespace reeve {
@@ -87,6 +86,13 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
     if (other.misfit < best.misfit) best = std::move(other);
   }
   return best;
+}
+
+bool same_effect(const Effect& a, const Effect& b) {
+  const Subject& x = a.subject;
+  const Subject& y = b.subject;
+  return a.cause == b.cause && name(a) == name(b) && x.recorded == y.recorded &&
+         x.actual == y.actual;
 }
 
 std::size_t place(const Model& model, const Effect& effect) {

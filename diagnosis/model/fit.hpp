@@ -24,6 +24,8 @@ Fit fit(const Problem& problem, const Model& model);
 Fit fit(const Problem& problem, const Model& model, std::size_t effect,
         const std::vector<std::vector<double>>& starts);
 
+bool same_effect(const Effect& a, const Effect& b);
+
 // Where the model has the effect, whatever its size.
 std::size_t place(const Model& model, const Effect& effect);
 

@@ -31,12 +31,14 @@ struct SharedScatter {
 
 SharedScatter shared_scatter(const std::vector<RunEquations>& runs, const VectorXd& scale) {
   SharedScatter shared;
+  // Of many runs each has a small share in what all know.
+  const double least = std::min(least_share, 0.1 / static_cast<double>(runs.size()));
   for (const RunEquations& run : runs) {
     const MatrixXd scaled = scale.asDiagonal() * run.square * scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(scaled);
     const VectorXd along = axes.eigenvectors().transpose() * (scale.asDiagonal() * run.along);
     for (Index i = 0; i < along.size(); ++i) {
-      if (axes.eigenvalues()[i] < least_share) continue;
+      if (axes.eigenvalues()[i] < least) continue;
       shared.square += along[i] * along[i] / axes.eigenvalues()[i];
       shared.degrees += 1;
     }

@@ -8,16 +8,16 @@
 
 #include "core/error.hpp"
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
 
-// Streams of uniform numbers: of the order, and the next one of places within parts of a range.
 enum class Factor : std::uint32_t {
-  grasp = 0x51a00010,
-  motor_tension = 0x51a00012,
-  speed = 0x51a00014,
-  temperature = 0x51a00016
+  grasp = streams::grasps,
+  motor_tension = streams::motor_tensions,
+  speed = streams::speeds,
+  temperature = streams::temperatures
 };
 
 std::uint32_t order_stream(Factor factor) { return static_cast<std::uint32_t>(factor); }
@@ -182,14 +182,6 @@ Survey survey(const ExperimentPlan& plan) {
   survey.has_cycle = plan.cycle.has_value();
   survey.has_temperature = plan.temperature_C.has_value();
   return survey;
-}
-
-std::optional<std::size_t> find_segment(const Network& network, const Segment& channel) {
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const Segment& segment = network.segments[i];
-    if (segment.kind == channel.kind && segment.number == channel.number) return i;
-  }
-  return std::nullopt;
 }
 
 }  // namespace reeve

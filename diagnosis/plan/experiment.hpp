@@ -71,7 +71,4 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
 // Which causes the experiment could show. Points into the plan.
 Survey survey(const ExperimentPlan& plan);
 
-// Which of the network's segments a channel is, if it has it.
-std::optional<std::size_t> find_segment(const Network& network, const Segment& channel);
-
 }  // namespace reeve

@@ -105,10 +105,9 @@ class Reader {
       : word_(routing.word), network_(network), shown_N_(greatest_tension(*plan.data)) {
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
       const Segment& segment = network.segments[i];
-      const bool has_channel = std::any_of(
-          plan.data->channels.begin(), plan.data->channels.end(), [&](const Channel& channel) {
-            return channel.segment.kind == segment.kind && channel.segment.number == segment.number;
-          });
+      const bool has_channel =
+          std::any_of(plan.data->channels.begin(), plan.data->channels.end(),
+                      [&](const Channel& channel) { return channel.segment == segment; });
       if (segment.kind == SegmentKind::strand || has_channel) segments_.push_back(i);
     }
   }

@@ -7,14 +7,10 @@
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
-
-// Streams of normal numbers. Who diagnoses the readings draws replicates of the noise with streams
-// 0, 1, …, and likely with the same seed: those must not be the noise that is in the readings.
-constexpr std::uint32_t relative_stream = 0x51a00000;
-constexpr std::uint32_t absolute_stream = 0x51a00001;
 
 // Tensions of one routing on the rig.
 class Rig {
@@ -77,8 +73,8 @@ Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedN
       const std::uint64_t here = index++;
       if (!tension) continue;
       ++simulation.values;
-      *tension *= 1 + noise.relative * normal(seed, relative_stream, here);
-      *tension += noise.absolute_N * normal(seed, absolute_stream, here);
+      *tension *= 1 + noise.relative * normal(seed, streams::relative_noise, here);
+      *tension += noise.absolute_N * normal(seed, streams::absolute_noise, here);
       simulation.clipped += *tension < 0 ? 1 : 0;
       *tension = std::max(0.0, *tension);
     }

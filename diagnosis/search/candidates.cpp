@@ -46,13 +46,6 @@ std::vector<std::vector<double>> shapes(const Candidate& candidate) {
   return result;
 }
 
-bool same_effect(const Effect& a, const Effect& b) {
-  const Subject& x = a.subject;
-  const Subject& y = b.subject;
-  return a.cause == b.cause && name(a) == name(b) && x.recorded == y.recorded &&
-         x.actual == y.actual;
-}
-
 std::string detail(const Effect& effect) {
   const Subject& subject = effect.subject;
   if (!subject.recorded || !subject.actual) return {};

@@ -22,8 +22,6 @@ std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware
 // Values at which the law of a candidate with parameters of shape is tried: the size is nominal.
 std::vector<std::vector<double>> shapes(const Candidate& candidate);
 
-bool same_effect(const Effect& a, const Effect& b);
-
 // For a person: "recorded 1, measured 2" of wrong_grasp; otherwise empty.
 std::string detail(const Effect& effect);
 

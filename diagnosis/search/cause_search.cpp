@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "diagnosis/model/null_model.hpp"
-#include "diagnosis/plan/outlook.hpp"
+#include "diagnosis/search/outlook.hpp"
 #include "diagnosis/search/rivals.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
@@ -66,18 +67,31 @@ class Search {
     const Outlook outlook(problem_, result_.model, candidates_, workers_);
     if (outlook.candidates().empty()) return false;
     const NullModel null_model(problem_, outlook.projection(), outlook.at(),
-                               options_.seed + 7919 * result_.accepted.size(), options_.replicates);
+                               streams::seed_of_step(options_.seed, result_.accepted.size()),
+                               options_.replicates);
     std::vector<double> greatest(null_model.replicates());
     null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
       greatest[replicate] = outlook.screening().greatest_gain(drawn);
     });
     const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
-    std::vector<Fit> fits = outlook.fit_each(which);
+    std::vector<Fit> fits(which.size());
+    const auto fit_those = [&](bool of_hardware) {
+      std::vector<std::size_t> places, candidates;
+      for (std::size_t i = 0; i < which.size(); ++i) {
+        const Cause& cause = *outlook.candidates()[which[i]].effect.cause;
+        if ((cause.reach() == Reach::hardware) != of_hardware) continue;
+        places.push_back(i);
+        candidates.push_back(which[i]);
+      }
+      std::vector<Fit> fitted = outlook.fit_each(candidates);
+      for (std::size_t i = 0; i < places.size(); ++i) fits[places[i]] = std::move(fitted[i]);
+      return places;
+    };
     const double before = misfit(problem_, result_.model);
-    // A coefficient may be so far from the hardware's that the first order sees little of its gain.
+    // What is wrong with the hardware may be so far from what it says of itself that the first
+    // order sees little of the gain.
     double observed = outlook.screening().greatest_gain(outlook.residuals());
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      if (outlook.candidates()[which[i]].effect.cause->reach() != Reach::hardware) continue;
+    for (const std::size_t i : fit_those(true)) {
       observed = std::max(observed, gain(before, fits[i].misfit));
     }
     result_.p_value_of_next = p_value(observed, greatest);
@@ -86,6 +100,7 @@ class Search {
     critical_gain_ =
         greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
     if (result_.p_value_of_next > alpha || stop_()) return false;
+    fit_those(false);
     const std::size_t best = least_misfit(fits);
     if (gain(before, fits[best].misfit) < critical_gain_) return false;
     if (accept_coefficients(outlook.candidates(), fits[best].misfit)) return true;

@@ -1,9 +1,10 @@
 // Which causes explain the training data: accepted one by one until what is left looks like chance.
 //
-// A step screens every cause to first order, judges the greatest gain by what the whole screening
-// finds in data simulated from the current model, fits the promising causes in full, and accepts
-// the likeliest. Afterwards each accepted cause has to defend its place: against others (one that
-// explains more takes it), and against nothing (one that no longer gains enough goes).
+// A step screens every cause to first order, fits the promising causes of the hardware in full,
+// judges the greatest gain by what the whole screening finds in data simulated from the current
+// model, fits the other promising causes, and accepts the likeliest. Afterwards each accepted cause
+// has to defend its place: against others (one that explains more takes it), and against nothing
+// (one that no longer gains enough goes).
 #pragma once
 
 #include <cstdint>

@@ -2,9 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <optional>
-#include <vector>
-
 #include "diagnosis/model/run_equations.hpp"
 
 namespace reeve {
@@ -13,20 +10,22 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Σ of the squared residuals of each run, forecast from the others; nothing where they cannot.
 class LeftOut {
  public:
   LeftOut(const Problem& problem, const Model& model) {
     const Forecast at = forecast(*problem.dataset, model);
     jacobian_ = sensitivities(problem, model, at);
     jacobian_ *= column_scale(jacobian_).asDiagonal();
+    square_ = jacobian_.transpose() * jacobian_;
     residuals_ = residuals(problem, at);
-    for (const RunEquations& run : run_equations(problem, jacobian_, residuals_)) {
-      misfits_.push_back(misfit(run));
-    }
+    runs_ = run_equations(problem, jacobian_, residuals_);
   }
 
-  const std::vector<std::optional<double>>& misfits() const { return misfits_; }
+  LeftOutMisfits misfits() const {
+    LeftOutMisfits result;
+    for (const RunEquations& run : runs_) result.push_back(misfit(run));
+    return result;
+  }
 
  private:
   std::optional<double> misfit(const RunEquations& run) const {
@@ -35,8 +34,7 @@ class LeftOut {
       left[i] = residuals_[run.cells[static_cast<std::size_t>(i)]];
     }
     if (jacobian_.cols() == 0) return left.squaredNorm();
-    const MatrixXd others = jacobian_.transpose() * jacobian_ - run.square;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(others);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(square_ - run.square);
     const VectorXd& known = axes.eigenvalues();
     const MatrixXd& directions = axes.eigenvectors();
     for (Eigen::Index k = 0; k < known.size(); ++k) {
@@ -53,19 +51,21 @@ class LeftOut {
   }
 
   MatrixXd jacobian_;
+  MatrixXd square_;  // JᵀJ
   VectorXd residuals_;
-  std::vector<std::optional<double>> misfits_;
+  std::vector<RunEquations> runs_;
 };
 
 }  // namespace
 
-double left_out_gain(const Problem& problem, const Model& before, const Model& after) {
-  const LeftOut first(problem, before);
-  const LeftOut second(problem, after);
+LeftOutMisfits left_out_misfits(const Problem& problem, const Model& model) {
+  return LeftOut(problem, model).misfits();
+}
+
+double left_out_gain(const LeftOutMisfits& before, const LeftOutMisfits& after) {
   double gain = 0;
-  for (std::size_t r = 0; r < first.misfits().size(); ++r) {
-    if (!first.misfits()[r] || !second.misfits()[r]) continue;
-    gain += (*first.misfits()[r] - *second.misfits()[r]) / 2;
+  for (std::size_t r = 0; r < before.size(); ++r) {
+    if (before[r] && after[r]) gain += (*before[r] - *after[r]) / 2;
   }
   return gain;
 }

@@ -8,12 +8,20 @@
 // A run that alone knows some parameter cannot be forecast by the others, and is passed over.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "diagnosis/model/problem.hpp"
 
 namespace reeve {
 
-// By how much `after` forecasts the runs better than `before`, each run from the others, in
-// log-likelihood; both are fitted to the problem. 0 where there is no run to judge by.
-double left_out_gain(const Problem& problem, const Model& before, const Model& after);
+// Σ of the squared residuals of each run, forecast from the others by a model that is fitted to the
+// problem; nothing where they cannot forecast it. In the order of run_equations.
+using LeftOutMisfits = std::vector<std::optional<double>>;
+LeftOutMisfits left_out_misfits(const Problem& problem, const Model& model);
+
+// By how much `after` forecasts the runs better than `before`, in log-likelihood. 0 where there is
+// no run to judge by.
+double left_out_gain(const LeftOutMisfits& before, const LeftOutMisfits& after);
 
 }  // namespace reeve

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/plan/outlook.hpp"
+#include "diagnosis/search/outlook.hpp"
 
 namespace reeve {
 

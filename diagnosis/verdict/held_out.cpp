@@ -5,13 +5,13 @@
 #include <map>
 
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve {
 namespace {
 
 constexpr std::size_t draws = 1000;
 constexpr std::size_t enough_held_out_runs = 5;
-constexpr std::uint32_t resampling_stream = 0x6a1;
 
 // What one unit of resampling contributes.
 struct Unit {
@@ -82,7 +82,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   for (std::size_t d = 0; d < draws; ++d) {
     Unit drawn;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double u = uniform(seed, resampling_stream, d * all.size() + i);
+      const double u = uniform(seed, streams::resampling, d * all.size() + i);
       drawn += all[static_cast<std::size_t>(u * static_cast<double>(all.size()))];
     }
     reductions.push_back(reduction(drawn));

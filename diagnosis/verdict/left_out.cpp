@@ -1,6 +1,6 @@
 #include "diagnosis/verdict/left_out.hpp"
 
-#include <map>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -51,14 +51,13 @@ LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& re
 std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
                                       const std::vector<std::size_t>& readings, const Model& model,
                                       const Noise& noise, Workers& workers) {
-  std::map<std::size_t, bool> seen;
-  for (const std::size_t i : readings) seen[data.readings[i].run] = true;
+  std::set<std::size_t> seen;
+  for (const std::size_t i : readings) seen.insert(data.readings[i].run);
   if (parameter_count(model) == 0 || seen.size() < fewest_runs_left_out ||
       seen.size() > most_runs_left_out) {
     return {};
   }
-  std::vector<std::size_t> runs;
-  for (const auto& [run, _] : seen) runs.push_back(run);
+  const std::vector<std::size_t> runs(seen.begin(), seen.end());
   std::vector<LeftOutRun> result(runs.size());
   workers.for_each_block(runs.size(), 1, [&](const IndexBlock& block) {
     result[block.begin] = left_out(data, readings, runs[block.begin], model, noise);

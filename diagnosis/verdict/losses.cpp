@@ -17,6 +17,7 @@ constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution o
 
 // Two measured segments with nothing measured between them.
 struct Stretch {
+  const TendonSpan* tendon = nullptr;
   std::size_t left = 0;  // segments of the network, in walk order
   std::size_t right = 0;
   std::vector<std::size_t> contacts;  // from left to right
@@ -27,7 +28,7 @@ std::vector<Stretch> stretches(const Network& network, const std::vector<bool>& 
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.segments; ++k) {
       if (!measured[tendon.first_segment + k]) continue;
-      Stretch stretch{tendon.first_segment + k, tendon.first_segment + k, {}};
+      Stretch stretch{&tendon, tendon.first_segment + k, tendon.first_segment + k, {}};
       for (std::size_t c = k; c < k + tendon.contacts; ++c) {
         const std::size_t at = c % tendon.segments;
         if (at >= tendon.contacts) break;  // the end of an open tendon
@@ -67,12 +68,11 @@ std::vector<std::pair<GroupKey, std::vector<Row>>> groups(const MeasuredData& da
 
 // +1: the tension falls from left to right by all the friction there is; -1: from right to left;
 // 0: some contact holds with less, or they work against each other.
-int fall(const TendonSpan& tendon, const Stretch& stretch, const Mechanics& mechanics,
-         const TensionState& state) {
+int fall(const Stretch& stretch, const Mechanics& mechanics, const TensionState& state) {
   constexpr double used_up = 1 - 1e-6;
   int result = 0;
   for (const std::size_t contact : stretch.contacts) {
-    const auto [left, right] = ends_of(tendon, contact - tendon.first_contact);
+    const auto [left, right] = ends_of(*stretch.tendon, contact - stretch.tendon->first_contact);
     const double drop = std::log(state.tension[left] / state.tension[right]);
     if (!(std::abs(drop) >= used_up * mechanics.phi[contact]) || drop == 0) return 0;
     const int direction = drop > 0 ? 1 : -1;
@@ -80,12 +80,6 @@ int fall(const TendonSpan& tendon, const Stretch& stretch, const Mechanics& mech
     result = direction;
   }
   return result;
-}
-
-const TendonSpan& tendon_of(const Network& network, std::size_t segment) {
-  return *std::find_if(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& t) {
-    return segment >= t.first_segment && segment < t.first_segment + t.segments;
-  });
 }
 
 class LossTable {
@@ -107,7 +101,7 @@ class LossTable {
       for (const auto& [segment, cell] : row) measured[segment] = true;
     }
     for (const Stretch& stretch : stretches(network, measured)) {
-      const int way = fall(tendon_of(network, stretch.left), stretch, mechanics, state);
+      const int way = fall(stretch, mechanics, state);
       if (way == 0) continue;
       const std::size_t high = way > 0 ? stretch.left : stretch.right;
       const std::size_t low = way > 0 ? stretch.right : stretch.left;
@@ -118,6 +112,7 @@ class LossTable {
       loss.high = network.segments[high];
       loss.low = network.segments[low];
       for (const std::size_t c : stretch.contacts) loss.over.push_back(network.contacts[c].kind);
+      if (way < 0) std::reverse(loss.over.begin(), loss.over.end());
       for (const Row& row : rows) add_row(row, high, low, loss);
       if (loss.rows > 0) result_.push_back(mean(loss));
     }

@@ -29,7 +29,7 @@ struct Loss {
   Direction direction = Direction::pull;
   Segment high;                   // from which
   Segment low;                    // to which the tension falls, by the extended model
-  std::vector<ContactKind> over;  // the contacts between them
+  std::vector<ContactKind> over;  // the contacts between them, from high to low
   std::size_t rows = 0;
   // ln(T_high / T_low), mean over the rows; those with a tension within three standard deviations
   // of zero are left out.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnosis/data/measured_shares.hpp"
+
 namespace reeve {
 namespace {
 
@@ -19,26 +21,21 @@ double sum(const std::vector<double>& values) {
 
 using Cells = std::vector<const ComparedCell*>;
 
-std::optional<Strands> strands(const MeasuredData& data, Cells row) {
-  std::erase_if(row, [&](const ComparedCell* cell) {
-    return data.channels[cell->cell.channel].segment.kind != SegmentKind::strand;
-  });
-  std::sort(row.begin(), row.end(), [&](const ComparedCell* a, const ComparedCell* b) {
-    return data.channels[a->cell.channel].segment.number <
-           data.channels[b->cell.channel].segment.number;
-  });
-  const Reading& reading = data.readings[row.empty() ? 0 : row.front()->cell.reading];
-  const auto wanted = 2 * static_cast<std::size_t>(data.routings[reading.routing].network.fingers);
-  if (row.empty() || row.size() != wanted || reading.direction != Direction::pull) {
-    return std::nullopt;
-  }
+std::optional<Strands> strands(const MeasuredData& data, const Cells& row) {
+  const Reading& reading = data.readings[row.front()->cell.reading];
+  if (reading.direction != Direction::pull) return std::nullopt;
   Strands result;
-  for (const ComparedCell* cell : row) {
-    result.measured.push_back(cell->cell.measured_N);
-    result.before.push_back(cell->before_N);
-    result.after.push_back(cell->after_N);
-    if (cell->left_out_N) result.left_out.push_back(*cell->left_out_N);
-    result.held_out = cell->held_out;
+  for (const std::size_t channel : strand_channels(data, data.routings[reading.routing])) {
+    const auto found = std::find_if(row.begin(), row.end(), [&](const ComparedCell* cell) {
+      return cell->cell.channel == channel;
+    });
+    if (found == row.end()) return std::nullopt;
+    const ComparedCell& cell = **found;
+    result.measured.push_back(cell.cell.measured_N);
+    result.before.push_back(cell.before_N);
+    result.after.push_back(cell.after_N);
+    if (cell.left_out_N) result.left_out.push_back(*cell.left_out_N);
+    result.held_out = cell.held_out;
   }
   if (!(sum(result.measured) > 0 && sum(result.before) > 0 && sum(result.after) > 0)) {
     return std::nullopt;
@@ -97,7 +94,7 @@ ShareErrors share_errors(const MeasuredData& data, const std::vector<ComparedCel
     for (; last < cells.size() && cells[last].cell.reading == reading; ++last) {
       row.push_back(&cells[last]);
     }
-    const auto found = strands(data, std::move(row));
+    const auto found = strands(data, row);
     if (found) add(*found, group_of(result.groups, data.readings[reading]));
   }
   if (result.groups.empty()) return result;

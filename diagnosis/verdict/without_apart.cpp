@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "diagnosis/model/fit.hpp"
+#include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 
 namespace reeve {
@@ -13,13 +15,14 @@ namespace {
 
 using Place = std::pair<std::size_t, std::size_t>;  // reading and channel
 
+Place place(const Cell& cell) { return {cell.reading, cell.channel}; }
+
 bool is_at(const ComparedCell& cell, const MeasuredData& data, const Loss& loss,
            const Segment& segment) {
   const Reading& reading = data.readings[cell.cell.reading];
   const Segment& own = data.channels[cell.cell.channel].segment;
   return reading.routing == loss.routing && reading.grasp == loss.grasp &&
-         reading.direction == loss.direction && own.kind == segment.kind &&
-         own.number == segment.number;
+         reading.direction == loss.direction && own == segment;
 }
 
 // Of the cells at one end of a stretch.
@@ -48,7 +51,7 @@ std::vector<Cell> cells_apart(const MeasuredData& data, const std::vector<Compar
     const End high = end_of(data, cells, loss, loss.high);
     const End low = end_of(data, cells, loss, loss.low);
     for (const Cell& cell : (low.misfit >= high.misfit ? low : high).cells) {
-      if (known.insert({cell.reading, cell.channel}).second) apart.push_back(cell);
+      if (known.insert(place(cell)).second) apart.push_back(cell);
     }
   }
   return apart;
@@ -62,13 +65,14 @@ std::vector<std::size_t> readings_of(const std::vector<ComparedCell>& cells) {
 
 double share_error_of(const MeasuredData& data, const Model& model,
                       std::vector<ComparedCell> cells) {
+  std::map<Place, ComparedCell*> at_place;
+  for (ComparedCell& cell : cells) at_place[place(cell.cell)] = &cell;
   const Dataset all = dataset(data, readings_of(cells));
   const Forecast at = forecast(all, model);
   for (std::size_t i = 0; i < all.cells.size(); ++i) {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) {
-      return cell.cell.reading == all.cells[i].reading && cell.cell.channel == all.cells[i].channel;
-    });
-    if (found != cells.end()) found->after_N = at.reading_N[static_cast<Eigen::Index>(i)];
+    const auto found = at_place.find(place(all.cells[i]));
+    if (found == at_place.end()) continue;
+    found->second->after_N = at.reading_N[static_cast<Eigen::Index>(i)];
   }
   return share_errors(data, cells).after;
 }
@@ -89,10 +93,8 @@ std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model&
   Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
   result.model = fit(known, model).model;
   if (noise.source == NoiseSource::residuals) {
-    const Forecast at = forecast(rest, result.model);
-    noise = noise_of_residuals(rest, residuals(known, at).cwiseProduct(known.deviation_N),
-                               static_cast<double>(parameter_count(model)));
-    known.deviation_N = deviations(rest, noise, at.reading_N);
+    noise = noise_left_by(rest, result.model);
+    known.deviation_N = deviations(rest, noise, forecast(rest, result.model).reading_N);
     result.model = fit(known, result.model).model;
   }
   result.intervals = parameter_intervals(known, result.model);

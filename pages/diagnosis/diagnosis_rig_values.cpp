@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/notation.hpp"
-#include "diagnosis/data/csv_field.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
+#include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 

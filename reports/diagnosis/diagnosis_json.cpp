@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "diagnosis/data/csv_field.hpp"
+#include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"

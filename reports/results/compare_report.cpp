@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/data/csv.hpp"
-#include "diagnosis/data/csv_field.hpp"
+#include "reports/csv_field.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 

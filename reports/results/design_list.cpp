@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnosis/data/csv_field.hpp"
+#include "reports/csv_field.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve {

@@ -6,7 +6,7 @@
 
 #include "causes/named_effect.hpp"
 #include "diagnosis/data/csv.hpp"
-#include "diagnosis/data/csv_field.hpp"
+#include "reports/csv_field.hpp"
 #include "reports/json.hpp"
 
 namespace reeve {

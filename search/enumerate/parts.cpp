@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve {
 namespace {
@@ -29,9 +30,8 @@ std::vector<Kind> parse(const std::string& option, const std::string& text,
   std::string expected;
   for (const auto& [label, kind] : names)
     expected += (expected.empty() ? "" : ", ") + std::string(label);
-  for (std::size_t at = 0; at < text.size() + 1 && !text.empty();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string item = text.substr(at, comma - at);
+  if (text.empty()) return kinds;
+  for (const std::string& item : comma_separated(text)) {
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&](const auto& named) { return named.first == item; });
     if (found == names.end()) {
@@ -39,7 +39,6 @@ std::vector<Kind> parse(const std::string& option, const std::string& text,
                                    text, item, expected));
     }
     kinds.push_back(found->second);
-    at = comma + 1;
   }
   std::sort(kinds.begin(), kinds.end());
   kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/enumerate/sweep_counter.hpp"
 #include "search/judge/pareto.hpp"
 #include "search/judge/ranking.hpp"
+#include "search/judge/sweep_counter.hpp"
 
 namespace reeve {
 

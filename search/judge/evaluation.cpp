@@ -7,6 +7,22 @@
 
 namespace reeve {
 
+Extent extent_for(const std::vector<Objective>& objectives, const Score& score) {
+  const auto any_of_terms = [](const Score& terms, auto is_wanted) {
+    return std::any_of(terms.terms.begin(), terms.terms.end(),
+                       [&](const ScoreTerm& term) { return is_wanted(term.objective); });
+  };
+  const auto is_wanted = [&](Objective objective) {
+    return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+  };
+  const bool scored = is_wanted(Objective::score);
+  const auto counts = [&](Objective objective) {
+    return is_wanted(objective) ||
+           (scored && any_of_terms(score, [&](Objective term) { return term == objective; }));
+  };
+  return {counts(Objective::return_friction), any_of_terms(authors_score(), counts)};
+}
+
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
     : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
 
@@ -31,21 +47,21 @@ const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
   return state;
 }
 
-GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, Extent extent) {
+GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent& extent) {
   GraspOutcome outcome;
   outcome.weight = grasp.weight;
   const TensionState& pulled = solve(grasp.grasp, Direction::pull);
   outcome.jams = pulled.jams;
   outcome.pull = performance(network_, pulled);
-  outcome.indicators = indicators(network_, pulled);
-  if (extent == Extent::pulling) return outcome;
+  if (extent.indicators) outcome.indicators = indicators(network_, pulled);
+  if (!extent.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.return_friction =
       return_friction(outcome.pull, performance(network_, released, Direction::release));
   return outcome;
 }
 
-const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, Extent extent) {
+const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   if (model_solver_) {
@@ -61,20 +77,9 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, Extent ext
   return outcome_;
 }
 
-const DesignOutcome& DesignEvaluator::outcome(const Routing& routing) {
-  return outcome(routing, Extent::pulling_and_releasing);
-}
-
-ObjectiveValues DesignEvaluator::evaluate(const Routing& routing) {
+ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const Extent& extent) {
   ObjectiveValues values{};
-  compute_objectives(outcome(routing), values);
-  add_score(score_, values);
-  return values;
-}
-
-ObjectiveValues DesignEvaluator::evaluate_pulling(const Routing& routing) {
-  ObjectiveValues values{};
-  compute_objectives(outcome(routing, Extent::pulling), values);
+  compute_objectives(outcome(routing, extent), values);
   add_score(score_, values);
   return values;
 }

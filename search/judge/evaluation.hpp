@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "causes/model.hpp"
 #include "causes/model_solver.hpp"
@@ -18,6 +19,18 @@
 
 namespace reeve {
 
+// What is worked out besides the pull and what follows from it at no cost; objectives that need
+// what is left out stay at 0.
+struct Extent {
+  bool release = true;     // return friction; a second tension solve in each grasp
+  bool indicators = true;  // core/indicators.hpp, and a score made of them
+
+  friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+// What these objectives need, the score that of its terms.
+Extent extent_for(const std::vector<Objective>& objectives, const Score& score);
+
 // Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
 // One for each thread. (With a seized contact, evaluating allocates.)
 class DesignEvaluator {
@@ -25,23 +38,17 @@ class DesignEvaluator {
   DesignEvaluator(const Hardware& hardware, GraspSet grasps);
   DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score());
 
-  // The outcome is valid until the next call. Two tension solves a grasp: pull and release.
-  const DesignOutcome& outcome(const Routing& routing);
+  // The outcome is valid until the next call.
+  const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
 
-  ObjectiveValues evaluate(const Routing& routing);
-
-  // All objectives but return friction, which is left at 0, in half the time: one solve a grasp.
-  ObjectiveValues evaluate_pulling(const Routing& routing);
+  ObjectiveValues evaluate(const Routing& routing, const Extent& extent = {});
 
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
 
  private:
-  enum class Extent { pulling, pulling_and_releasing };
-
-  const DesignOutcome& outcome(const Routing& routing, Extent extent);
-  GraspOutcome in_grasp(const WeightedGrasp& grasp, Extent extent);
+  GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
   const TensionState& solve(Grasp grasp, Direction direction);
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve {
 namespace {
@@ -116,11 +117,6 @@ std::string names() {
 
 }  // namespace
 
-std::string without_outer_spaces(const std::string& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 double on_grid(double value) {
   constexpr double grid = 1e10;
   return std::round(value * grid) / grid;
@@ -147,15 +143,13 @@ Objective parse_objective(const std::string& name, const std::string& option) {
 
 std::vector<Objective> parse_objectives(const std::string& text) {
   std::vector<Objective> objectives;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string name = without_outer_spaces(text.substr(at, comma - at));
+  for (const std::string& item : comma_separated(text)) {
+    const std::string name(trimmed(item));
     const Objective objective = parse_objective(name, fmt::format("objectives '{}'", text));
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
       throw InputError(fmt::format("objectives '{}': '{}' is named twice", text, name));
     }
     objectives.push_back(objective);
-    at = comma + 1;
   }
   return objectives;
 }
@@ -174,7 +168,7 @@ Constraint parse_constraint(const std::string& text) {
   const std::size_t at = std::min(text.find_first_of("<>="), text.size());
   const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
   const std::string comparison = text.substr(at, end - at);
-  const std::string number = without_outer_spaces(text.substr(end));
+  const std::string number(trimmed(text.substr(end)));
   constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
   double bound = 0;
   const char* last = number.data() + number.size();
@@ -185,7 +179,7 @@ Constraint parse_constraint(const std::string& text) {
         "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
         option));
   }
-  const std::string name = without_outer_spaces(text.substr(0, at));
+  const std::string name(trimmed(text.substr(0, at)));
   // On the grid of the values, so that a bound copied with all its digits holds.
   return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
 }

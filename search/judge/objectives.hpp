@@ -87,9 +87,6 @@ double on_grid(double value);
 // All objectives on that grid, but the score (score.hpp), which is left at 0.
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values);
 
-// Of an item of a list.
-std::string without_outer_spaces(const std::string& text);
-
 // Names as in the table; "uniformity" and "efficiency" are short for their means.
 // Throws InputError that names the item and lists the objectives.
 Objective parse_objective(const std::string& name, const std::string& option);

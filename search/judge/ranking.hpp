@@ -29,7 +29,7 @@ struct RankedDesign {
 double uniformity_times_efficiency(const ObjectiveValues& values);
 
 // Rules 2 to 4.
-bool precedes_within_front(const Design& a, const Design& b, const Order& order = {});
+bool precedes_within_front(const Design& a, const Design& b, const Order& order);
 
 std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked);
 

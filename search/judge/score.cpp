@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve {
 namespace {
@@ -15,12 +15,12 @@ constexpr double greatest_weight = 1e6;
 
 ScoreTerm parse_term(const std::string& text, const std::string& option) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  ScoreTerm term{parse_objective(without_outer_spaces(text.substr(0, equals)), option), 1};
+  ScoreTerm term{parse_objective(std::string(trimmed(text.substr(0, equals))), option), 1};
   if (term.objective == Objective::score) {
     throw InputError(option + ": a score is no part of itself; expected other objectives");
   }
   if (equals == text.size()) return term;
-  const std::string number = without_outer_spaces(text.substr(equals + 1));
+  const std::string number(trimmed(text.substr(equals + 1)));
   const char* last = number.data() + number.size();
   const auto [end, error] = std::from_chars(number.data(), last, term.weight);
   if (error != std::errc{} || end != last || !(term.weight > 0 && term.weight <= greatest_weight)) {
@@ -57,16 +57,14 @@ Score parse_score(const std::string& text) {
   if (text == "authors") return authors_score();
   const std::string option = fmt::format("score '{}'", text);
   Score score;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const ScoreTerm term = parse_term(text.substr(at, comma - at), option);
+  for (const std::string& item : comma_separated(text)) {
+    const ScoreTerm term = parse_term(item, option);
     for (const ScoreTerm& other : score.terms) {
       if (other.objective == term.objective) {
         throw InputError(fmt::format("{}: '{}' is named twice", option, row(term.objective).name));
       }
     }
     score.terms.push_back(term);
-    at = comma + 1;
   }
   return score;
 }

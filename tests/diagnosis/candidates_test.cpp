@@ -8,6 +8,7 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/data/dataset.hpp"
+#include "diagnosis/model/fit.hpp"
 #include "tests/diagnosis/read_data.hpp"
 
 namespace reeve::testing {

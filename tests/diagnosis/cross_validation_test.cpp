@@ -31,6 +31,10 @@ double gain_by_hand(const std::vector<BenchReading>& readings,
   return gain;
 }
 
+double left_out_gain(const Problem& problem, const Model& before, const Model& after) {
+  return reeve::left_out_gain(left_out_misfits(problem, before), left_out_misfits(problem, after));
+}
+
 double left_out_gain_of(const std::vector<BenchReading>& readings) {
   const MeasuredData data = bench_data(readings);
   const Dataset part = all_of(data);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "diagnosis/data/hold_out.hpp"
+#include "diagnosis/model/left_noise.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -114,13 +115,16 @@ TEST(Diagnose, LetsHeldOutRunsDecideNothing) {
   }
 }
 
-DiagnosisResult of_runs(const std::vector<double>& offset_by_run) {
+std::string runs_csv(const std::vector<double>& offset_by_run, std::size_t rows) {
+  return bench_csv({offset_by_run.size(), rows},
+                   [&](std::size_t run) { return Pattern{offset_by_run[run]}; });
+}
+
+DiagnosisResult of_runs(const std::vector<double>& offset_by_run, std::size_t rows = 12) {
   DiagnoseOptions options = quick(0.05);
   options.hold_out = 0;
   options.most_causes = 1;
-  return diagnosed(bench_csv({offset_by_run.size(), 12},
-                             [&](std::size_t run) { return Pattern{offset_by_run[run]}; }),
-                   options);
+  return diagnosed(runs_csv(offset_by_run, rows), options);
 }
 
 // On average T1 reads 0.5 N more, but neither run says so of the other.
@@ -132,6 +136,15 @@ TEST(Diagnose, NamesNoCauseThatTheTrainingRunsRefute) {
   EXPECT_TRUE(result.indistinguishable.empty());
   EXPECT_TRUE(result.weighed.empty());
   EXPECT_LT(result.p_value, 0.05);
+}
+
+// The noise is what the model leaves, and so that of the model that stays.
+TEST(Diagnose, JudgesWhatIsLeftByTheModelThatStays) {
+  const DiagnosisResult result = of_runs({4, -1}, 4);
+  ASSERT_EQ(result.noise.source, NoiseSource::residuals);
+  ASSERT_EQ(result.not_confirmed.size(), 1U);
+  const MeasuredData data = read_data(runs_csv({4, -1}, 4));
+  EXPECT_EQ(result.noise.relative, noise_left_by(all_of(data), result.model).relative);
 }
 
 // There is no other run that could refute it, or confirm it.

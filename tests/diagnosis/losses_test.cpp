@@ -113,6 +113,19 @@ TEST(Losses, OneThatIsFarFromTheOthersStandsApart) {
   EXPECT_EQ(marked, 1U);
 }
 
+TEST(Losses, NameTheContactsFromTheHigherTensionOn) {
+  const MeasuredData data = read_data(
+      "run,routing,held,direction,T1_N,T2_N,T4_N\n1,M-1-P-2-F,1,pull,40,30,10\n"
+      "1,M-1-P-2-F,1,release,5,10,40\n");
+  const auto found = losses(data, Model{}, compared(data));
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T2T4");
+  EXPECT_EQ(name(found[3].high) + name(found[3].low), "T4T2");
+  const auto reversed = std::vector<ContactKind>(found[3].over.rbegin(), found[3].over.rend());
+  EXPECT_EQ(found[1].over, reversed);
+  EXPECT_EQ(found[3].over.front(), ContactKind::tube);
+}
+
 TEST(Losses, AreMeansOverTheRowsOfAGraspAndDirection) {
   const MeasuredData data = read_data(
       "run,routing,direction,T1_N,T2_N\n1,M-1-F,pull,40,20\n1,M-1-F,pull,40,10\n"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "diagnosis/plan/outlook.hpp"
+#include "diagnosis/search/outlook.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {

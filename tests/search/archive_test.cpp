@@ -280,7 +280,7 @@ TEST(Archive, HoldsNoneThatEnoughOthersBeat) {
         const auto beaters = std::count_if(designs.begin(), designs.end(), [&](const Design& d) {
           const Goodness other = goodness(d.values, stream.objectives);
           return dominates(other, own) ||
-                 ((other == own).all() && precedes_within_front(d, entry.design));
+                 ((other == own).all() && precedes_within_front(d, entry.design, {}));
         });
         EXPECT_LT(static_cast<std::size_t>(beaters), keep) << entry.design.word;
       }

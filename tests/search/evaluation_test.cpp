@@ -237,12 +237,37 @@ TEST(Evaluation, AReusedEvaluatorMayGoFromManyFingersToFew) {
   }
 }
 
+TEST(DesignEvaluator, WorksOutWhatObjectivesNeed) {
+  const auto needs = [](Objective objective, const Score& score) {
+    return extent_for({Objective::sheaths, objective}, score);
+  };
+  const Score of_release{{{Objective::return_friction, 2}}};
+  EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()), (Extent{false, false}));
+  EXPECT_EQ(needs(Objective::return_friction, authors_score()), (Extent{true, false}));
+  EXPECT_EQ(needs(Objective::reliability, of_release), (Extent{false, true}));
+  EXPECT_EQ(needs(Objective::score, authors_score()), (Extent{false, true}));
+  EXPECT_EQ(needs(Objective::score, of_release), (Extent{true, false}));
+}
+
+TEST(DesignEvaluator, LeavesOutWhatIsNotAskedFor) {
+  DesignEvaluator evaluator(Hardware{}, single_grasps(2));
+  for (const char* word : {"M-1-T-2-F", "1-P-2b-P-1", "M-1-F+M-2-F"}) {
+    const Routing routing = parse_routing(word);
+    ObjectiveValues full = evaluator.evaluate(routing);
+    const ObjectiveValues plain = evaluator.evaluate(routing, {false, false});
+    for (const ObjectiveRow& row : objective_table()) {
+      const bool left_out = row.objective >= Objective::return_friction;
+      EXPECT_EQ(value(plain, row.objective), left_out ? 0 : value(full, row.objective)) << row.name;
+    }
+  }
+}
+
 TEST(DesignEvaluator, PullingAloneGivesAllButReturnFriction) {
   DesignEvaluator evaluator(Hardware{}, single_grasps(2));
   for (const char* word : {"M-1-T-2-F", "1-P-2b-P-1", "M-1-F+M-2-F"}) {
     const Routing routing = parse_routing(word);
     ObjectiveValues full = evaluator.evaluate(routing);
-    const ObjectiveValues pulling = evaluator.evaluate_pulling(routing);
+    const ObjectiveValues pulling = evaluator.evaluate(routing, {false, true});
     EXPECT_EQ(value(pulling, Objective::return_friction), 0);
     full[static_cast<std::size_t>(Objective::return_friction)] = 0;
     EXPECT_EQ(full, pulling) << word;

@@ -43,7 +43,7 @@ std::vector<RankedDesign> ranked_by_sweep(const std::vector<Design>& designs,
     ranked.push_back({*point.design, number, 0});
   }
   std::sort(ranked.begin(), ranked.end(), [](const RankedDesign& a, const RankedDesign& b) {
-    return a.front != b.front ? a.front < b.front : precedes_within_front(a.design, b.design);
+    return a.front != b.front ? a.front < b.front : precedes_within_front(a.design, b.design, {});
   });
   for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i].rank = i + 1;
   return ranked;

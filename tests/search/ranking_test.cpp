@@ -114,8 +114,8 @@ TEST(Ranking, WithinAFrontEveryTwoDesignsHaveAnOrder) {
   const std::vector<Design> designs = random_designs(engine, 120);
   for (std::size_t i = 0; i < designs.size(); ++i) {
     for (std::size_t k = 0; k < designs.size(); ++k) {
-      const int either = (precedes_within_front(designs[i], designs[k]) ? 1 : 0) +
-                         (precedes_within_front(designs[k], designs[i]) ? 1 : 0);
+      const int either = (precedes_within_front(designs[i], designs[k], {}) ? 1 : 0) +
+                         (precedes_within_front(designs[k], designs[i], {}) ? 1 : 0);
       EXPECT_EQ(either, i == k ? 0 : 1);
     }
   }

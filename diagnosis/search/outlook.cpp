@@ -1,4 +1,4 @@
-#include "diagnosis/plan/outlook.hpp"
+#include "diagnosis/search/outlook.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "diagnosis/data/csv_field.hpp"
+#include "reports/csv_field.hpp"
 
 namespace reeve {
 

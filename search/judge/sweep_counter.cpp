@@ -1,4 +1,4 @@
-#include "search/enumerate/sweep_counter.hpp"
+#include "search/judge/sweep_counter.hpp"
 
 #include <algorithm>
 #include <functional>
