@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "causes/library.hpp"
+#include "core/error.hpp"
 
 namespace reeve {
 namespace {
@@ -41,6 +42,12 @@ Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effect
 
 Hardware effective_hardware(const Model& model) {
   return effective_hardware(model.hardware, model.effects);
+}
+
+Hardware possible_hardware(const Model& model) {
+  Hardware hardware = effective_hardware(model);
+  if (const auto found = fault(hardware)) throw OutOfRange(*found);
+  return hardware;
 }
 
 bool reaches(const Model& model, Reach reach) {

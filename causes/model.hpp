@@ -34,6 +34,8 @@ void add_effect(Model& model, Effect effect);
 
 // The hardware with all effects on it.
 Hardware effective_hardware(const Model& model);
+// The same; throws OutOfRange if it is none that there can be.
+Hardware possible_hardware(const Model& model);
 Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effects);
 
 // Of the effects' reaches, whether one is this.

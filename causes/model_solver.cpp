@@ -32,7 +32,9 @@ ModelSolver::ModelSolver(const Model& model) : model_(&model) {
 ModelSolver::ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
                          const Network& network)
     : ModelSolver(model) {
-  set_routing(word, network, mechanics(network, hardware));
+  Mechanics plain;
+  MechanicsBuilder(hardware).apply(network, plain);
+  set_routing(word, network, plain);
 }
 
 void ModelSolver::set_routing(const std::string& word, const Network& network,
@@ -108,12 +110,12 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
   solve_once();
   if (depends_on_load_) {
     converged_ = false;
-    for (int step = 0; step < most_steps && !converged_; ++step) {
+    for (int step = 0; step < most_steps && !converged_ && state_.in_range; ++step) {
       converged_ = change_exponents(conditions) < tolerance;
       solve_once();
     }
   }
-  if (!seized_.network.split) return state_;
+  if (!seized_.network.split || !state_.in_range) return state_;
   restored_ = restored(seized_, state_);
   return restored_;
 }

@@ -31,12 +31,12 @@ class ModelSolver {
   // makes of the network.
   void set_routing(const std::string& word, const Network& network, const Mechanics& plain);
 
-  // For one routing alone.
-  // `hardware` is the effective one (a row's own sheath angle is in it already).
+  // For one routing alone. `hardware` is the effective one (a row's own sheath angle is in it
+  // already), without fault.
   ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
               const Network& network);
 
-  // At T_M = 1, in the order of the network's segments. `grasp` is the real one.
+  // At T_M = 1, in the order of the network's segments, if it is in range. `grasp` is the real one.
   const TensionState& solve(Grasp grasp, Direction direction, const Conditions& conditions);
 
   // Whether the last solve converged.

@@ -73,6 +73,8 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const reeve::InputError& error) {
     return complain(error.what(), bad_input);
+  } catch (const reeve::OutOfRange& error) {
+    return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);
   } catch (const std::bad_alloc&) {

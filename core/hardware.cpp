@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -12,83 +10,100 @@
 namespace reeve {
 namespace {
 
-void require_range(std::string_view quantity, double value, double low, double high,
-                   std::string_view unit) {
-  if (!(value >= low && value <= high)) {
-    throw InputError(fmt::format("hardware: {} = {}: expected a number from {} to {}{}{}", quantity,
-                                 value, low, high, unit.empty() ? "" : " ", unit));
+struct Bounds {
+  double low = 0;
+  double high = 0;
+  const char* unit = "";
+};
+constexpr Bounds coefficients{0, 10, ""};
+constexpr Bounds angles{0, 1000, "rad"};
+constexpr Bounds lengths{1e-3, 1e6, "mm"};
+constexpr Bounds closing_weights{1e-3, 1e3, ""};
+
+class FaultFinder {
+ public:
+  const std::optional<std::string>& first() const { return first_; }
+
+  void look_at(const Hardware& hardware) {
+    law("tube", hardware.tube);
+    law("bearing", hardware.bearing);
+    law("sheath", hardware.sheath);
+    range("lengths", "strand_mm", hardware.strand_mm, lengths);
+    range("lengths", "motor_side_mm", hardware.motor_side_mm, lengths);
+    range("lengths", "hand_mm", hardware.hand_mm, lengths);
+    std::uint64_t seen = 0;
+    for (const FingerHardware& finger : hardware.fingers) {
+      look_at(finger, hardware);
+      if (first_) return;
+      const std::uint64_t bit = std::uint64_t{1} << (finger.finger - 1);
+      if ((seen & bit) != 0) {
+        first_ = fmt::format("hardware: finger {} is given twice", finger.finger);
+      }
+      seen |= bit;
+    }
+    for (const ContactHardware& contact : hardware.contacts) look_at(contact);
   }
-}
 
-void require_mu(std::string_view quantity, double mu) { require_range(quantity, mu, 0, 10, ""); }
-void require_angle(std::string_view quantity, double angle) {
-  require_range(quantity, angle, 0, 1000, "rad");
-}
-void require_length(std::string_view quantity, double length) {
-  require_range(quantity, length, 1e-3, 1e6, "mm");
-}
-
-void validate(std::string_view where, const ContactLaw& law) {
-  require_mu(fmt::format("{}.mu", where), law.mu);
-  require_angle(fmt::format("{}.angle_rad", where), law.angle_rad);
-  require_exponent(where, law.exponent());
-}
-
-template <typename Check>
-void if_given(const std::optional<double>& value, const std::string& quantity, Check check) {
-  if (value) check(quantity, *value);
-}
-
-void validate(const FingerHardware& finger, const Hardware& hardware) {
-  require_range("finger number", finger.finger, 1, max_fingers, "");
-  const std::string where = fmt::format("finger.{}", finger.finger);
-  if_given(finger.tip_mu, where + ".tip_mu", require_mu);
-  if_given(finger.tip_angle_rad, where + ".tip_angle_rad", require_angle);
-  if_given(finger.sheath_mu, where + ".sheath_mu", require_mu);
-  if_given(finger.sheath_angle_rad, where + ".sheath_angle_rad", require_angle);
-  if_given(finger.strand_mm, where + ".strand_mm", require_length);
-  require_range(where + ".closing", finger.closing, 1e-3, 1e3, "");
-  for (const ContactLaw& tip : {hardware.tube, hardware.bearing}) {
-    require_exponent(where + " tip",
-                     finger.tip_mu.value_or(tip.mu) * finger.tip_angle_rad.value_or(tip.angle_rad));
+ private:
+  void range(std::string_view where, std::string_view what, const std::optional<double>& value,
+             const Bounds& bounds) {
+    if (first_ || !value || (*value >= bounds.low && *value <= bounds.high)) return;
+    first_ =
+        fmt::format("hardware: {}.{} = {}: expected a number from {} to {}{}{}", where, what,
+                    *value, bounds.low, bounds.high, *bounds.unit == 0 ? "" : " ", bounds.unit);
   }
-  require_exponent(where + " sheath",
-                   finger.sheath_mu.value_or(hardware.sheath.mu) *
-                       finger.sheath_angle_rad.value_or(hardware.sheath.angle_rad));
-}
 
-void validate(const ContactHardware& contact) {
-  const std::string where = fmt::format("contact {}-{}", contact.segment, contact.other_segment);
-  if_given(contact.mu, where + ".mu", require_mu);
-  if_given(contact.angle_rad, where + ".angle_rad", require_angle);
-}
+  void exponent(std::string_view where, double phi) {
+    if (first_ || phi <= max_exponent) return;
+    first_ =
+        fmt::format("hardware: {}: mu * angle = {}: expected at most {}", where, phi, max_exponent);
+  }
+
+  void law(std::string_view where, const ContactLaw& law) {
+    range(where, "mu", law.mu, coefficients);
+    range(where, "angle_rad", law.angle_rad, angles);
+    exponent(where, law.exponent());
+  }
+
+  void look_at(const FingerHardware& finger, const Hardware& hardware) {
+    if (!first_ && !(finger.finger >= 1 && finger.finger <= max_fingers)) {
+      first_ = fmt::format("hardware: finger number = {}: expected a number from 1 to {}",
+                           finger.finger, max_fingers);
+    }
+    const std::string where = fmt::format("finger.{}", finger.finger);
+    range(where, "tip_mu", finger.tip_mu, coefficients);
+    range(where, "tip_angle_rad", finger.tip_angle_rad, angles);
+    range(where, "sheath_mu", finger.sheath_mu, coefficients);
+    range(where, "sheath_angle_rad", finger.sheath_angle_rad, angles);
+    range(where, "strand_mm", finger.strand_mm, lengths);
+    range(where, "closing", finger.closing, closing_weights);
+    for (const ContactLaw& tip : {hardware.tube, hardware.bearing}) {
+      exponent(where + " tip",
+               finger.tip_mu.value_or(tip.mu) * finger.tip_angle_rad.value_or(tip.angle_rad));
+    }
+    exponent(where + " sheath", finger.sheath_mu.value_or(hardware.sheath.mu) *
+                                    finger.sheath_angle_rad.value_or(hardware.sheath.angle_rad));
+  }
+
+  void look_at(const ContactHardware& contact) {
+    const std::string where = fmt::format("contact {}-{}", contact.segment, contact.other_segment);
+    range(where, "mu", contact.mu, coefficients);
+    range(where, "angle_rad", contact.angle_rad, angles);
+  }
+
+  std::optional<std::string> first_;
+};
 
 }  // namespace
 
-void require_exponent(std::string_view where, double phi) {
-  if (!(phi <= max_exponent)) {
-    throw InputError(fmt::format("hardware: {}: mu * angle = {}: expected at most {}", where, phi,
-                                 max_exponent));
-  }
+std::optional<std::string> fault(const Hardware& hardware) {
+  FaultFinder finder;
+  finder.look_at(hardware);
+  return finder.first();
 }
 
 void validate(const Hardware& hardware) {
-  validate("tube", hardware.tube);
-  validate("bearing", hardware.bearing);
-  validate("sheath", hardware.sheath);
-  require_length("lengths.strand_mm", hardware.strand_mm);
-  require_length("lengths.motor_side_mm", hardware.motor_side_mm);
-  require_length("lengths.hand_mm", hardware.hand_mm);
-  std::uint64_t seen = 0;
-  for (const FingerHardware& finger : hardware.fingers) {
-    validate(finger, hardware);
-    const std::uint64_t bit = std::uint64_t{1} << (finger.finger - 1);
-    if ((seen & bit) != 0) {
-      throw InputError(fmt::format("hardware: finger {} is given twice", finger.finger));
-    }
-    seen |= bit;
-  }
-  for (const ContactHardware& contact : hardware.contacts) validate(contact);
+  if (const auto found = fault(hardware)) throw InputError(*found);
 }
 
 }  // namespace reeve

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace reeve {
@@ -56,8 +55,10 @@ struct Hardware {
 // e^{-phi} along a whole tendon stays a number.
 inline constexpr double max_exponent = 10;
 
-// Throw InputError that names the quantity, its value and its range.
-void require_exponent(std::string_view where, double phi);
+// The first quantity out of its range, with its value and what was expected; nothing if the
+// hardware is one that there can be.
+std::optional<std::string> fault(const Hardware& hardware);
+// Throws it as an InputError.
 void validate(const Hardware& hardware);
 
 }  // namespace reeve

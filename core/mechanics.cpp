@@ -1,8 +1,11 @@
 #include "core/mechanics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/routing.hpp"
 
 namespace reeve {
@@ -46,6 +49,7 @@ ContactLaw MechanicsBuilder::law(const Contact& contact) const {
 }
 
 void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const {
+  mechanics.in_range = true;
   mechanics.length.clear();
   for (const Segment& segment : network.segments) {
     mechanics.length.push_back(segment.kind == SegmentKind::strand       ? hardware_.strand_mm
@@ -85,8 +89,7 @@ void MechanicsBuilder::apply_overrides(const Network& network, Mechanics& mechan
           law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
         }
       }
-      require_exponent(name(network.segments[left]) + "-" + name(network.segments[right]),
-                       law.exponent());
+      mechanics.in_range &= law.exponent() <= max_exponent;
       mechanics.phi[contact] = law.exponent();
       mechanics.decay[contact] = std::exp(-law.exponent());
     }
@@ -109,10 +112,25 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
   return unmatched;
 }
 
+const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics) {
+  if (mechanics.in_range) return mechanics;
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      const double phi = mechanics.phi[tendon.first_contact + k];
+      if (phi <= max_exponent) continue;
+      const auto [left, right] = ends_of(tendon, k);
+      throw OutOfRange(fmt::format("hardware: {}-{}: mu * angle = {}: expected at most {}",
+                                   name(network.segments[left]), name(network.segments[right]), phi,
+                                   max_exponent));
+    }
+  }
+  return mechanics;
+}
+
 Mechanics mechanics(const Network& network, const Hardware& hardware) {
   Mechanics result;
   MechanicsBuilder(hardware).apply(network, result);
-  return result;
+  return require_in_range(network, result);
 }
 
 }  // namespace reeve

@@ -17,12 +17,14 @@ struct Mechanics {
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n
+  bool in_range = true;         // no exponent is beyond max_exponent
 };
 
 // Prepared hardware: what does not depend on the routing is computed once, so that `apply` costs a
 // table look-up a contact.
 class MechanicsBuilder {
  public:
+  // Throws InputError of a fault of the hardware, and of a name that is no segment's.
   explicit MechanicsBuilder(const Hardware& hardware);
 
   // Keeps the memory of `mechanics`.
@@ -53,6 +55,11 @@ class MechanicsBuilder {
 // none.
 int highest_finger(const ContactHardware& contact);
 
+// Throws OutOfRange that names the contact if an exponent is beyond max_exponent: only a contact of
+// its own can have one that the hardware's faults do not tell.
+const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics);
+
+// Of hardware that is valid. Throws InputError or OutOfRange otherwise.
 Mechanics mechanics(const Network& network, const Hardware& hardware);
 
 }  // namespace reeve

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/model/prediction.hpp"
+#include "diagnosis/model/forecast.hpp"
 
 namespace reeve {
 namespace {
@@ -81,19 +82,27 @@ QuantitySummary summarise(const std::vector<ComparedValue>& all, Quantity quanti
   return result;
 }
 
+std::vector<std::size_t> all_readings(const MeasuredData& data) {
+  std::vector<std::size_t> readings(data.readings.size());
+  std::iota(readings.begin(), readings.end(), std::size_t{0});
+  return readings;
+}
+
 class Comparer {
  public:
-  Comparer(const MeasuredData& data, const Hardware& hardware)
-      : data_(data), predictor_(data, hardware) {}
+  Comparer(const MeasuredData& data, const Model& model)
+      : data_(data),
+        dataset_(dataset(data, all_readings(data), Rows::all)),
+        forecast_(forecast(dataset_, model)) {}
 
   Comparison run() {
-    for (std::size_t i = 0; i < data_.readings.size(); ++i) {
-      const TensionState& state = predictor_.at(data_.readings[i]);
-      if (state.jams) jams_.lines.push_back(data_.readings[i].line);
-      if (data_.readings[i].motor_tension_N) {
-        add_tensions(i, state);
+    for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+      const DatasetRow& row = dataset_.rows[r];
+      if (forecast_.jams[r]) jams_.lines.push_back(data_.readings[row.reading].line);
+      if (row.has_motor_tension) {
+        add_tensions(row);
       } else {
-        add_shares(i, state);
+        add_shares(row);
       }
     }
     if (result_.values.empty()) {
@@ -111,48 +120,47 @@ class Comparer {
   }
 
  private:
-  void add_tensions(std::size_t index, const TensionState& state) {
-    const Reading& reading = data_.readings[index];
-    const MeasuredRouting& routing = data_.routings[reading.routing];
-    for (std::size_t c = 0; c < data_.channels.size(); ++c) {
-      if (!reading.tension_N[c]) continue;
-      result_.values.push_back({index, c, Quantity::tension, *reading.tension_N[c],
-                                *reading.motor_tension_N * state.tension[*routing.segments[c]]});
+  double predicted(std::size_t cell) const {
+    return forecast_.reading_N[static_cast<Eigen::Index>(cell)];
+  }
+
+  void add_tensions(const DatasetRow& row) {
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const Cell& cell = dataset_.cells[i];
+      result_.values.push_back(
+          {row.reading, cell.channel, Quantity::tension, cell.measured_N, predicted(i)});
     }
   }
 
-  void add_shares(std::size_t index, const TensionState& state) {
-    const Reading& reading = data_.readings[index];
-    const MeasuredRouting& routing = data_.routings[reading.routing];
+  void add_shares(const DatasetRow& row) {
+    const std::size_t line = data_.readings[row.reading].line;
     std::vector<std::size_t> strands;
-    double measured = 0;
-    double predicted = 0;
-    bool others = false;
-    for (std::size_t c = 0; c < data_.channels.size(); ++c) {
-      if (!reading.tension_N[c]) continue;
-      if (data_.channels[c].segment.kind != SegmentKind::strand) {
-        others = true;
-        continue;
-      }
-      strands.push_back(c);
-      measured += *reading.tension_N[c];
-      predicted += state.tension[*routing.segments[c]];
+    double measured_sum = 0;
+    double predicted_sum = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const Cell& cell = dataset_.cells[i];
+      if (data_.channels[cell.channel].segment.kind != SegmentKind::strand) continue;
+      strands.push_back(i);
+      measured_sum += cell.measured_N;
+      predicted_sum += predicted(i);
     }
-    if (others) not_strands_.lines.push_back(reading.line);
+    if (strands.size() < row.last - row.first) not_strands_.lines.push_back(line);
     if (strands.size() < 2) {
-      too_few_.lines.push_back(reading.line);
-    } else if (!(measured > 0 && predicted > 0)) {
-      slack_.lines.push_back(reading.line);
+      too_few_.lines.push_back(line);
+    } else if (!(measured_sum > 0 && predicted_sum > 0)) {
+      slack_.lines.push_back(line);
     } else {
-      for (const std::size_t c : strands) {
-        result_.values.push_back({index, c, Quantity::share, *reading.tension_N[c] / measured,
-                                  state.tension[*routing.segments[c]] / predicted});
+      for (const std::size_t i : strands) {
+        const Cell& cell = dataset_.cells[i];
+        result_.values.push_back({row.reading, cell.channel, Quantity::share,
+                                  cell.measured_N / measured_sum, predicted(i) / predicted_sum});
       }
     }
   }
 
   const MeasuredData& data_;
-  Predictor predictor_;
+  Dataset dataset_;
+  Forecast forecast_;
   Comparison result_;
   DataNote jams_{NoteKind::jams,
                  "in these grasps a tendon has no finger that can move: predicted are the tensions "
@@ -176,8 +184,8 @@ class Comparer {
 
 const char* name(Quantity quantity) { return quantity == Quantity::tension ? "tension" : "share"; }
 
-Comparison compare(const MeasuredData& data, const Hardware& hardware) {
-  return Comparer(data, hardware).run();
+Comparison compare(const MeasuredData& data, const Model& model) {
+  return Comparer(data, model).run();
 }
 
 }  // namespace reeve

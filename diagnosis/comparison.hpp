@@ -1,9 +1,9 @@
 // Measured tensions beside those of the model as it stands: nothing is fitted, nothing is tuned.
 //
-// Let t_i be the model's tension of segment i at T_M = 1, in the row's routing, grasp and
-// direction.
-//   with motor_tension_N     every measured segment: T_i in newton beside T_M t_i
-//   without                  the measured strands: the share T_i / Σ T beside t_i / Σ t, both sums
+// Let p_i be the forecast of what segment i's sensor reads (model/forecast.hpp), in the row's
+// routing, grasp and direction.
+//   with motor_tension_N     every measured segment: T_i in newton beside p_i
+//   without                  the measured strands: the share T_i / Σ T beside p_i / Σ p, both sums
 //                            over the strands that the row has (as the Exo-Glove II paper does)
 // Residuals are measured − predicted. A row's sheath_angle_rad stands for the wrap angle of every
 // sheath in that row, over whatever the hardware says of it, also for one finger or one contact.
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hardware.hpp"
+#include "causes/model.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
 namespace reeve {
@@ -61,7 +61,8 @@ struct Comparison {
   std::vector<DataNote> notes;        // on the comparison; those on the data are in the data
 };
 
-// Throws InputError that names the line, and if there is nothing at all to compare.
-Comparison compare(const MeasuredData& data, const Hardware& hardware);
+// Throws InputError if there is nothing at all to compare, and OutOfRange that names the line where
+// the model has no tensions.
+Comparison compare(const MeasuredData& data, const Model& model);
 
 }  // namespace reeve

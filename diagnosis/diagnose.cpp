@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/error.hpp"
 #include "diagnosis/data/sample.hpp"
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
@@ -191,12 +190,10 @@ class Diagnosis {
       cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
     }
     for (std::size_t i = 0; i < weighed.size(); ++i) {
-      try {
-        result_.weighed[i].held_out =
-            held_out_gain(unseen, nominal_, weighed[i].model, options_.seed);
-      } catch (const InputError&) {
-        // In some held-out row this model has no tensions: nothing to weigh it by.
-      }
+      // In some held-out row it may have no tensions: nothing to weigh it by.
+      if (!try_forecast(sample_.held_out, weighed[i].model)) continue;
+      result_.weighed[i].held_out =
+          held_out_gain(unseen, nominal_, weighed[i].model, options_.seed);
     }
     result_.noise_limit = noise_limit(unseen, nominal_);
     result_.run_gains = run_gains(unseen, nominal_, result_.model);

@@ -6,15 +6,14 @@
 
 namespace reeve {
 
-CompareReport comparison_study(MeasuredData data, const Hardware& hardware,
-                               const Catalogue& catalogue) {
+CompareReport comparison_study(MeasuredData data, const Model& model, const Catalogue& catalogue) {
   CompareReport report;
   report.data = std::move(data);
-  report.hardware = hardware;
+  report.model = model;
   for (const MeasuredRouting& measured : report.data.routings) {
     report.names.push_back(name_of(catalogue, measured.word));
   }
-  report.comparison = compare(report.data, hardware);
+  report.comparison = compare(report.data, model);
   return report;
 }
 

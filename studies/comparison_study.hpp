@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "core/hardware.hpp"
+#include "causes/model.hpp"
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
@@ -14,12 +14,11 @@ namespace reeve {
 struct CompareReport {
   MeasuredData data;
   std::vector<std::string> names;  // of data.routings; "" where there is none
-  Hardware hardware;
+  Model model;
   Comparison comparison;
 };
 
-// Throws InputError if there is nothing to compare.
-CompareReport comparison_study(MeasuredData data, const Hardware& hardware,
-                               const Catalogue& catalogue);
+// Throws InputError if there is nothing to compare, OutOfRange where the model has no tensions.
+CompareReport comparison_study(MeasuredData data, const Model& model, const Catalogue& catalogue);
 
 }  // namespace reeve

@@ -51,7 +51,7 @@ std::optional<TensionDistributions> diagnosed_distributions(
   if (request.routings.empty()) return std::nullopt;
   try {
     return measured_distributions(request, catalogue);
-  } catch (const InputError&) {
+  } catch (const OutOfRange&) {
     return std::nullopt;
   }
 }

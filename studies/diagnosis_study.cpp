@@ -74,7 +74,7 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
   before.hardware = plain;
   try {
     return CatalogueRanking{order(before, catalogue), order(extended, catalogue)};
-  } catch (const InputError&) {
+  } catch (const OutOfRange&) {
     return std::nullopt;  // fitted to extreme readings, the model has no tensions in some routing
   }
 }
@@ -113,7 +113,7 @@ std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
   try {
     return shown_routing(parse_routing(at.routing), model, {{at.grasp, 1}}, at.direction,
                          catalogue);
-  } catch (const InputError&) {
+  } catch (const OutOfRange&) {
     return std::nullopt;
   }
 }

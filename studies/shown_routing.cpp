@@ -17,9 +17,10 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
   report.name = name_of(catalogue, report.word);
   report.direction = direction;
   report.network = expand(routing);
-  ModelSolver solver(model, effective_hardware(model), report.word, report.network);
+  ModelSolver solver(model, possible_hardware(model), report.word, report.network);
   for (const WeightedGrasp& weighted : grasps) {
-    const TensionState& state = solver.solve(weighted.grasp, direction, model.conditions);
+    const TensionState& state =
+        require_in_range(solver.solve(weighted.grasp, direction, model.conditions));
     if (!solver.converged()) ++report.unconverged;
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }

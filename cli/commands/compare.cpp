@@ -22,19 +22,19 @@ struct CompareFlags {
   std::string data;
   std::string out;
   CLI::Option* out_given = nullptr;
-  HardwareOption hardware;
+  ModelOption model;
   FormatOption format;
 };
 
 CompareReport report(const CompareFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
-  const Hardware hardware = flags.hardware.read().hardware;
+  const Model model = flags.model.read().model;
   MeasuredData data = read_measured_data(
       flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
-  require_contacts_to_match(hardware, routings);
-  return comparison_study(std::move(data), hardware, catalogue);
+  require_contacts_to_match(model.hardware, routings);
+  return comparison_study(std::move(data), model, catalogue);
 }
 
 void write_files(const CompareReport& report, const CompareFlags& flags) {
@@ -66,7 +66,7 @@ void add_compare(CLI::App& program, int&) {
       ->required();
   flags->out_given = command->add_option(
       "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
-  flags->hardware.add_to(*command);
+  flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags] { run(*flags); });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,20 +18,13 @@ double cone_excess(double left, double right, double decay) {
   return std::max(left, right) * decay / std::min(left, right) - 1;
 }
 
-void require_in_range(double tension) {
-  if (std::isnormal(tension)) return;
-  throw InputError(
-      "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
-      "that tensions fall out of range");
-}
-
-void scale_to_unit_motor_tension(const Network& network, std::vector<double>& tension) {
+bool scale_to_unit_motor_tension(const Network& network, std::vector<double>& tension) {
   double motor = 0;
   for (std::size_t i = 0; i < tension.size(); ++i) {
     if (network.segments[i].kind == SegmentKind::motor_side) motor += tension[i];
   }
-  require_in_range(motor);
   for (double& t : tension) t /= motor;
+  return std::isnormal(motor);
 }
 
 }  // namespace
@@ -53,7 +47,7 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   chain_.solve(segments_, contacts_, chain_tension_);
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t k = first + j < n ? first + j : first + j - n;
-    require_in_range(chain_tension_[j]);
+    state.in_range &= std::isnormal(chain_tension_[j]);
     state.tension[tendon.first_segment + k] = chain_tension_[j];
   }
 }
@@ -82,11 +76,8 @@ void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mech
   }
 }
 
-void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                          Direction direction, TensionState& state) {
-  kinematics_.solve(network, mechanics, grasp, direction, motion_);
-  state.tension.resize(network.segments.size());
-  state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
+bool TensionSolver::solve_tendons(const Network& network, const Mechanics& mechanics,
+                                  TensionState& state) {
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
     const bool slack = network.split && motion_.slack[t] != 0;
@@ -97,16 +88,35 @@ void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Gr
       solve_tendon(tendon, mechanics, state);
     }
   }
-  scale_to_unit_motor_tension(network, state.tension);
+  return scale_to_unit_motor_tension(network, state.tension);
+}
+
+void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                          Direction direction, TensionState& state) {
+  kinematics_.solve(network, mechanics, grasp, direction, motion_);
+  state.tension.resize(network.segments.size());
+  state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
+  state.in_range = mechanics.in_range;
+  state.in_range &= solve_tendons(network, mechanics, state);
+  if (!state.in_range) {
+    std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
+  }
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
+}
+
+const TensionState& require_in_range(const TensionState& state) {
+  if (state.in_range) return state;
+  throw OutOfRange(
+      "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
+      "that tensions fall out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
                       Direction direction) {
   TensionState state;
   TensionSolver().solve(network, mechanics, grasp, direction, state);
-  return state;
+  return require_in_range(state);
 }
 
 }  // namespace reeve

@@ -29,7 +29,10 @@ namespace reeve {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct TensionState {
-  bool jams = false;            // no finger of some tendon can move: the carriage is blocked
+  bool jams = false;  // no finger of some tendon can move: the carriage is blocked
+  // Otherwise a tendon hangs on no motor (is_actuated), or friction is so strong that tensions
+  // leave the range of a double; they are no numbers then.
+  bool in_range = true;
   std::vector<double> tension;  // N per N of motor tension; motor-side tensions add up to 1
   std::vector<double> slip;     // left to right, per unit of carriage travel
   std::vector<double> closing;  // dl of fingers 1 … n, per unit of carriage travel
@@ -38,12 +41,12 @@ struct TensionState {
 // Keeps its memory from call to call: in the steady state a solve allocates nothing.
 class TensionSolver {
  public:
-  // Throws InputError if a tendon hangs on no motor (check is_actuated first), or if friction is so
-  // strong that tensions fall out of the range of a double.
+  // Says in the state whether it has tensions.
   void solve(const Network& network, const Mechanics& mechanics, Grasp grasp, Direction direction,
              TensionState& state);
 
  private:
+  bool solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
   void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
                   TensionState& state);
@@ -57,6 +60,10 @@ class TensionSolver {
   std::vector<double> chain_tension_;
 };
 
+// The state itself. Throws OutOfRange if it has no tensions.
+const TensionState& require_in_range(const TensionState& state);
+
+// Throws OutOfRange.
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
                       Direction direction = Direction::pull);
 

@@ -37,7 +37,7 @@ double Dataset::degrees_of_freedom() const {
   return static_cast<double>(cells.size()) - static_cast<double>(free);
 }
 
-Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings) {
+Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings, Rows rows) {
   using Key = std::tuple<std::size_t, std::uint64_t, Direction, std::optional<double>>;
   Dataset result;
   result.data = &data;
@@ -50,7 +50,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
       cells.push_back(
           {index, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]});
     }
-    if (!says_something(cells, reading)) continue;
+    if (rows == Rows::that_say_something && !says_something(cells, reading)) continue;
     const Key key{reading.routing, reading.grasp.held, reading.direction, reading.sheath_angle_rad};
     const auto [found, is_new] = blocks.emplace(key, result.blocks.size());
     if (is_new) {

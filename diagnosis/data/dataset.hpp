@@ -45,9 +45,13 @@ struct Dataset {
   double degrees_of_freedom() const;
 };
 
-// Of these readings (ascending). A row without motor tension needs two measured segments that are
-// not both slack to say anything, and is left out otherwise.
-Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings);
+// A row without motor tension needs two measured segments that are not both slack to say anything,
+// and one with it a tension above 0.
+enum class Rows { that_say_something, all };
+
+// Of these readings (ascending).
+Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings,
+                Rows rows = Rows::that_say_something);
 
 // Which causes the data could show.
 Survey survey(const MeasuredData& data);

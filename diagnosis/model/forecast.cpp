@@ -3,48 +3,64 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
+#include <variant>
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
-#include "diagnosis/model/prediction.hpp"
+#include "diagnosis/model/sheath_angle.hpp"
 
 namespace reeve {
 namespace {
 
+struct NoForecast {
+  std::size_t reading = 0;
+  std::string why;
+};
+
+Hardware hardware_of(const Model& model, const Block& block) {
+  return effective_hardware(block.sheath_angle_rad
+                                ? with_sheath_angle(model.hardware, *block.sheath_angle_rad)
+                                : model.hardware,
+                            model.effects);
+}
+
 class BlockForecast {
  public:
-  BlockForecast(const Dataset& dataset, const Model& model, const Block& block, Forecast& forecast)
+  BlockForecast(const Dataset& dataset, const Model& model, const Block& block,
+                const Hardware& hardware, Forecast& forecast)
       : dataset_(dataset),
         model_(model),
         block_(block),
         routing_(dataset.data->routings[block.routing]),
-        hardware_(effective_hardware(
-            block.sheath_angle_rad ? with_sheath_angle(model.hardware, *block.sheath_angle_rad)
-                                   : model.hardware,
-            model.effects)),
-        solver_(model, hardware_, routing_.word, routing_.network),
+        solver_(model, hardware, routing_.word, routing_.network),
         grasp_(actual_grasp(model, routing_.word, block.recorded)),
         by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
         by_load_(reaches(model, Reach::load)),
         forecast_(forecast) {}
 
-  void run() {
+  // Whether the tensions of all its rows are in range.
+  bool run() {
     const TensionState* state = nullptr;
     for (const std::size_t r : block_.rows) {
       const DatasetRow& row = dataset_.rows[r];
       if (state == nullptr || by_row_) state = &solve(row.conditions);
+      forecast_.jams[r] = state->jams;
       if (row.has_motor_tension) {
         read(row, *state, row.conditions.motor_tension_N);
       } else {
         read_scaled(row, *state);
       }
     }
+    return in_range_;
   }
 
  private:
   const TensionState& solve(const Conditions& conditions) {
-    return solver_.solve(grasp_, block_.direction, conditions);
+    const TensionState& state = solver_.solve(grasp_, block_.direction, conditions);
+    in_range_ &= state.in_range;
+    return state;
   }
 
   double reading_at(const Cell& cell, double tension_N) const {
@@ -96,28 +112,44 @@ class BlockForecast {
   const Model& model_;
   const Block& block_;
   const MeasuredRouting& routing_;
-  Hardware hardware_;
   ModelSolver solver_;
   Grasp grasp_;
   bool by_row_;
   bool by_load_;
   Forecast& forecast_;
+  bool in_range_ = true;
 };
 
-}  // namespace
-
-Forecast forecast(const Dataset& dataset, const Model& model) {
+std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model) {
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
-  Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
+                  std::vector<bool>(dataset.rows.size(), false)};
   for (const Block& block : dataset.blocks) {
-    try {
-      BlockForecast(dataset, model, block, result).run();
-    } catch (const InputError& error) {
-      const Reading& first = dataset.data->readings[dataset.rows[block.rows.front()].reading];
-      throw InputError(fmt::format("{}:{}: {}", dataset.data->file, first.line, error.what()));
+    const std::size_t reading = dataset.rows[block.rows.front()].reading;
+    const Hardware hardware = hardware_of(model, block);
+    if (auto found = fault(hardware)) return NoForecast{reading, std::move(*found)};
+    if (!BlockForecast(dataset, model, block, hardware, result).run()) {
+      return NoForecast{reading, "friction is so strong that tensions fall out of range"};
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model) {
+  auto result = attempt(dataset, model);
+  if (std::holds_alternative<NoForecast>(result)) return std::nullopt;
+  return std::get<Forecast>(std::move(result));
+}
+
+Forecast forecast(const Dataset& dataset, const Model& model) {
+  auto result = attempt(dataset, model);
+  if (const auto* none = std::get_if<NoForecast>(&result)) {
+    const Reading& reading = dataset.data->readings[none->reading];
+    throw OutOfRange(fmt::format("{}:{}: {}", dataset.data->file, reading.line, none->why));
+  }
+  return std::get<Forecast>(std::move(result));
 }
 
 }  // namespace reeve

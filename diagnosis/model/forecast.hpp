@@ -9,6 +9,9 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <vector>
+
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
 
@@ -17,9 +20,12 @@ namespace reeve {
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells
   Eigen::VectorXd by_scale;   // du of cells whose row has no motor tension, otherwise 0
+  std::vector<bool> jams;     // parallel to the rows
 };
 
-// Throws InputError that names the line.
+// Nothing where the model's tensions are out of range, or its hardware is none that there can be.
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model);
+// Throws OutOfRange that names the line.
 Forecast forecast(const Dataset& dataset, const Model& model);
 
 }  // namespace reeve

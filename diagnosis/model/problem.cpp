@@ -3,8 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "core/error.hpp"
+#include <optional>
 
 namespace reeve {
 namespace {
@@ -23,10 +22,10 @@ double rectified(double reading_N, double deviation_N) {
 // A step that is small beside the range and large beside the accuracy of a forecast.
 constexpr double step_share = 1e-4;
 
-Forecast moved(const Problem& problem, Model model, std::size_t effect, std::size_t parameter,
-               double value) {
+std::optional<Forecast> moved(const Problem& problem, Model model, std::size_t effect,
+                              std::size_t parameter, double value) {
   model.effects[effect].values[parameter] = value;
-  return forecast(*problem.dataset, model);
+  return try_forecast(*problem.dataset, model);
 }
 
 // Calls use(first, size, scale) for each row whose scale is free: `scale` is what a change of it
@@ -80,11 +79,8 @@ Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
 }
 
 double misfit(const Problem& problem, const Model& model) {
-  try {
-    return residuals(problem, forecast(*problem.dataset, model)).squaredNorm();
-  } catch (const InputError&) {
-    return std::numeric_limits<double>::infinity();
-  }
+  const std::optional<Forecast> at = try_forecast(*problem.dataset, model);
+  return at ? residuals(problem, *at).squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
 Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other) {
@@ -106,11 +102,11 @@ Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Fo
     const double up = std::min(value + step, range.high);
     const double down = std::max(value - step, range.low);
     auto column = result.col(static_cast<Index>(p));
-    try {
-      column = (difference(problem, at, moved(problem, model, effect, p, up)) -
-                difference(problem, at, moved(problem, model, effect, p, down))) /
-               (up - down);
-    } catch (const InputError&) {
+    const std::optional<Forecast> above = moved(problem, model, effect, p, up);
+    const std::optional<Forecast> below = moved(problem, model, effect, p, down);
+    if (above && below) {
+      column = (difference(problem, at, *above) - difference(problem, at, *below)) / (up - down);
+    } else {
       column.setZero();  // at the edge of what has tensions
     }
   }

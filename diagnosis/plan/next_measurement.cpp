@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "causes/model_solver.hpp"
-#include "core/error.hpp"
 
 namespace reeve {
 namespace {
@@ -115,21 +114,20 @@ class Reader {
   // Empty if the model has no tensions there, or tensions far beyond the rig's.
   VectorXd operator()(const Model& model, Grasp grasp, Direction direction,
                       const Conditions& conditions) const {
-    try {
-      ModelSolver solver(model, effective_hardware(model), word_, network_);
-      const TensionState& state =
-          solver.solve(actual_grasp(model, word_, grasp), direction, conditions);
-      VectorXd result(static_cast<Index>(segments_.size()));
-      for (std::size_t i = 0; i < segments_.size(); ++i) {
-        result[static_cast<Index>(i)] =
-            reading(model, network_.segments[segments_[i]],
-                    conditions.motor_tension_N * state.tension[segments_[i]]);
-      }
-      const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
-      return (result.array() <= reach).all() ? result : VectorXd();
-    } catch (const InputError&) {
-      return {};
+    const Hardware hardware = effective_hardware(model);
+    if (fault(hardware)) return {};
+    ModelSolver solver(model, hardware, word_, network_);
+    const TensionState& state =
+        solver.solve(actual_grasp(model, word_, grasp), direction, conditions);
+    if (!state.in_range) return {};
+    VectorXd result(static_cast<Index>(segments_.size()));
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      result[static_cast<Index>(i)] =
+          reading(model, network_.segments[segments_[i]],
+                  conditions.motor_tension_N * state.tension[segments_[i]]);
     }
+    const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
+    return (result.array() <= reach).all() ? result : VectorXd();
   }
 
   std::string segment(Index i) const {

@@ -29,7 +29,8 @@ class Rig {
   // What the channels read without noise.
   std::vector<std::optional<double>> read(const PlannedReading& planned) {
     const Grasp grasp = actual_grasp(model_, routing_.word, planned.grasp);
-    const TensionState& state = solver_.solve(grasp, planned.direction, planned.conditions);
+    const TensionState& state =
+        require_in_range(solver_.solve(grasp, planned.direction, planned.conditions));
     if (!solver_.converged()) {
       throw InputError(fmt::format(
           "{}: in the grasp '{}' the tensions do not settle under these causes at {} N: expected "

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "diagnosis/model/fit.hpp"
 
 namespace reeve {
@@ -35,13 +34,11 @@ Screening::Screening(const Problem& problem, const Model& model, const Forecast&
     Effect effect = candidates[probe.candidate].effect;
     effect.values = probe.values;
     const Extended with = extended(model, effect);
-    try {
-      if (!probe.has_size) {
-        column = difference(problem, at, forecast(*problem.dataset, with.model));
-      } else {
-        column = sensitivity(problem, with.model, at, with.effect).col(0);
-      }
-    } catch (const InputError&) {
+    if (probe.has_size) {
+      column = sensitivity(problem, with.model, at, with.effect).col(0);
+    } else if (const auto there = try_forecast(*problem.dataset, with.model)) {
+      column = difference(problem, at, *there);
+    } else {
       column.setZero();  // nothing can be said: the model has no tensions there
     }
   });

@@ -3,7 +3,6 @@
 #include <set>
 #include <utility>
 
-#include "core/error.hpp"
 #include "diagnosis/model/fit.hpp"
 
 namespace reeve {
@@ -36,12 +35,10 @@ LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& re
   const Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
   LeftOutRun result{run, fitted(known, model), {}, {}};
   const Dataset unseen = dataset(data, own);
-  try {
-    const Eigen::VectorXd reading_N = forecast(unseen, result.model).reading_N;
+  // Fitted to the others, the model may have no tensions here.
+  if (const auto at = try_forecast(unseen, result.model)) {
     result.cells = unseen.cells;
-    result.forecast_N.assign(reading_N.begin(), reading_N.end());
-  } catch (const InputError&) {
-    // Fitted to the others, the model has no tensions here: the run has no forecast.
+    result.forecast_N.assign(at->reading_N.begin(), at->reading_N.end());
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include "reports/csv_field.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
+#include "reports/results/model_text.hpp"
 
 namespace reeve {
 namespace {
@@ -114,7 +115,10 @@ Sheet compare_sheet(const CompareReport& report) {
                    plural(data.runs.size(), "run"))});
   if (data.simulated) opening.lines.push_back(simulated_line());
   opening.lines.push_back(
-      {"Nothing is fitted: predicted are the tensions of the model with its hardware as given."});
+      {report.model.effects.empty()
+           ? "Nothing is fitted: predicted are the tensions of the model with its hardware as given."
+           : "Nothing is fitted: predicted are the readings of the model with its hardware and "
+             "effects as given."});
   Sheet sheet{{opening}};
   sheet.add(summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));
   sheet.add(summary_section(
@@ -131,7 +135,8 @@ std::string compare_json(const CompareReport& report) {
             {"share", to_json(report.comparison.share)}};
   json["notes"] = Json::array();
   add_notes(json["notes"], all_notes(report));
-  json["settings"] = {{"hardware", to_json(report.hardware)}};
+  json["settings"] = {{"hardware", to_json(report.model.hardware)},
+                      {"model", model_json(report.model, 0)}};
   json["version"] = version_json();
   return print(json);
 }

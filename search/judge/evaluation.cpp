@@ -29,7 +29,7 @@ DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
 DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score)
     : model_(std::make_shared<const Model>(model)),
       needs_word_(reaches(model, Reach::contact)),
-      builder_(effective_hardware(model)),
+      builder_(possible_hardware(model)),
       grasps_(std::move(grasps)),
       score_(std::move(score)) {
   if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
@@ -40,9 +40,10 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
 const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
   if (!model_solver_) {
     solver_.solve(network_, mechanics_, grasp, direction, state_);
-    return state_;
+    return require_in_range(state_);
   }
-  const TensionState& state = model_solver_->solve(grasp, direction, model_->conditions);
+  const TensionState& state =
+      require_in_range(model_solver_->solve(grasp, direction, model_->conditions));
   if (!model_solver_->converged()) ++unconverged_;
   return state;
 }
@@ -64,6 +65,7 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
+  require_in_range(network_, mechanics_);
   if (model_solver_) {
     model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
   }

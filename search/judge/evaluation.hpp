@@ -38,7 +38,7 @@ class DesignEvaluator {
   DesignEvaluator(const Hardware& hardware, GraspSet grasps);
   DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score());
 
-  // The outcome is valid until the next call.
+  // The outcome is valid until the next call. Throws OutOfRange where the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
 
   ObjectiveValues evaluate(const Routing& routing, const Extent& extent = {});

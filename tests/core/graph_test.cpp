@@ -74,7 +74,7 @@ TEST(Graph, NamesTheTendonThatHangsOnNoMotor) {
   EXPECT_EQ(message("1-B-1"),
             "routing '1-B-1': the tendon with T2 is not actuated: it has no M and no P, so the "
             "motor cannot pull it");
-  EXPECT_EQ(message("F-1-P-2-F+M-3-F"), "no InputError was thrown");
+  EXPECT_EQ(message("F-1-P-2-F+M-3-F"), "no such error was thrown");
 }
 
 TEST(Dot, HoldsEverySegmentAndEveryContactOnce) {

@@ -21,7 +21,7 @@ using Lines = std::vector<std::size_t>;
 const double past_tube = std::exp(-0.18 * std::numbers::pi);
 const double past_sheath = std::exp(-0.18 * 2 * std::numbers::pi);
 
-Comparison compared(const std::string& text) { return compare(read_data(text), Hardware{}); }
+Comparison compared(const std::string& text) { return compare(read_data(text), Model{}); }
 
 std::vector<double> predicted(const std::string& text) {
   std::vector<double> values;
@@ -70,14 +70,14 @@ TEST(Comparison, TakesTheSheathAngleOfTheRow) {
   hardware.fingers[0].finger = 1;
   hardware.fingers[0].sheath_mu = 0.1;
   hardware.fingers[0].sheath_angle_rad = 9.0;
-  EXPECT_NEAR(compare(read_data(header + "A,M-1-F,10,5,1\n"), hardware).values[0].predicted,
+  EXPECT_NEAR(compare(read_data(header + "A,M-1-F,10,5,1\n"), Model{hardware}).values[0].predicted,
               10 * std::exp(-0.1 * 5), 1e-9);
   hardware.contacts.push_back({"T1", "a", 0.05, 8.0});
   hardware.contacts.push_back({"T1", "T2", 0.05, 8.0});
   const auto values =
       compare(
           read_data("run,routing,motor_tension_N,sheath_angle_rad,T1_N,T2_N\nA,M-1-F,10,5,1,1\n"),
-          hardware)
+          Model{hardware})
           .values;
   EXPECT_NEAR(values[0].predicted, 10 * std::exp(-0.05 * 5), 1e-9);
   EXPECT_NEAR(values[1].predicted, 10 * std::exp(-0.05 * 5 - 0.05 * 8), 1e-9);
@@ -86,10 +86,10 @@ TEST(Comparison, TakesTheSheathAngleOfTheRow) {
 TEST(Comparison, NamesTheLineWhoseSheathHasTooMuchFriction) {
   Hardware hardware;
   hardware.sheath.mu = 0.5;
-  EXPECT_EQ(input_error([&] {
+  EXPECT_EQ(out_of_range([&] {
               compare(read_data("run,routing,motor_tension_N,sheath_angle_rad,T1_N\n"
                                 "A,M-1-F,10,1,1\nA,M-1-F,10,30,1\n"),
-                      hardware);
+                      Model{hardware});
             }),
             "d.csv:3: hardware: sheath: mu * angle = 15: expected at most 10");
 }
@@ -129,6 +129,19 @@ TEST(Comparison, NotesGraspsThatJam) {
   EXPECT_EQ(result.values.size(), 2U);
 }
 
+// What the file does not say, the model's effects on the sensors and on the friction do.
+TEST(Comparison, TakesAModelsEffects) {
+  Model model;
+  add_effect(model, {find_cause("tube_friction"), {}, {0.1}});
+  const MeasuredData data =
+      read_data("run,routing,motor_tension_N,T1_N,T2_N\nA,M-1-F,10,3,2\nA,M-1-F,0,3,2\n");
+  const auto values = compare(data, model).values;
+  ASSERT_EQ(values.size(), 4U);
+  EXPECT_NEAR(values[1].predicted / values[0].predicted, std::exp(-0.1 * std::numbers::pi), 1e-9);
+  EXPECT_EQ(values[2].predicted, 0);
+  EXPECT_EQ(values[2].measured, 3);
+}
+
 // Without friction all tensions are the motor's: residuals are easy to see.
 TEST(Summaries, AreMeanAndRootMeanSquareOfTheResiduals) {
   Hardware smooth;
@@ -138,7 +151,7 @@ TEST(Summaries, AreMeanAndRootMeanSquareOfTheResiduals) {
                         "B,M-1-F,1,pull,10,11,9\n"
                         "A,M-1-F,,release,10,14,\n"
                         "A,M-1-F+M-2-F,,pull,20,10,13\n"),
-              smooth);
+              Model{smooth});
   const auto expect = [](const ResidualSummary& summary, const std::string& group,
                          std::size_t count, double mean, double residual, double squares) {
     const auto n = static_cast<double>(count);

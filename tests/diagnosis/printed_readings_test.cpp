@@ -33,7 +33,7 @@ void expect_predicted(const Comparison& comparison, std::size_t at, double expec
 
 TEST(PrintedReadings, OfCanyonsAndCragsFollowTheCapstanLaw) {
   const MeasuredData data = readings_of("canyons_and_crags.csv");
-  const Comparison comparison = compare(data, rope_bench());
+  const Comparison comparison = compare(data, Model{rope_bench()});
   ASSERT_EQ(data.readings.size(), 4U);
   EXPECT_TRUE(data.notes.empty());
   const double pulls[] = {13, 8, 23, 5};
@@ -54,16 +54,16 @@ TEST(PrintedReadings, OfCanyonsAndCragsFollowTheCapstanLaw) {
 TEST(PrintedReadings, OfCanyonsAndCragsAreMetWithTheirOwnCoefficient) {
   Hardware hardware = rope_bench();
   hardware.tube.mu = std::log(23.0 / 11) / std::numbers::pi;
-  const Comparison lifting = compare(readings_of("canyons_and_crags.csv"), hardware);
+  const Comparison lifting = compare(readings_of("canyons_and_crags.csv"), Model{hardware});
   EXPECT_NEAR(lifting.values[2].residual(), 0, 1e-3);
   hardware.tube.mu = std::log(11.0 / 5) / std::numbers::pi;
-  const Comparison lowering = compare(readings_of("canyons_and_crags.csv"), hardware);
+  const Comparison lowering = compare(readings_of("canyons_and_crags.csv"), Model{hardware});
   EXPECT_NEAR(lowering.values[3].residual(), 0, 1e-3);
 }
 
 TEST(PrintedReadings, OfOverTheEdgeRescueFollowTheCapstanLaw) {
   const MeasuredData data = readings_of("over_the_edge_rescue.csv");
-  const Comparison comparison = compare(data, rope_bench());
+  const Comparison comparison = compare(data, Model{rope_bench()});
   const double pulls[] = {200, 180, 180, 180, 200, 120, 120, 120, 120, 120};
   ASSERT_EQ(data.readings.size(), 10U);
   for (std::size_t i = 0; i < 10; ++i) {
@@ -89,7 +89,7 @@ TEST(PrintedReadings, OfHwstockAreThePrintedPartsOfThePull) {
 TEST(PrintedReadings, OfTwoCarabinersSideBySideTheCapstanLawCannotExplain) {
   Hardware hardware = rope_bench();
   hardware.tube.mu = -std::log(0.60) / std::numbers::pi;
-  const Comparison comparison = compare(readings_of("hwstock.csv"), hardware);
+  const Comparison comparison = compare(readings_of("hwstock.csv"), Model{hardware});
   EXPECT_NEAR(comparison.values[1].residual() / comparison.values[1].measured, 0, 1e-4);
   EXPECT_NEAR(comparison.values[2].predicted / comparison.values[2].measured, 0.60 / 0.48, 1e-4);
 }
@@ -99,7 +99,7 @@ TEST(PrintedReadings, OfIgktSlideAtTheCapstanLawsRatio) {
   ASSERT_EQ(data.readings.size(), 1U);
   Hardware hardware = read_hardware(catalogue / "hardware" / "rope_post.toml");
   hardware.tube.mu = std::log(19.0) / (3 * std::numbers::pi);
-  EXPECT_NEAR(compare(data, hardware).values[0].residual(), 0, 1e-9);
+  EXPECT_NEAR(compare(data, Model{hardware}).values[0].residual(), 0, 1e-9);
 }
 
 TEST(PrintedReadings, AreMostlyTooFewToDiagnose) {

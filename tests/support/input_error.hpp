@@ -1,4 +1,4 @@
-// The message of the InputError that a call throws, for tests that compare it word by word.
+// The message of the error that a call throws, for tests that compare it word by word.
 #pragma once
 
 #include <string>
@@ -7,14 +7,24 @@
 
 namespace reeve::testing {
 
-template <typename Call>
-std::string input_error(const Call& call) {
+template <typename Error, typename Call>
+std::string message_of(const Call& call) {
   try {
     call();
-  } catch (const InputError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
-  return "no InputError was thrown";
+  return "no such error was thrown";
+}
+
+template <typename Call>
+std::string input_error(const Call& call) {
+  return message_of<InputError>(call);
+}
+
+template <typename Call>
+std::string out_of_range(const Call& call) {
+  return message_of<OutOfRange>(call);
 }
 
 }  // namespace reeve::testing
