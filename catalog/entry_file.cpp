@@ -193,7 +193,10 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   }
   if (text == "factor") return {read_factor(node, strands), node.key_at};
   if (text == "repeats") return {RepeatsFault{read_other_routing(node)}, node.key_at};
-  if (text == "proportional") return {ProportionalFault{read_other_routing(node)}, node.key_at};
+  if (text == "proportional") {
+    if (!entry.table) node.fail_at_key("a proportional fault needs a [table] that it is about");
+    return {ProportionalFault{read_other_routing(node)}, node.key_at};
+  }
   kind.fail_expected("factor, repeats, proportional or reversed_contact");
 }
 
