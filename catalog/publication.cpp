@@ -1,7 +1,9 @@
 #include "catalog/publication.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <system_error>
+#include <filesystem>
 
 #include "catalog/entry_file.hpp"
 #include "catalog/toml_node.hpp"
@@ -56,19 +58,27 @@ IndicatorRow read_row(const TomlNode& node) {
   return row;
 }
 
-IndicatorFault read_fault(const TomlNode& node) {
+const std::string& read_routing(const TomlNode& node, const IndicatorTable& table) {
+  if (table.find(node.text()) == nullptr) node.fail_expected("a routing of the table");
+  return node.text();
+}
+
+IndicatorFault read_fault(const TomlNode& node, const IndicatorTable& table) {
   const TomlNode& kind = node.require("kind", "slides_to_hand or exchanged");
   if (kind.text() == "slides_to_hand") {
     node.allow_only({"kind", "routing", "strand"});
-    return SlidesToHandFault{
-        node.require("routing", "the name of a routing").text(),
-        node.require("strand", "the strand at the sheath").integer(1, most_strands)};
+    return {SlidesToHandFault{
+                read_routing(node.require("routing", "a routing of the table"), table),
+                node.require("strand", "the strand at the sheath").integer(1, most_strands)},
+            node.key_at};
   }
   if (kind.text() != "exchanged") kind.fail_expected("slides_to_hand or exchanged");
   node.allow_only({"kind", "routings"});
   const TomlNode& names = node.require("routings", "the names of two routings");
   if (names.items().size() != 2) names.fail_expected("two names");
-  return ExchangedFault{{names.items()[0].text(), names.items()[1].text()}};
+  return {ExchangedFault{
+              {read_routing(names.items()[0], table), read_routing(names.items()[1], table)}},
+          node.key_at};
 }
 
 IndicatorTable read_indicators(const TomlNode& node) {
@@ -84,17 +94,19 @@ IndicatorTable read_indicators(const TomlNode& node) {
   const bool implies_it = first != nullptr && first->motor_side.size() == 1;
   if (!implies_it) ratio_from.fail_expected("a routing of the table with one motor-side segment");
   if (const TomlNode* faults = node.find("fault")) {
-    for (const TomlNode& fault : faults->tables()) table.faults.push_back(read_fault(fault));
+    for (const TomlNode& fault : faults->tables()) {
+      table.faults.push_back(read_fault(fault, table));
+    }
   }
   return table;
 }
 
 PublishedError read_error(const TomlNode& node) {
   node.allow_only({"source", "mu", "printed", "lines"});
+  const TomlNode& lines = node.require("lines", "\"table\", or the source of lines");
   return {node.require("source", "where it stands").text(),
           node.require("mu", "the friction coefficient of tubes and sheaths").number_between(0, 1),
-          printed(node.require("printed", "the error in %")),
-          node.require("lines", "\"table\", or the source of lines").text()};
+          printed(node.require("printed", "the error in %")), lines.text(), lines.at};
 }
 
 PublishedCounts read_counts(const TomlNode& node) {
@@ -110,30 +122,44 @@ PublishedCounts read_counts(const TomlNode& node) {
   return counts;
 }
 
+// The indicators' readings, whose sums are checked with them.
+void read_indicators(const TomlNode& file, Publication& publication) {
+  const TomlNode* indicators = file.find("indicators");
+  if (indicators == nullptr) {
+    for (const char* key : {"readings_source", "sum_N"}) {
+      if (const TomlNode* node = file.find(key)) {
+        node->fail_at_key(fmt::format("{} needs [indicators] beside it", key));
+      }
+    }
+    return;
+  }
+  publication.readings_source = file.require("readings_source", "where the readings stand").text();
+  publication.sum_N =
+      file.require("sum_N", "the sum of a routing's strands").number_between(0, greatest_N);
+  publication.indicators = read_indicators(*indicators);
+}
+
 Publication read_publication(const TomlNode& file) {
-  file.allow_only({"name", "source", "readings", "readings_source", "read_to_N", "sum_N",
-                   "indicators", "error", "coefficient", "designs"});
+  file.allow_only({"name", "readings", "readings_source", "read_to_N", "sum_N", "indicators",
+                   "error", "coefficient", "designs"});
   Publication publication;
   publication.file = *file.file;
   publication.name = file.require("name", "the publication's name").text();
-  publication.source = file.require("source", "authors, title, year").text();
   const TomlNode& readings = file.require("readings", "a file in measured/");
   publication.readings = readings.text();
   if (std::filesystem::path(publication.readings).filename() != publication.readings) {
     readings.fail_expected("the name of a file in measured/");
   }
-  publication.readings_source = file.require("readings_source", "where the readings stand").text();
   publication.read_to_N =
       file.require("read_to_N", "how closely they can be read").number_between(0, greatest_N);
-  publication.sum_N =
-      file.require("sum_N", "the sum of a routing's strands").number_between(0, greatest_N);
-  if (const TomlNode* node = file.find("indicators")) {
-    publication.indicators = read_indicators(*node);
-  }
+  read_indicators(file, publication);
   if (const TomlNode* errors = file.find("error")) {
     for (const TomlNode& node : errors->tables()) publication.errors.push_back(read_error(node));
   }
   if (const TomlNode* node = file.find("coefficient")) {
+    if (!publication.indicators) {
+      node->fail_at_key("a coefficient needs [indicators] beside it, which imply one");
+    }
     node->table().allow_only({"source", "printed"});
     publication.coefficient = {node->require("source", "where it stands").text(),
                                printed(node->require("printed", "the coefficient"))};
@@ -143,6 +169,11 @@ Publication read_publication(const TomlNode& file) {
 }
 
 }  // namespace
+
+const char* name(const IndicatorFault& fault) {
+  constexpr const char* names[] = {"slides_to_hand", "exchanged"};
+  return names[fault.what.index()];
+}
 
 const IndicatorRow* IndicatorTable::find(const std::string& routing) const {
   const auto found = std::find_if(rows.begin(), rows.end(),
