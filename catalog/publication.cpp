@@ -14,14 +14,6 @@ namespace {
 constexpr double greatest_N = 1e9;
 constexpr int most_strands = 64;
 
-PrintedNumber printed(const TomlNode& node) {
-  const auto number = parse_printed_number(node.content);
-  if (node.kind != TomlKind::string || !number) {
-    node.fail_expected("a number in quotes, with the digits as printed, such as \"0.10\"");
-  }
-  return *number;
-}
-
 const std::vector<TomlNode>& five(const TomlNode& node) {
   if (node.items().size() != indicator_count) {
     node.fail_expected("five numbers, one for each indicator");
@@ -48,10 +40,10 @@ IndicatorRow read_row(const TomlNode& node) {
   const auto& numbers = five(node.require("printed", "the five indicators as printed"));
   const auto& deviations = five(node.require("deviation", "their standard deviations"));
   for (std::size_t i = 0; i < indicator_count; ++i) {
-    row.printed[i] = printed(numbers[i]);
+    row.printed[i] = read_printed_number(numbers[i]);
     row.deviation[i] = deviations[i].number_from_zero();
   }
-  row.mean = printed(node.require("mean", "the mean of the indicators as printed"));
+  row.mean = read_printed_number(node.require("mean", "the mean of the indicators as printed"));
   for (const TomlNode& rule : node.require("motor_side", "the motor-side segments").items()) {
     row.motor_side.push_back(read_rule(rule));
   }
@@ -106,7 +98,7 @@ PublishedError read_error(const TomlNode& node) {
   const TomlNode& lines = node.require("lines", "\"table\", or the source of lines");
   return {node.require("source", "where it stands").text(),
           node.require("mu", "the friction coefficient of tubes and sheaths").number_between(0, 1),
-          printed(node.require("printed", "the error in %")), lines.text(), lines.at};
+          read_printed_number(node.require("printed", "the error in %")), lines.text(), lines.at};
 }
 
 PublishedCounts read_counts(const TomlNode& node) {
@@ -162,7 +154,7 @@ Publication read_publication(const TomlNode& file) {
     }
     node->table().allow_only({"source", "printed"});
     publication.coefficient = {node->require("source", "where it stands").text(),
-                               printed(node->require("printed", "the coefficient"))};
+                               read_printed_number(node->require("printed", "the coefficient"))};
   }
   if (const TomlNode* node = file.find("designs")) publication.counts = read_counts(*node);
   return publication;
