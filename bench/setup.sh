@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
-# Sourced by bench/compare and bench/instructions, with `root` set: packages, then the preset
-# bench. Exit 3 when that fails.
+# Sourced by bench/compare, bench/instructions and bench/page_cost, with `root` set: packages, then
+# the preset bench. Exit 3 when that fails.
 # shellcheck source=scripts/packages.sh
 source "$root/scripts/packages.sh"
 build=$root/build/bench

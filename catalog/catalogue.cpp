@@ -62,20 +62,30 @@ const std::string* other_routing(const Fault& fault) {
   return nullptr;
 }
 
+// What a fault of the entry can refer to: a table if it has one, else lines of the same figure.
+bool has_counterpart(const CatalogueEntry& entry, const CatalogueEntry& other) {
+  if (entry.table) {
+    return other.table && other.table->tension.size() == entry.table->tension.size();
+  }
+  return std::any_of(entry.lines.begin(), entry.lines.end(), [&](const PublishedLines& own) {
+    return std::any_of(other.lines.begin(), other.lines.end(), [&](const PublishedLines& theirs) {
+      return theirs.source == own.source && theirs.share_percent.size() == own.share_percent.size();
+    });
+  });
+}
+
 void require_references(const Catalogue& catalogue) {
   for (const CatalogueEntry& entry : catalogue.entries) {
     for (const Fault& fault : entry.faults) {
       const std::string* wanted = other_routing(fault);
       if (wanted == nullptr) continue;
       const CatalogueEntry* other = catalogue.find_name(*wanted);
-      if (other != nullptr && other != &entry && other->table &&
-          other->table->tension.size() == entry.table->tension.size()) {
-        continue;
-      }
+      if (other != nullptr && other != &entry && has_counterpart(entry, *other)) continue;
       throw InputError(fmt::format(
-          "{}:{}:{}: fault.routing = \"{}\": expected another routing in the catalogue, with a "
-          "[table] of as many strands",
-          entry.file, fault.at.line, fault.at.column, *wanted));
+          "{}:{}:{}: fault.routing = \"{}\": expected another routing in the catalogue, with {}",
+          entry.file, fault.at.line, fault.at.column, *wanted,
+          entry.table ? "a [table] of as many strands"
+                      : "[[lines]] of as many strands in the same figure"));
     }
   }
 }

@@ -57,8 +57,7 @@ void EntryCheck::explain(CheckItem& item, const DifferingNumber& number) {
     const auto reason = reeve::explain(entry_.faults[i], number);
     if (!reason) continue;
     fault_holds_[i] = true;
-    item.status = CheckStatus::explained;
-    item.reason += (item.reason.empty() ? "" : "; ") + *reason;
+    add_explanation(item, *reason);
   }
   if (item.status == CheckStatus::differs) {
     item.reason = fmt::format("{} is printed and {:.4g} computed, and no listed fault explains it",
@@ -132,7 +131,7 @@ CheckItem EntryCheck::table_balance(const std::vector<CheckItem>& tensions) cons
 void EntryCheck::check_printed() {
   std::vector<CheckItem> table_tensions;
   for (const PrintedList& list : printed_lists(entry_)) {
-    const Solution solution = solve(entry_, list.hardware);
+    const Solution solution = list.drawn ? solve(entry_, list.hardware) : solution_;
     for (std::size_t i = 0; i < list.numbers.size(); ++i) {
       CheckItem item = printed_item(list, solution, i);
       if (list.kind == PrintedKind::tension) table_tensions.push_back(item);
@@ -182,16 +181,10 @@ CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const 
   return item;
 }
 
-// Such an item counts the numbers that the fault explains: one at least is claimed, none is found.
 CheckItem EntryCheck::idle_fault(std::size_t fault) const {
-  CheckItem item;
+  const Fault& listed = entry_.faults[fault];
+  CheckItem item = reeve::idle_fault(fault, name(listed), entry_.file, listed.at);
   item.source = entry_.table ? entry_.table->source : entry_.lines.front().source;
-  item.quantity = {CheckedKind::idle_fault, static_cast<int>(fault + 1)};
-  item.published = 1;
-  item.computed = 0;
-  item.reason = fmt::format("the listed fault '{}' ({}:{}:{}) explains no number that differs",
-                            name(entry_.faults[fault]), entry_.file, entry_.faults[fault].at.line,
-                            entry_.faults[fault].at.column);
   return item;
 }
 
@@ -216,6 +209,22 @@ void EntryCheck::run() {
 const char* name(CheckStatus status) {
   if (status == CheckStatus::agrees) return "agrees";
   return status == CheckStatus::explained ? "explained" : "differs";
+}
+
+void add_explanation(CheckItem& item, const std::string& reason) {
+  item.status = CheckStatus::explained;
+  item.reason += (item.reason.empty() ? "" : "; ") + reason;
+}
+
+CheckItem idle_fault(std::size_t fault, const std::string& name, const std::string& file,
+                     TomlPosition at) {
+  CheckItem item;
+  item.quantity = {CheckedKind::idle_fault, static_cast<int>(fault + 1)};
+  item.published = 1;
+  item.computed = 0;
+  item.reason = fmt::format("the listed fault '{}' ({}:{}:{}) explains no number that differs",
+                            name, file, at.line, at.column);
+  return item;
 }
 
 std::size_t CheckReport::count(CheckStatus status) const {

@@ -76,4 +76,11 @@ struct CheckReport {
 
 CheckReport check(const Catalogue& catalogue);
 
+// Makes it explained, for one reason more.
+void add_explanation(CheckItem& item, const std::string& reason);
+// Says of a listed fault (from 0) that it counts the numbers it explains: one at least is claimed,
+// none is found.
+CheckItem idle_fault(std::size_t fault, const std::string& name, const std::string& file,
+                     TomlPosition at);
+
 }  // namespace reeve

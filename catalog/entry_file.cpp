@@ -78,11 +78,7 @@ const std::vector<TomlNode>& items(const TomlNode& node, std::size_t count,
 std::vector<PrintedNumber> read_printed(const TomlNode& node, std::size_t strands) {
   std::vector<PrintedNumber> numbers;
   for (const TomlNode& item : items(node, strands, "strand")) {
-    const auto number = parse_printed_number(item.content);
-    if (item.kind != TomlKind::string || !number) {
-      item.fail_expected("a number in quotes, with the digits as printed, such as \"0.10\"");
-    }
-    numbers.push_back(*number);
+    numbers.push_back(read_printed_number(item));
   }
   return numbers;
 }
@@ -193,7 +189,10 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   }
   if (text == "factor") return {read_factor(node, strands), node.key_at};
   if (text == "repeats") return {RepeatsFault{read_other_routing(node)}, node.key_at};
-  if (text == "proportional") return {ProportionalFault{read_other_routing(node)}, node.key_at};
+  if (text == "proportional") {
+    if (!entry.table) node.fail_at_key("a proportional fault needs a [table] that it is about");
+    return {ProportionalFault{read_other_routing(node)}, node.key_at};
+  }
   kind.fail_expected("factor, repeats, proportional or reversed_contact");
 }
 
@@ -247,6 +246,14 @@ std::optional<PrintedNumber> parse_printed_number(const std::string& digits) {
   const auto decimals = point == std::string::npos ? 0.0 : static_cast<double>(fraction.size());
   return PrintedNumber{digits, std::strtod(digits.c_str(), nullptr),
                        0.5 * std::pow(10.0, -decimals)};
+}
+
+PrintedNumber read_printed_number(const TomlNode& node) {
+  const auto number = parse_printed_number(node.content);
+  if (node.kind != TomlKind::string || !number) {
+    node.fail_expected("a number in quotes, with the digits as printed, such as \"0.10\"");
+  }
+  return *number;
 }
 
 const char* name(const Fault& fault) {

@@ -12,5 +12,7 @@ CatalogueEntry read_entry(const TomlNode& file);
 
 // "0.10": digits, with at most one point between them.
 std::optional<PrintedNumber> parse_printed_number(const std::string& digits);
+// The same of a text in quotes; throws InputError for anything else.
+PrintedNumber read_printed_number(const TomlNode& node);
 
 }  // namespace reeve

@@ -46,11 +46,6 @@ std::string describe(const FactorFault& fault, const Hardware& hardware) {
   return times.empty() ? without : times + " and " + without;
 }
 
-bool concerns(const FactorFault& fault, std::size_t strand) {
-  return std::find(fault.strands.begin(), fault.strands.end(), static_cast<int>(strand + 1)) !=
-         fault.strands.end();
-}
-
 std::string names(const std::vector<int>& strands) {
   std::string text;
   for (const int strand : strands) text += fmt::format("{}T{}", text.empty() ? "" : ", ", strand);
@@ -60,7 +55,8 @@ std::string names(const std::vector<int>& strands) {
 std::vector<double> faulty_tensions(const FactorFault& fault, const Hardware& hardware,
                                     std::vector<double> tension) {
   for (std::size_t i = 0; i < tension.size(); ++i) {
-    if (concerns(fault, i)) tension[i] *= fault.times / decay(fault.left_out, hardware);
+    const auto strand = static_cast<int>(i + 1);
+    if (concerns(fault, strand)) tension[i] *= fault.times / decay(fault.left_out, hardware);
   }
   return tension;
 }
@@ -138,6 +134,10 @@ std::optional<std::string> explain(const ReversedContactFault&, const DifferingN
 }
 
 }  // namespace
+
+bool concerns(const FactorFault& fault, int strand) {
+  return std::find(fault.strands.begin(), fault.strands.end(), strand) != fault.strands.end();
+}
 
 std::vector<PrintedList> printed_lists(const CatalogueEntry& entry) {
   std::vector<PrintedList> lists;

@@ -27,6 +27,8 @@ struct PrintedList {
 // Tensions and shares of the table, then the lines.
 std::vector<PrintedList> printed_lists(const CatalogueEntry& entry);
 
+bool concerns(const FactorFault& fault, int strand);  // from 1
+
 // Tensions of the strands with the factor faults that are listed of an entry.
 std::vector<double> with_factor_faults(const CatalogueEntry& entry, const Hardware& hardware,
                                        std::vector<double> tension);

@@ -1,8 +1,9 @@
 // What a publication derives from readings and from its model, as printed: one TOML file each in
 // publications/ beside the catalogue's routings, with the readings in measured/.
 //
-//   name, source, readings, readings_source, read_to_N, sum_N
-//   [indicators]    source, ratio_from; [[indicators.row]] routing, printed (the five of
+//   name, readings, read_to_N
+//   [indicators]    beside it readings_source, sum_N; source, ratio_from; [[indicators.row]]
+//   routing, printed (the five of
 //                   core/indicators.hpp), deviation, mean, motor_side; [[indicators.fault]]
 //   [[error]]       source, mu, printed (%), lines: model lines against the readings
 //   [coefficient]   source, printed: of the sheaths
@@ -19,6 +20,7 @@
 
 #include "catalog/catalogue_files.hpp"
 #include "catalog/published.hpp"
+#include "catalog/toml_node.hpp"
 
 namespace reeve {
 
@@ -51,7 +53,12 @@ struct ExchangedFault {
   std::array<std::string, 2> routings;
 };
 
-using IndicatorFault = std::variant<SlidesToHandFault, ExchangedFault>;
+struct IndicatorFault {
+  std::variant<SlidesToHandFault, ExchangedFault> what;
+  TomlPosition at;  // in the publication's file
+};
+
+const char* name(const IndicatorFault& fault);
 
 struct IndicatorTable {
   std::string source;
@@ -66,7 +73,8 @@ struct PublishedError {
   std::string source;
   double mu = 0;
   PrintedNumber percent;
-  std::string lines;  // "table", or the source of lines
+  std::string lines;      // "table", or the source of lines
+  TomlPosition lines_at;  // in the publication's file
 };
 
 struct PublishedCoefficient {
@@ -83,11 +91,10 @@ struct PublishedCounts {
 
 struct Publication {
   std::string name;
-  std::string source;
   std::string readings;         // file in measured/
-  std::string readings_source;  // where they stand: "Fig. 5"
+  std::string readings_source;  // where they stand: "Fig. 5"; with indicators
   double read_to_N = 0;         // how closely they can be read
-  double sum_N = 0;             // of a routing's strands
+  double sum_N = 0;             // of a routing's strands; with indicators
   std::optional<IndicatorTable> indicators;
   std::vector<PublishedError> errors;
   std::optional<PublishedCoefficient> coefficient;

@@ -1,6 +1,5 @@
 # reeve_library(<folder> <link libraries...>): the static library reeve_<folder>, alias
-# reeve::<folder>, of every .cpp file in the current
-# folder and its rooms.
+# reeve::<folder>, of every .cpp file in the current folder and its rooms.
 function(reeve_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   if(NOT sources)

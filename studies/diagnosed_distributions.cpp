@@ -36,7 +36,10 @@ std::vector<FrictionCase> cases(const Hardware& hardware, const DiagnosisResult&
                   [&](const PublishedModel& model) { return has_coefficient(hardware, model.mu); });
   if (!stands_among_them) list.push_back({FrictionKind::model, standing});
   for (const PublishedModel& model : published) {
-    list.push_back(with_coefficient(standing, model.mu));
+    const bool is_there = std::any_of(list.begin(), list.end(), [&](const FrictionCase& which) {
+      return has_coefficient(which.model.hardware, model.mu);
+    });
+    if (!is_there) list.push_back(with_coefficient(standing, model.mu));
   }
   if (!result.model.effects.empty()) list.push_back({FrictionKind::diagnosed, result.model});
   return list;

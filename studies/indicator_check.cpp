@@ -86,16 +86,40 @@ bool mean_fits(const PrintedNumber& printed, const RowCheck& check) {
   return fits(printed, low, high);
 }
 
+// The rules say how the sheaths slide; the solver derives it.
+void require_sheaths_that_slide_so(const Publication& publication, const CatalogueEntry& entry,
+                                   const IndicatorRow& row) {
+  const Solution solution = solve(entry);
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: indicators.row of {}: motor_side: {}", publication.file,
+                                 row.routing, what));
+  };
+  if (row.motor_side.size() != solution.sheaths.size()) {
+    refuse(fmt::format("expected {} segments, one for each sheath", solution.sheaths.size()));
+  }
+  for (const MotorSideRule& rule : row.motor_side) {
+    const bool found = std::any_of(
+        solution.sheaths.begin(), solution.sheaths.end(), [&](const SheathEnds& sheath) {
+          return rule == MotorSideRule{static_cast<int>(sheath.strand) + 1, sheath.ratio >= 1};
+        });
+    if (!found) {
+      refuse(fmt::format("no sheath slides to the {} at strand {}",
+                         rule.to_motor ? "motor" : "hand", rule.strand));
+    }
+  }
+}
+
 class IndicatorCheck {
  public:
   IndicatorCheck(const Catalogue& catalogue, const Publication& publication,
                  const MeasuredData& readings)
       : publication_(publication),
         table_(*publication.indicators),
-        ratio_(implied_ratio(catalogue, publication, readings)) {
+        ratio_(implied_ratio(catalogue, publication, readings)),
+        fault_holds_(table_.faults.size(), false) {
     for (const IndicatorRow& row : table_.rows) {
       const CatalogueEntry& entry = entry_of(catalogue, publication, row.routing);
-      require_sheaths_that_slide_so(entry, row);
+      require_sheaths_that_slide_so(publication, entry, row);
       rows_.push_back(
           checked(entry, row, strand_readings(publication, entry, readings), row.motor_side));
     }
@@ -105,6 +129,12 @@ class IndicatorCheck {
     for (const RowCheck& row : rows_) {
       for (std::size_t i = 0; i < indicator_count; ++i) add_number(row, i);
       add_mean(row);
+    }
+    for (std::size_t i = 0; i < table_.faults.size(); ++i) {
+      const IndicatorFault& fault = table_.faults[i];
+      if (fault_holds_[i]) continue;
+      items_.push_back(idle_fault(i, name(fault), publication_.file, fault.at));
+      items_.back().source = source();
     }
     return std::move(items_);
   }
@@ -129,32 +159,12 @@ class IndicatorCheck {
     return check;
   }
 
-  // The rules say how the sheaths slide; the solver derives it.
-  void require_sheaths_that_slide_so(const CatalogueEntry& entry, const IndicatorRow& row) const {
-    const Solution solution = solve(entry);
-    const auto refuse = [&](const std::string& what) {
-      throw InputError(fmt::format("{}: indicators.row of {}: motor_side: {}", publication_.file,
-                                   row.routing, what));
-    };
-    if (row.motor_side.size() != solution.sheaths.size()) {
-      refuse(fmt::format("expected {} segments, one for each sheath", solution.sheaths.size()));
-    }
-    for (const MotorSideRule& rule : row.motor_side) {
-      const bool found = std::any_of(
-          solution.sheaths.begin(), solution.sheaths.end(), [&](const SheathEnds& sheath) {
-            return rule == MotorSideRule{static_cast<int>(sheath.strand) + 1, sheath.ratio >= 1};
-          });
-      if (!found) {
-        refuse(fmt::format("no sheath slides to the {} at strand {}",
-                           rule.to_motor ? "motor" : "hand", rule.strand));
-      }
-    }
-  }
+  std::string source() const { return publication_.name + ", " + table_.source; }
 
   CheckItem item(const RowCheck& check, const PrintedNumber& printed, double computed) const {
     CheckItem item;
     item.routing = check.row->routing;
-    item.source = publication_.name + ", " + table_.source;
+    item.source = source();
     item.printed = printed.digits;
     item.published = printed.value;
     item.computed = computed;
@@ -192,13 +202,14 @@ class IndicatorCheck {
   // `fits` says whether the number is that of another row's readings, or of other rules.
   void explain(CheckItem& item, const RowCheck& check,
                const std::function<bool(const RowCheck&)>& fits,
-               const std::function<double(const RowCheck&)>& number) const {
-    for (const IndicatorFault& fault : table_.faults) {
-      const auto reason = std::visit(
-          [&](const auto& what) { return reason_of(what, item, check, fits, number); }, fault);
+               const std::function<double(const RowCheck&)>& number) {
+    for (std::size_t i = 0; i < table_.faults.size(); ++i) {
+      const auto reason =
+          std::visit([&](const auto& what) { return reason_of(what, item, check, fits, number); },
+                     table_.faults[i].what);
       if (!reason) continue;
-      item.status = CheckStatus::explained;
-      item.reason += (item.reason.empty() ? "" : "; ") + *reason;
+      fault_holds_[i] = true;
+      add_explanation(item, *reason);
     }
     if (item.status == CheckStatus::differs) {
       item.reason = fmt::format(
@@ -268,6 +279,7 @@ class IndicatorCheck {
   Uncertain ratio_;
   std::vector<RowCheck> rows_;
   std::vector<CheckItem> items_;
+  std::vector<bool> fault_holds_;
 };
 
 }  // namespace
@@ -277,6 +289,7 @@ Uncertain implied_ratio(const Catalogue& catalogue, const Publication& publicati
   constexpr double best = 10;
   const IndicatorRow& row = *publication.indicators->find(publication.indicators->ratio_from);
   const CatalogueEntry& entry = entry_of(catalogue, publication, row.routing);
+  require_sheaths_that_slide_so(publication, entry, row);
   const std::vector<double> strands = strand_readings(publication, entry, readings);
   const auto index = static_cast<std::size_t>(row.motor_side.front().strand - 1);
   const PrintedNumber& printed = row.printed[transmission];

@@ -9,6 +9,7 @@
 
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
+#include "core/error.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "search/enumerate/counting.hpp"
 #include "studies/fixed_order_designs.hpp"
@@ -127,7 +128,13 @@ class PublicationCheck {
         ++routings;
       }
     }
-    const auto n = static_cast<double>(routings == 0 ? 1 : routings);
+    if (routings == 0) {
+      throw InputError(
+          fmt::format("{}:{}:{}: error.lines = \"{}\": expected \"table\", or the source of "
+                      "[[lines]] in the catalogue",
+                      publication_.file, error.lines_at.line, error.lines_at.column, error.lines));
+    }
+    const auto n = static_cast<double>(routings);
     const std::string source = fmt::format("{}, mu = {}", error.source, error.mu);
     const auto fits = [&](double value) {
       return std::abs(value - error.percent.value) <= error.percent.half_unit + open / n;
@@ -151,9 +158,12 @@ class PublicationCheck {
     if (!fits(equations.computed)) {
       equations.status = fits(with_faults / n) ? CheckStatus::explained : CheckStatus::differs;
       equations.reason = fmt::format(
-          "the equations leave {:.1f} %; with the losses that the lines of {} leave out, {:.1f} %, "
-          "and so the {} % are reached with lines that are not those of the equations",
-          equations.computed, faulty.empty() ? "no routing" : faulty, with_faults / n,
+          "the equations leave {:.1f} %; with the losses that the lines of {} leave out, {:.1f} %",
+          equations.computed, faulty.empty() ? "no routing" : faulty, with_faults / n);
+    }
+    if (equations.status == CheckStatus::explained) {
+      equations.reason += fmt::format(
+          ", and so the {} % are reached with lines that are not those of the equations",
           equations.printed);
     }
     items_.push_back(std::move(lines));

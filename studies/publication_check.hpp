@@ -4,8 +4,7 @@
 //   indicators and their means       of the strands as read, and of motor-side tensions that follow
 //                                    from them by the sheaths' ratio (catalog/publication.hpp)
 //   errors of model lines            mean over the routings of √ Σ (share − share)², of the lines
-//   as
-//                                    printed and of what the equations give
+//                                    as printed and of what the equations give
 //   coefficient of the sheaths       beside the ratio that the indicators need
 //   designs of n fingers             counted by writing all of them down (fixed_order_designs.hpp)
 //

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
-#include "diagnosis/data/measured_shares.hpp"
+#include "diagnosis/verdict/share_error.hpp"
+#include "studies/strand_readings.hpp"
 
 namespace reeve {
 namespace {
@@ -39,11 +41,7 @@ int left_out(const CatalogueEntry& entry, int high, int low) {
   for (const Fault& fault : entry.faults) {
     const auto* factor = std::get_if<FactorFault>(&fault.what);
     if (factor == nullptr) continue;
-    const auto concerns = [&](int strand) {
-      return std::find(factor->strands.begin(), factor->strands.end(), strand) !=
-             factor->strands.end();
-    };
-    if (concerns(low) && !concerns(high)) count += factor->left_out.sheath;
+    if (concerns(*factor, low) && !concerns(*factor, high)) count += factor->left_out.sheath;
   }
   return count;
 }
@@ -79,42 +77,98 @@ void add_losses(const DiagnosisResult& result, const ShareError& group, const Ca
   }
 }
 
+// The rows that the group's error of the diagnosis is the mean over.
+std::vector<std::vector<double>> rows_of(const MeasuredData& data, const ShareError& group) {
+  std::vector<std::vector<double>> rows;
+  for (const Reading& reading : data.readings) {
+    if (reading.routing != group.routing || reading.grasp != group.grasp ||
+        reading.direction != Direction::pull) {
+      continue;
+    }
+    std::vector<double> strands = strands_of(data, reading);
+    const bool whole = std::all_of(strands.begin(), strands.end(), [](double T) { return T >= 0; });
+    const bool pulled = std::any_of(strands.begin(), strands.end(), [](double T) { return T > 0; });
+    if (whole && pulled) rows.push_back(std::move(strands));
+  }
+  return rows;
+}
+
+double mean_distance(const std::vector<std::vector<double>>& rows,
+                     const std::vector<double>& shares) {
+  double sum = 0;
+  for (const std::vector<double>& row : rows) sum += distance_to_shares(row, shares);
+  return sum / static_cast<double>(rows.size());
+}
+
+std::vector<double> shares_of(std::vector<double> tensions) {
+  const double whole = std::accumulate(tensions.begin(), tensions.end(), 0.0);
+  for (double& tension : tensions) tension /= whole;
+  return tensions;
+}
+
+// Of a coefficient, the greatest first, and of one figure or of all tables.
+using ModelKey = std::pair<double, std::string>;
+
+ModelKey key_of(const PrintedList& list) { return {-list.hardware.tube.mu, place_of(list)}; }
+
+// "Table I, Table IV"; "Table I to Table VII" of three or more between which the catalogue has
+// none.
+std::string name_of(const PublishedModel& model, const ModelKey& key, const Catalogue& catalogue) {
+  std::vector<std::string> sources;
+  std::vector<bool> used;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    for (const PrintedList& list : printed_lists(entry)) {
+      if (list.kind != PrintedKind::share || key_of(list) != key ||
+          std::find(sources.begin(), sources.end(), list.source) != sources.end()) {
+        continue;
+      }
+      sources.push_back(list.source);
+      used.push_back(
+          std::any_of(model.lines.begin(), model.lines.end(),
+                      [&](const PublishedLine& line) { return line.source == list.source; }));
+    }
+  }
+  const auto first = std::find(used.begin(), used.end(), true);
+  const auto last = std::find(used.rbegin(), used.rend(), true).base();
+  const auto at = [&](auto place) { return sources.begin() + (place - used.begin()); };
+  if (last - first > 2 && std::find(first, last, false) == last) {
+    return *at(first) + " to " + *(at(last) - 1);
+  }
+  std::string name;
+  for (auto place = first; place != last; ++place) {
+    if (*place) name += (name.empty() ? "" : ", ") + *at(place);
+  }
+  return name;
+}
+
 }  // namespace
 
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result) {
   if (data.simulated) return {};  // of which nobody has published anything
-  std::map<std::pair<double, std::string>, PublishedModel> models;
+  std::map<ModelKey, PublishedModel> models;
   const std::vector<ShareError>& groups = result.share_errors.groups;
-  const SharesOfData measured = measured_shares(data);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const MeasuredRouting& routing = data.routings[groups[g].routing];
     const CatalogueEntry* entry = entry_of(catalogue, routing);
     if (!is_published(entry, routing, groups[g].grasp)) continue;
-    const auto shares =
-        std::find_if(measured.groups.begin(), measured.groups.end(), [&](const MeasuredShares& of) {
-          return of.routing == groups[g].routing && of.grasp == groups[g].grasp;
-        });
-    if (shares == measured.groups.end()) continue;
+    const std::vector<std::vector<double>> rows = rows_of(data, groups[g]);
     for (const PrintedList& list : printed_lists(*entry)) {
       if (list.kind != PrintedKind::share) continue;
-      PublishedModel& model = models[{-list.hardware.tube.mu, place_of(list)}];
+      PublishedModel& model = models[key_of(list)];
       model.mu = list.hardware.tube.mu;
       PublishedLine line{g, list.source, {}, 0, 0};
       for (const PrintedNumber& number : list.numbers) line.shares.push_back(number.value / 100);
       const std::vector<double> equations = solve(*entry, list.hardware).tension;
-      line.error = distance_to_shares(shares->mean, line.shares);
-      line.equations = share_distance(shares->mean, equations);
+      line.error = mean_distance(rows, line.shares);
+      line.equations = mean_distance(rows, shares_of(equations));
       add_losses(result, groups[g], *entry, line.shares, equations, model);
       model.lines.push_back(std::move(line));
     }
   }
   std::vector<PublishedModel> list;
   for (auto& [key, model] : models) {
-    const std::string& first = model.lines.front().source;
-    const std::string& last = model.lines.back().source;
-    model.name = first;
-    if (last != first) model.name += " to " + last;
+    model.name = name_of(model, key, catalogue);
     for (const PublishedLine& line : model.lines) {
       model.error += line.error / static_cast<double>(model.lines.size());
       model.equations += line.equations / static_cast<double>(model.lines.size());

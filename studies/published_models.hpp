@@ -25,12 +25,12 @@ struct PublishedLine {
   std::size_t group = 0;  // in ShareErrors::groups
   std::string source;     // "Table IV"
   std::vector<double> shares;
-  double error = 0;      // √ Σ (share − share)² of the lines as printed, and
-  double equations = 0;  // of what the equations give
+  double error = 0;  // √ Σ (share − share)², mean over the group's rows, of the lines as printed,
+  double equations = 0;  // and of what the equations give
 };
 
 struct PublishedModel {
-  std::string name;  // "Tables I to VII", "Fig. 9 (b)"
+  std::string name;  // "Table I to Table VII", "Table I, Table IV", "Fig. 9 (b)"
   double mu = 0;     // of tubes and sheaths
   std::vector<PublishedLine> lines;
   double error = 0;  // means over the lines

@@ -6,27 +6,47 @@
 
 namespace reeve {
 
+std::vector<double> strands_of(const MeasuredData& data, const Reading& reading) {
+  const int fingers = data.routings[reading.routing].network.fingers;
+  std::vector<double> strands(2 * static_cast<std::size_t>(fingers), -1);
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    const Segment& segment = data.channels[c].segment;
+    if (segment.kind != SegmentKind::strand || !reading.tension_N[c]) continue;
+    strands[static_cast<std::size_t>(segment.number - 1)] = *reading.tension_N[c];
+  }
+  return strands;
+}
+
 std::vector<double> strand_readings(const Publication& publication, const CatalogueEntry& entry,
                                     const MeasuredData& readings) {
+  const Reading* found = nullptr;
   for (const Reading& reading : readings.readings) {
-    if (readings.routings[reading.routing].word != entry.word) continue;
-    std::vector<double> strands(2 * static_cast<std::size_t>(finger_count(entry.routing)), -1);
-    for (std::size_t c = 0; c < readings.channels.size(); ++c) {
-      const Segment& segment = readings.channels[c].segment;
-      if (segment.kind != SegmentKind::strand || !reading.tension_N[c]) continue;
-      strands[static_cast<std::size_t>(segment.number - 1)] = *reading.tension_N[c];
+    if (readings.routings[reading.routing].word != entry.word || reading.grasp != entry.grasp ||
+        reading.direction != Direction::pull) {
+      continue;
     }
-    for (const double tension : strands) {
-      if (tension > 0) continue;
+    if (found != nullptr) {
       throw InputError(
-          fmt::format("{}:{}: expected a tension above 0 in every strand, which {} "
-                      "derives from",
-                      readings.file, reading.line, publication.file));
+          fmt::format("{}:{}: expected one row of {} that pulls in the grasp of its published "
+                      "numbers, which {} derives from",
+                      readings.file, reading.line, entry.name, publication.file));
     }
-    return strands;
+    found = &reading;
   }
-  throw InputError(fmt::format("{}: its readings, {}, have no row of {}", publication.file,
-                               readings.file, entry.name));
+  if (found == nullptr) {
+    throw InputError(
+        fmt::format("{}: its readings, {}, have no row of {} that pulls in the grasp of its "
+                    "published numbers",
+                    publication.file, readings.file, entry.name));
+  }
+  std::vector<double> strands = strands_of(readings, *found);
+  for (const double tension : strands) {
+    if (tension > 0) continue;
+    throw InputError(
+        fmt::format("{}:{}: expected a tension above 0 in every strand, which {} derives from",
+                    readings.file, found->line, publication.file));
+  }
+  return strands;
 }
 
 const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& publication,

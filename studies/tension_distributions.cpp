@@ -129,14 +129,14 @@ std::string Distributions::fault(const CatalogueEntry& entry, const std::string&
   return "";
 }
 
-// What is printed for these coefficients.
+// What is printed for these coefficients, a table before what a figure draws.
 void Distributions::add_published(TensionDistribution& distribution) const {
   for (RoutingShares& shares : distribution.routings) {
     for (const CatalogueEntry& entry : catalogue_.entries) {
       if (entry.word != shares.word || !(entry.grasp == distribution.grasp)) continue;
       for (const PrintedList& list : printed_lists(entry)) {
         if (list.kind != PrintedKind::share || list.hardware.tube.mu != distribution.tube_mu ||
-            list.hardware.sheath.mu != distribution.sheath_mu) {
+            list.hardware.sheath.mu != distribution.sheath_mu || !shares.published_source.empty()) {
           continue;
         }
         shares.published_source = list.source;

@@ -84,7 +84,7 @@ std::string ends_text(const PartSet& parts) { return print(parts.ends, end_names
 void validate(const PartSet& parts) {
   if (parts.tips.empty()) throw InputError("tips '': expected at least one of tube, bearing");
   if (parts.joins.empty() && parts.ends.empty()) {
-    throw InputError("joins '', ends '': expected at least one join or one end");
+    throw InputError("joins '' without ends: expected at least one join or one end");
   }
 }
 

@@ -240,5 +240,30 @@ TEST(PrintedNumber, IsDigitsWithAtMostOnePoint) {
   }
 }
 
+std::string drawn(const std::string& source) {
+  return "[[lines]]\nsource = \"" + source +
+         "\"\nmu = 0.09\nshare_percent = [\"50\", \"50\"]\nread_to_percent = 0.3\n";
+}
+
+std::string error_of_lines_with_a_fault(const std::string& kind, const std::string& of_the_other) {
+  const TemporaryFolder folder;
+  folder.write("a.toml", "name = \"A\"\nword = \"M-1-M\"\nheld = [1]\n" + of_the_other);
+  folder.write("x.toml", published + drawn("Fig. 1") + "[[fault]]\nkind = \"" + kind +
+                             "\"\nrouting = \"A\"\n");
+  return folder.error_of([&] { read_catalogue(folder.path()); });
+}
+
+// A fault may be about lines alone; what they repeat then are lines of the same figure.
+TEST(Catalogue, TakesAFaultOfLinesWithoutATable) {
+  EXPECT_EQ(error_of_lines_with_a_fault("repeats", drawn("Fig. 1")), "(no error)");
+  const std::string refused =
+      "x.toml:9:1: fault.routing = \"A\": expected another routing in the catalogue, with [[lines]] "
+      "of as many strands in the same figure";
+  EXPECT_EQ(error_of_lines_with_a_fault("repeats", drawn("Fig. 2")), refused);
+  EXPECT_EQ(error_of_lines_with_a_fault("repeats", table), refused);
+  EXPECT_EQ(error_of_lines_with_a_fault("proportional", table),
+            "x.toml:9:1: a proportional fault needs a [table] that it is about");
+}
+
 }  // namespace
 }  // namespace reeve

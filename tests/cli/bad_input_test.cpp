@@ -152,7 +152,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       explore({"--tips", ""}, "--tips '': expected at least one of tube, bearing"),
       explore({"--joins", "T,,P"}, "--joins 'T,,P': '': expected a comma-separated list of T, B"),
       explore({"--joins", "", "--ends", ""},
-              "--joins '', ends '': expected at least one join or one end"),
+              "--joins '' without ends: expected at least one join or one end"),
       explore({"--tendons", "two"}, "--tendons: two not in {one,any}"),
       explore({"--objectives", "foo"},
               "--objectives 'foo': unknown objective 'foo'; expected one of uniformity_mean, "),

@@ -198,7 +198,7 @@ TEST(Generator, ImpossibleOptionsAreRefused) {
   EXPECT_EQ(error_of(generating({{}, paper.joins, paper.ends}, 2, identical)),
             "tips '': expected at least one of tube, bearing");
   EXPECT_EQ(error_of(generating({paper.tips, {}, {}}, 2, identical)),
-            "joins '', ends '': expected at least one join or one end");
+            "joins '' without ends: expected at least one join or one end");
 }
 
 TEST(Generator, MoreThanTwoToThe63RoutingsAreRefused) {

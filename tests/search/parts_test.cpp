@@ -71,7 +71,7 @@ TEST(Parts, SomeRoutingMustBePossible) {
   EXPECT_EQ(testing::input_error([&] {
               validate({paper.tips, {}, {}});
             }),
-            "joins '', ends '': expected at least one join or one end");
+            "joins '' without ends: expected at least one join or one end");
   EXPECT_NO_THROW(validate({paper.tips, paper.joins, {}}));
   EXPECT_NO_THROW(validate({paper.tips, {}, paper.ends}));
 }

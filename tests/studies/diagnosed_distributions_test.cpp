@@ -121,5 +121,26 @@ TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
   EXPECT_NE(all->data->notes.front().text.find("M-1-P-2-P-3-M"), std::string::npos);
 }
 
+TEST(DiagnosedDistributions, HaveACoefficientOnceHoweverOftenItIsPublished) {
+  const auto all = diagnosed_distributions(the_seven(), {}, {}, published_with({0.18, 0.18, 0.09}),
+                                           the_catalogue());
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->list.size(), 2U);
+  EXPECT_EQ(all->list[0].tube_mu, 0.18);
+  EXPECT_EQ(all->list[1].tube_mu, 0.09);
+}
+
+TEST(DiagnosedDistributions, ShowTheTableWhereAFigureHasTheSameCoefficient) {
+  Catalogue catalogue = the_catalogue();
+  for (CatalogueEntry& entry : catalogue.entries) {
+    for (PublishedLines& lines : entry.lines) lines.mu = 0.18;
+  }
+  const auto all = diagnosed_distributions(the_seven(), {}, {}, published_with({0.18}), catalogue);
+  ASSERT_TRUE(all);
+  const RoutingShares& tr4 = of(all->list[0], "TR4");
+  EXPECT_EQ(tr4.published_source, "Table IV");
+  EXPECT_EQ(tr4.strands[0].published->share, 0.54);
+}
+
 }  // namespace
 }  // namespace reeve

@@ -302,7 +302,7 @@ TEST(PublicationCheck, NamesWhatTheReadingsOrTheCatalogueLack) {
   EXPECT_EQ(
       Edited("measured/exo_glove_ii.csv", "7,TR7,1,pull,24.56,25.61,25.07,24.63\n", "").error(),
       "publications/dual_tendon_routing.toml: its readings, measured/exo_glove_ii.csv, have "
-      "no row of TR7");
+      "no row of TR7 that pulls in the grasp of its published numbers");
   EXPECT_EQ(
       Edited("publications/dual_tendon_routing.toml", "routing = \"TR7\"", "routing = \"TR8\"")
           .error(),
@@ -319,6 +319,90 @@ TEST(PublicationCheck, NamesWhatTheReadingsOrTheCatalogueLack) {
           .error(),
       "publications/dual_tendon_routing.toml:23:38: "
       "indicators.row[1].motor_side[1].slides = \"up\": expected \"to motor\" or \"to hand\"");
+}
+
+const std::string article = "publications/dual_tendon_routing.toml";
+const std::string supplement = "publications/exo_glove_ii_supplement.toml";
+
+TEST(Publication, NeedsIndicatorsForWhatIsReadWithThemAlone) {
+  EXPECT_EQ(Edited(supplement, "read_to_N = 0.15\n",
+                   "read_to_N = 0.15\n\n[coefficient]\nsource = \"Sec. I\"\nprinted = \"0.6\"\n\n")
+                .error(),
+            supplement + ":7:2: a coefficient needs [indicators] beside it, which imply one");
+  EXPECT_EQ(Edited(supplement, "read_to_N = 0.15\n", "read_to_N = 0.15\nsum_N = 100\n").error(),
+            supplement + ":6:1: sum_N needs [indicators] beside it");
+  EXPECT_EQ(Edited(article, "sum_N = 100\n", "").error(),
+            article + ":1:1: missing key 'sum_N': expected the sum of a routing's strands");
+}
+
+TEST(PublicationCheck, RefusesARatioFromAStrandThatTheRoutingLacks) {
+  EXPECT_EQ(Edited(article, "motor_side = [{ strand = 1, slides = \"to motor\" }]",
+                   "motor_side = [{ strand = 64, slides = \"to motor\" }]")
+                .error(),
+            article +
+                ": indicators.row of TR1: motor_side: no sheath slides to the motor at "
+                "strand 64");
+}
+
+// In another grasp, or releasing, a routing's strands have other tensions than the published ones.
+TEST(PublicationCheck, TakesTheOneReadingThatPullsInTheGraspOfTheRouting) {
+  const std::string file = "measured/exo_glove_ii.csv";
+  const std::string row = "1,TR1,1,pull,33.89,28.07,22.91,15.01\n";
+  const std::string others = "8,TR1,2,pull,40,30,20,10\n9,TR1,1,release,40,30,20,10\n";
+  EXPECT_EQ(Edited(file, row, others + row).check().count(CheckStatus::differs), 0U);
+  EXPECT_EQ(Edited(file, row, others).error(),
+            article + ": its readings, " + file +
+                ", have no row of TR1 that pulls in the grasp of its published numbers");
+  EXPECT_EQ(Edited(file, row, row + row).error(),
+            file +
+                ":9: expected one row of TR1 that pulls in the grasp of its published numbers, "
+                "which " +
+                article + " derives from");
+}
+
+TEST(PublicationCheck, RefusesFaultsOfRoutingsThatAreNotInTheTable) {
+  EXPECT_EQ(
+      Edited(article, "routing = \"TR5\"\nstrand = 4", "routing = \"TR99\"\nstrand = 4").error(),
+      article + ":84:11: indicators.fault[1].routing = \"TR99\": expected a routing of the table");
+  EXPECT_EQ(Edited(article, "[\"TR3\", \"TR6\"]", "[\"TR3\", \"TR99\"]").error(),
+            article +
+                ":89:20: indicators.fault[2].routings[2] = \"TR99\": expected a routing of the "
+                "table");
+}
+
+TEST(PublicationCheck, ReportsAFaultListedForNumbersThatAgree) {
+  const CheckReport report =
+      Edited(article, "[coefficient]",
+             "[[indicators.fault]]\nkind = \"slides_to_hand\"\nrouting = \"TR1\"\nstrand = 1\n\n"
+             "[coefficient]")
+          .check();
+  EXPECT_EQ(report.count(CheckStatus::differs), 1U);
+  const CheckItem& idle = item(report, "", {CheckedKind::idle_fault, 3});
+  EXPECT_EQ(idle.status, CheckStatus::differs);
+  EXPECT_EQ(idle.source, "Dual-Tendon Routing, Table I");
+  EXPECT_NE(idle.reason.find("the listed fault 'slides_to_hand' ("), std::string::npos);
+  EXPECT_NE(idle.reason.find(article + ":92:1) explains no number that differs"), std::string::npos)
+      << idle.reason;
+}
+
+TEST(PublicationCheck, RefusesAnErrorOfLinesThatNobodyDrew) {
+  EXPECT_EQ(Edited(supplement, "lines = \"Fig. 9 (b)\"", "lines = \"Fig. 9 (c)\"").error(),
+            supplement +
+                ":19:9: error.lines = \"Fig. 9 (c)\": expected \"table\", or the source of "
+                "[[lines]] in the catalogue");
+}
+
+TEST(PublicationCheck, ConcludesNothingFromErrorsThatItCannotExplain) {
+  const CheckReport report = Edited(supplement, "printed = \"3.4\"", "printed = \"4.4\"").check();
+  const auto found =
+      std::find_if(report.items.begin(), report.items.end(), [](const CheckItem& item) {
+        return item.quantity.kind == CheckedKind::share_error_of_equations && item.printed == "4.4";
+      });
+  ASSERT_NE(found, report.items.end());
+  EXPECT_EQ(found->status, CheckStatus::differs);
+  EXPECT_EQ(found->reason,
+            "the equations leave 6.0 %; with the losses that the lines of TR4 and TR5 leave out, "
+            "3.4 %");
 }
 
 }  // namespace

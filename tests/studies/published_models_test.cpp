@@ -48,7 +48,7 @@ const std::string readings =
 TEST(PublishedModels, AreTablesAndFiguresOfTheRoutingsInTheirGrasp) {
   const auto models = published(readings);
   ASSERT_EQ(models.size(), 2U);
-  EXPECT_EQ(models[0].name, "Table IV to Table VII");
+  EXPECT_EQ(models[0].name, "Table IV, Table VII");
   EXPECT_EQ(models[0].mu, 0.18);
   EXPECT_EQ(models[1].name, "Fig. 9 (b)");
   EXPECT_EQ(models[1].mu, 0.09);
@@ -95,6 +95,32 @@ TEST(PublishedModels, OfSimulatedReadingsAreNone) {
 
 TEST(PublishedModels, OfReadingsInAnotherGraspAreNone) {
   EXPECT_TRUE(published("8,TR4,2,30,28,22,20\n").empty());
+}
+
+// Their distances, as the diagnosis has them of its own errors, not that of their mean.
+TEST(PublishedModels, AreOffByTheMeanOverTheRowsOfAGroup) {
+  const std::string low = "1,TR4,1,20,30,30,20\n";
+  const std::string high = "2,TR4,1,70,10,10,10\n";
+  const PublishedLine both = published(low + high)[0].lines[0];
+  const PublishedLine first = published(low)[0].lines[0];
+  const PublishedLine second = published(high)[0].lines[0];
+  EXPECT_NEAR(both.error, (first.error + second.error) / 2, 1e-12);
+  EXPECT_NEAR(both.equations, (first.equations + second.equations) / 2, 1e-12);
+}
+
+std::string name_of_tables(const std::vector<std::string>& routings) {
+  std::string rows;
+  for (const std::string& routing : routings) rows += "r," + routing + ",1,4,3,2,1\n";
+  return published(rows)[0].name;
+}
+
+TEST(PublishedModels, AreNamedByTheTablesThatAreUsed) {
+  EXPECT_EQ(name_of_tables({"TR4"}), "Table IV");
+  EXPECT_EQ(name_of_tables({"TR4", "TR1"}), "Table I, Table IV");
+  EXPECT_EQ(name_of_tables({"TR1", "TR2", "TR4", "TR5"}), "Table I, Table II, Table IV, Table V");
+  EXPECT_EQ(name_of_tables({"TR4", "TR3", "TR2"}), "Table II to Table IV");
+  EXPECT_EQ(name_of_tables({"TR1", "TR2", "TR3", "TR4", "TR5", "TR6", "TR7"}),
+            "Table I to Table VII");
 }
 
 }  // namespace
