@@ -86,7 +86,7 @@ TEST(Comparison, TakesTheSheathAngleOfTheRow) {
 TEST(Comparison, NamesTheLineWhoseSheathHasTooMuchFriction) {
   Hardware hardware;
   hardware.sheath.mu = 0.5;
-  EXPECT_EQ(out_of_range([&] {
+  EXPECT_EQ(testing::out_of_range([&] {
               compare(read_data("run,routing,motor_tension_N,sheath_angle_rad,T1_N\n"
                                 "A,M-1-F,10,1,1\nA,M-1-F,10,30,1\n"),
                       Model{hardware});

@@ -74,7 +74,8 @@ TEST(Residuals, KnowThatASensorCannotReadBelowZero) {
   const MeasuredData data = read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n");
   const Dataset dataset = all_of(data);
   const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.5, 0.01});
-  Forecast forecast{Eigen::Vector2d{0, 10 * beyond_sheath * beyond_tube}, Eigen::Vector2d{0, 0}};
+  Forecast forecast{
+      Eigen::Vector2d{0, 10 * beyond_sheath * beyond_tube}, Eigen::Vector2d{0, 0}, {}};
   const Eigen::VectorXd expected = expected_readings(problem, forecast);
   EXPECT_NEAR(expected[0], 0.5 / std::sqrt(2 * std::numbers::pi), 1e-12);
   EXPECT_EQ(expected[1], forecast.reading_N[1]);
