@@ -60,8 +60,8 @@ std::vector<std::size_t> readings_of(const std::vector<ComparedCell>& cells) {
   return {readings.begin(), readings.end()};
 }
 
-double share_error_of(const MeasuredData& data, const Model& model,
-                      std::vector<ComparedCell> cells) {
+std::optional<double> share_error_of(const MeasuredData& data, const Model& model,
+                                     std::vector<ComparedCell> cells) {
   const Dataset all = dataset(data, readings_of(cells));
   const Forecast at = forecast(all, model);
   for (std::size_t i = 0; i < all.cells.size(); ++i) {
@@ -70,7 +70,9 @@ double share_error_of(const MeasuredData& data, const Model& model,
     });
     if (found != cells.end()) found->after_N = at.reading_N[static_cast<Eigen::Index>(i)];
   }
-  return share_errors(data, cells).after;
+  const ShareErrors errors = share_errors(data, cells);
+  if (errors.groups.empty()) return std::nullopt;
+  return errors.after;
 }
 
 }  // namespace

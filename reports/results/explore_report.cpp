@@ -92,8 +92,7 @@ Json known_json(const ExploreReport& report) {
                {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
                {"dominated_by", reference.dominated_by},
                {"generated", reference.generated},
-               {"rejected_by",
-                reference.rejected_by.empty() ? Json(nullptr) : Json(reference.rejected_by)}};
+               {"rejected_by", text_or_null(reference.rejected_by)}};
     add_objectives(entry, reference.design.values);
     json.push_back(entry);
   }
