@@ -77,6 +77,9 @@ std::vector<SheetLine> opening_lines(const ExploreReport& report) {
   for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
     lines.push_back(line);
   }
+  if (report.options.order.by_score) {
+    lines.push_back({order_text(report.options.order, report.options.score)});
+  }
   lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
                    to_text(report.options.grasps)});
   return lines;
