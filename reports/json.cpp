@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
 #include "core/version.hpp"
 #include "reports/results/model_text.hpp"

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ std::string print(const Json& json);
 // null where there is no number.
 Json number(double value);
 Json text_or_null(const std::string& text);  // null where it is empty
+
+template <typename Value, typename ToJson>
+Json value_or_null(const std::optional<Value>& value, ToJson to_json) {
+  return value ? to_json(*value) : Json(nullptr);
+}
 
 // {"uniformity":{"mean","worst"},"efficiency":{"mean","worst"},"force_transmission",…}
 void add_objectives(Json& target, const ObjectiveValues& values);

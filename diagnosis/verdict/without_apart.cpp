@@ -63,18 +63,23 @@ std::vector<std::size_t> readings_of(const std::vector<ComparedCell>& cells) {
   return {readings.begin(), readings.end()};
 }
 
-double share_error_of(const MeasuredData& data, const Model& model,
-                      std::vector<ComparedCell> cells) {
+// None where no reading has all strands, or the model no tensions at one of those that it was not
+// fitted to.
+std::optional<double> share_error_of(const MeasuredData& data, const Model& model,
+                                     std::vector<ComparedCell> cells) {
+  const Dataset all = dataset(data, readings_of(cells));
+  const std::optional<Forecast> at = try_forecast(all, model);
+  if (!at) return std::nullopt;
   std::map<Place, ComparedCell*> at_place;
   for (ComparedCell& cell : cells) at_place[place(cell.cell)] = &cell;
-  const Dataset all = dataset(data, readings_of(cells));
-  const Forecast at = forecast(all, model);
   for (std::size_t i = 0; i < all.cells.size(); ++i) {
     const auto found = at_place.find(place(all.cells[i]));
     if (found == at_place.end()) continue;
-    found->second->after_N = at.reading_N[static_cast<Eigen::Index>(i)];
+    found->second->after_N = at->reading_N[static_cast<Eigen::Index>(i)];
   }
-  return share_errors(data, cells).after;
+  const ShareErrors errors = share_errors(data, cells);
+  if (errors.groups.empty()) return std::nullopt;
+  return errors.after;
 }
 
 }  // namespace

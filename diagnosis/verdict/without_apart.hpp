@@ -18,7 +18,9 @@ struct WithoutApart {
   std::vector<Cell> left_out;
   Model model;
   std::vector<std::vector<ParameterInterval>> intervals;  // as of parameter_intervals
-  double share_error = 0;  // mean over the routings, of all readings (share_error.hpp)
+  // Mean over the routings, of all readings (share_error.hpp); none where none has all strands, or
+  // the model no tensions at one that is left out.
+  std::optional<double> share_error;
 };
 
 // Nothing if no stretch stands apart, or the model has no parameter. `noise` is estimated anew if

@@ -5,18 +5,23 @@ const explorationCards = (() => {
   const state = explorationState;
   const { element } = explorationTable;
   const place = document.getElementById("selection");
-  const packs = new Map(); // chunk -> promise of what it holds
+  const packs = new Map(); // chunk -> promise of its designs and of their schematics' lines
   let grasp = 0;
   let shown = 0; // counts drawings, so that a late one does not overwrite a newer one
   let drawn = []; // figures with charts
+
+  async function opened({ pack }) {
+    const [designs, ...lines] = (await state.unpacked(pack)).split("\n");
+    return { designs: JSON.parse(designs), lines };
+  }
 
   // What the page holds of the design besides its values, or null.
   async function details(word) {
     const chunk = reeve.data.chunks.find(({ words }) => words.includes(word));
     if (!chunk) return null;
-    if (!packs.has(chunk)) packs.set(chunk, state.unpacked(chunk.pack));
-    const [designs, ...lines] = (await packs.get(chunk)).split("\n");
-    return { lines, ...JSON.parse(designs)[chunk.words.indexOf(word)] };
+    if (!packs.has(chunk)) packs.set(chunk, opened(chunk));
+    const { designs, lines } = await packs.get(chunk);
+    return { lines, ...designs[chunk.words.indexOf(word)] };
   }
 
   function schematic({ lines }, runs, id) {

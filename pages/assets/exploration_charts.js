@@ -145,7 +145,13 @@ const explorationCharts = (() => {
     const spec = specification(
       "pareto",
       { edge: line, points, labels: knownLabels(designs, points, ranges) },
-      { greatest_x: chosen[0].greatest, greatest_y: chosen[1].greatest, present: present(points) },
+      {
+        least_x: chosen[0].least,
+        greatest_x: chosen[0].greatest,
+        least_y: chosen[1].least,
+        greatest_y: chosen[1].greatest,
+        present: present(points),
+      },
     );
     spec.encoding.x.title = axisTitle(chosen[0]);
     spec.encoding.y.title = axisTitle(chosen[1]);

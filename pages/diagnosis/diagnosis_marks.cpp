@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numerics/random.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve {
 namespace {
@@ -89,7 +90,7 @@ ReadingMark mark(const DiagnosisReport& report, const ComparedCell& compared) {
           compared.residual_before,
           compared.residual_after,
           compared.held_out,
-          routing_label(report, report.data.routings[reading.routing].word),
+          routing_name(report, reading.routing),
           report.data.channels[compared.cell.channel].name,
           grasp_text(reading.grasp),
           report.data.runs[reading.run]};
@@ -140,11 +141,6 @@ std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most) 
     list.push_back(mark(report, report.result.cells[i]));
   }
   return list;
-}
-
-std::string routing_label(const DiagnosisReport& report, const std::string& word) {
-  const auto named = report.names.find(word);
-  return named == report.names.end() || named->second.empty() ? word : named->second;
 }
 
 }  // namespace reeve

@@ -46,7 +46,4 @@ MarkColumns mark_columns(const DiagnosisReport& report);
 // report.
 std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most);
 
-// The catalogue's name of a routing, or its word.
-std::string routing_label(const DiagnosisReport& report, const std::string& word);
-
 }  // namespace reeve

@@ -12,7 +12,6 @@
 #include "pages/shell/template.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/results/data_text.hpp"
-#include "reports/results/show_report.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
 namespace reeve {
@@ -92,16 +91,44 @@ Json sentences(const std::vector<std::string>& list) {
   return json;
 }
 
+// Takes away what is beyond so many grasps, and says how many grasps that were. They come grasp by
+// grasp.
+std::size_t cut_to_grasps(std::vector<TensionDistribution>& list, std::size_t most) {
+  std::size_t grasps = 0;
+  std::size_t kept = list.size();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0 && list[i].grasp == list[i - 1].grasp) continue;
+    if (grasps++ == most) kept = i;
+  }
+  list.resize(kept);
+  return grasps - std::min(grasps, most);
+}
+
+// What the page does not say of the data anyway.
+std::string own_notes(TensionDistributions distributions, const std::vector<DataNote>& said) {
+  if (!distributions.data) return distribution_notes(distributions);
+  SharedData& data = *distributions.data;
+  data.file.clear();
+  std::erase_if(data.notes, [&](const DataNote& note) {
+    return std::any_of(said.begin(), said.end(), [&](const DataNote& other) {
+      return other.text == note.text && other.lines == note.lines;
+    });
+  });
+  return distribution_notes(distributions);
+}
+
 Json distribution_values(const DiagnosisPageInput& input, Figures& figures) {
   const DiagnosisReport& report = input.report;
   Json list = Json::array();
   std::size_t not_drawn = 0;
+  std::string notes;
   if (input.distributions) {
-    const std::vector<Figure> drawn = distribution_figures(*input.distributions);
-    for (std::size_t i = 0; i < std::min(drawn.size(), most_grasps); ++i) {
-      list.push_back({{"html", figures.add(drawn[i])}});
+    TensionDistributions drawn = *input.distributions;
+    not_drawn = cut_to_grasps(drawn.list, most_grasps);
+    for (const Figure& figure : distribution_figures(drawn)) {
+      list.push_back({{"html", figures.add(figure)}});
     }
-    not_drawn = drawn.size() - list.size();
+    notes = own_notes(std::move(drawn), report.result.notes);
   }
   Table errors = share_error_table(report);
   if (list.empty() && errors.rows.empty()) return nullptr;
@@ -113,9 +140,9 @@ Json distribution_values(const DiagnosisPageInput& input, Figures& figures) {
   }
   return {{"figures", list},
           {"not_drawn", not_drawn == 0 ? Json(nullptr) : Json(plural(not_drawn, "more grasp"))},
+          {"notes", notes},
           {"table", table},
-          {"published", sentences(published_sentences(report))},
-          {"influence", sentences(influence_sentences(report))}};
+          {"published", sentences(published_sentences(report))}};
 }
 
 Json loss_values(const DiagnosisReport& report) {
@@ -128,8 +155,7 @@ Json loss_values(const DiagnosisReport& report) {
                           "contacts between them slide",
                           std::move(table), true})},
           {"more", all > most_stretches ? Json(all - most_stretches) : Json(nullptr)},
-          {"apart", sentences(loss_sentences(report))},
-          {"without", sentences(without_apart_sentences(report))}};
+          {"apart", sentences(loss_sentences(report))}};
 }
 
 }  // namespace
@@ -151,6 +177,7 @@ DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
   values["structure"] = structure_values(report, columns);
   values["structure"]["thinned"] = thinned_text(report, few.size());
   values["causes"] = cause_values(report);
+  values["causes"]["influence"] = sentences(influence_sentences(report));
   add_evidence_figures(report, values, figures);
   values["separation"] = report.result.separating_measurement.has_value();
   values["next"] = next_values(report);

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
 
 namespace reeve {
@@ -116,12 +115,12 @@ Json objectives_json(const std::vector<Objective>& shown) {
   Json list = Json::array();
   for (const Objective objective : shown) {
     const ObjectiveRow& row = reeve::row(objective);
-    const chart::Axis axis = objective_axis(objective);
     list.push_back({{"name", row.name},
                     {"title", objective_title(row)},
                     {"unit", row.unit},
                     {"better", row.better == Better::higher ? "higher" : "lower"},
-                    {"greatest", axis.greatest ? Json(*axis.greatest) : Json()},
+                    {"least", value_or_null(row.least, number)},
+                    {"greatest", value_or_null(row.greatest, number)},
                     {"meaning", row.meaning}});
   }
   return list;

@@ -42,8 +42,8 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 // `shown` are the objectives whose values are given.
 Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown);
 
-// [{"name", "title", "unit", "better", "greatest", "meaning"}], "greatest" null where there is
-// none.
+// [{"name", "title", "unit", "better", "least", "greatest", "meaning"}], "least" and "greatest"
+// null where there is none.
 Json objectives_json(const std::vector<Objective>& shown);
 
 }  // namespace reeve

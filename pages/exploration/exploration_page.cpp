@@ -184,9 +184,11 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
           : fmt::format(
                 "{} of {} listed designs and known routings have schematics, tensions and "
                 "contacts here: known routings first, then by rank. For the others the "
-                "page gives the values and the command that shows the rest; with --details {} it "
-                "has all, as far as there is room.",
-                details.designs, all, listed);
+                "page gives the values and the command that shows the rest; {}.",
+                details.designs, all,
+                details.designs < in_order_of_details(view.report, details_of(view)).size()
+                    ? "there is no room for more of them, whatever --details says"
+                    : fmt::format("with --details {} it has all, as far as there is room", listed));
   return {title(view.report),
           render("exploration.mustache", body),
           "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "

@@ -8,6 +8,7 @@
 
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_title.hpp"
+#include "reports/json.hpp"
 #include "reports/results/model_text.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -58,9 +59,10 @@ double part_count(const ListedDesign& design) {
          get(design, Objective::knots);
 }
 
-bool same_product(const ListedDesign& a, const ListedDesign& b) {
-  return uniformity_times_efficiency(a.ranked.design.values) ==
-         uniformity_times_efficiency(b.ranked.design.values);
+// What decides within a front.
+double decisive(const ListedDesign& design, const Order& order) {
+  return order.by_score ? get(design, Objective::score)
+                        : uniformity_times_efficiency(design.ranked.design.values);
 }
 
 std::string values_text(const ListedDesign& design, const std::vector<Objective>& objectives) {
@@ -84,16 +86,19 @@ std::string with_parts(const ListedDesign& design, const std::vector<Objective>&
 }
 
 // Which of the ranking's rules put the first before the second of its front.
-std::string tie_text(const ListedDesign& first, const ListedDesign& second) {
-  if (!same_product(first, second)) return "";
+std::string tie_text(const Order& order, const ListedDesign& first, const ListedDesign& second) {
+  if (decisive(first, order) != decisive(second, order)) return "";
+  const char* same = order.by_score ? "score" : "product";
   if (part_count(first) < part_count(second))
-    return "; of those with the same product it needs fewest parts";
-  return "; among those with the same product and as many parts, only the order of their words "
-         "decides";
+    return fmt::format("; of those with the same {} it needs fewest parts", same);
+  return fmt::format(
+      "; among those with the same {} and as many parts, only the order of their words decides",
+      same);
 }
 
 std::string why(const ExploreReport& report, const std::vector<ListedDesign>& listed) {
-  const std::string objectives = titles(report.options.order.objectives);
+  const Order& order = report.options.order;
+  const std::string objectives = titles(order.objectives);
   const std::uint64_t size = report.front.size() + report.result.front_equals_left_out;
   if (size == 1) {
     return fmt::format(
@@ -103,9 +108,9 @@ std::string why(const ExploreReport& report, const std::vector<ListedDesign>& li
   }
   return fmt::format(
       "It is one of {} designs on the Pareto front, which no other beats over {}. "
-      "Among these the one with the greatest product of mean uniformity and mean efficiency comes "
-      "first{}.",
-      size, objectives, listed.size() > 1 ? tie_text(listed[0], listed[1]) : "");
+      "Among these the one with the greatest {} comes first{}.",
+      size, objectives, order.by_score ? "score" : "product of mean uniformity and mean efficiency",
+      listed.size() > 1 ? tie_text(order, listed[0], listed[1]) : "");
 }
 
 std::string next_text(const ExploreReport& report, const ListedDesign& first,
@@ -184,6 +189,11 @@ std::string friction_text(const Hardware& hardware) {
   return text;
 }
 
+std::string ranked_text(const ExploreOptions& options) {
+  if (options.order.by_score) return ". " + order_text(options.order, options.score);
+  return fmt::format(" and ranked over {}, front by front", titles(options.order.objectives));
+}
+
 std::vector<std::string> explored(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const GeneratorOptions& generator = options.generator;
@@ -195,10 +205,8 @@ std::vector<std::string> explored(const ExploreReport& report) {
       spaced(ends_text(generator.parts)),
       generator.one_tendon ? "one tendon" : "any number of tendons",
       generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
-  text.push_back(fmt::format(
-      "Each was judged over the grasps {} (which fingers are held) and ranked over {}, front by "
-      "front.",
-      to_text(options.grasps), titles(options.order.objectives)));
+  text.push_back(fmt::format("Each was judged over the grasps {} (which fingers are held){}.",
+                             to_text(options.grasps), ranked_text(options)));
   text.push_back(friction_text(effective_hardware(options.model)));
   for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
     text.push_back(line.text);

@@ -46,8 +46,6 @@ std::vector<std::string> headings(const TensionDistribution& row) {
   return labels(routings);
 }
 
-std::string share_text(double share) { return fixed(100 * share, 1) + " %"; }
-
 // Lines of what is published are hollow and dashed, for readers and printers without colours.
 const chart::Style model_style{chart::Colour::blue, chart::Symbol::circle, 4, 2};
 const chart::Style measured_style{chart::Colour::green, chart::Symbol::circle, 4, 1.2, 0.5};
@@ -71,7 +69,7 @@ chart::Layer published_points(const RoutingShares& routing, bool faulty) {
     const std::string why = faulty ? "\n" + strand.published->fault : "";
     points.spots.push_back({static_cast<double>(i), strand.published->share,
                             fmt::format("{}, {}: {}{}", strand.strand, routing.published_source,
-                                        share_text(strand.published->share), why),
+                                        percent(strand.published->share), why),
                             ""});
   }
   return {published_name(faulty), published_style(faulty), points};
@@ -102,7 +100,7 @@ std::vector<chart::Layer> measured_layers(const RoutingShares& routing, const st
     const std::string of =
         routing.readings == 1 ? "" : fmt::format(", mean of {} readings", routing.readings);
     bars.bars.push_back(
-        {at, mean, fmt::format("{}, {}: {}{}", strand.strand, name, share_text(mean), of), ""});
+        {at, mean, fmt::format("{}, {}: {}{}", strand.strand, name, percent(mean), of), ""});
     if (!strand.measured->deviation) continue;
     const double deviation = *strand.measured->deviation;
     deviations.spans.push_back({at, mean - deviation, mean + deviation, ""});
@@ -121,7 +119,7 @@ std::vector<chart::Layer> model_layers(const RoutingShares& routing) {
     line.through.push_back({at, strand.model});
     points.spots.push_back(
         {at, strand.model,
-         fmt::format("{}, {}: {}", strand.strand, model_name, share_text(strand.model)), ""});
+         fmt::format("{}, {}: {}", strand.strand, model_name, percent(strand.model)), ""});
   }
   return {{model_name, model_style, chart::Paths{{line}, false}},
           {model_name, model_style, points}};
@@ -211,7 +209,7 @@ std::string errors_text(const Rows& rows, std::optional<double> MeanShareErrors:
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::optional<double> error = rows[i]->share_errors.*which;
     if (!error) continue;
-    text += fmt::format("{}({}) {}", text.empty() ? "" : ", ", letter(i), share_text(*error));
+    text += fmt::format("{}({}) {}", text.empty() ? "" : ", ", letter(i), percent(*error));
   }
   return text;
 }

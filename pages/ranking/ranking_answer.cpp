@@ -14,9 +14,13 @@
 namespace reeve {
 namespace {
 
-std::string both_means(const ListedDesign& design) {
-  const ObjectiveValues& values = design.ranked.design.values;
-  return fmt::format("mean uniformity {} and mean efficiency {}",
+// The score first, where it orders.
+std::string values_text(const RankReport& report, std::size_t place) {
+  const ObjectiveValues& values = report.designs[place].ranked.design.values;
+  const std::string score = report.order.by_score
+                                ? fmt::format("score {}, ", fixed(value(values, Objective::score)))
+                                : "";
+  return fmt::format("{}mean uniformity {} and mean efficiency {}", score,
                      fixed(value(values, Objective::uniformity_mean)),
                      fixed(value(values, Objective::efficiency_mean)));
 }
@@ -33,20 +37,21 @@ std::string compared(const RankReport& report) {
   const bool with_own = !hardware.fingers.empty() || !hardware.contacts.empty();
   return fmt::format(
       "Compared: {} with {} in the grasps {} (held fingers), by {}, at the friction coefficients "
-      "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.",
+      "{:g} of tubes, {:g} of sheaths and {:g} of bearings{}.{}",
       plural(report.designs.size(), "routing"),
       plural(static_cast<std::size_t>(report.details->routings.front().network.fingers), "finger"),
       to_text(report.grasps), objective_titles(report.order.objectives), hardware.tube.mu,
       hardware.sheath.mu, hardware.bearing.mu,
-      with_own ? "; some fingers or contacts have their own" : "");
+      with_own ? "; some fingers or contacts have their own" : "",
+      report.order.by_score ? " " + order_text(report.order, report.score) + "." : "");
 }
 
 std::string winner(const RankReport& report, const Labels& labels) {
   if (labels.size() == 1) {
-    return fmt::format("{} alone was given, with {}.", labels[0], both_means(report.designs[0]));
+    return fmt::format("{} alone was given, with {}.", labels[0], values_text(report, 0));
   }
   return fmt::format("{} comes first, with {}. Next is {}, with {}.", labels[0],
-                     both_means(report.designs[0]), labels[1], both_means(report.designs[1]));
+                     values_text(report, 0), labels[1], values_text(report, 1));
 }
 
 std::string front(const RankReport& report, const Labels& labels) {
@@ -62,8 +67,9 @@ std::string front(const RankReport& report, const Labels& labels) {
   }
   return fmt::format(
       "{} routings are on the Pareto front, none of which is better than another in all objectives "
-      "chosen: {}. Among them the product of both means decides.",
-      names.size(), fmt::join(names, ", "));
+      "chosen: {}. Among them the {} decides.",
+      names.size(), fmt::join(names, ", "),
+      report.order.by_score ? "score" : "product of both means");
 }
 
 // Objectives that put others first, those with the same ones together.
@@ -110,6 +116,12 @@ std::string margin(const RankReport& report, const Labels& labels) {
       over, lead);
 }
 
+// Otherwise --margin is refused.
+bool is_by_both_means(Order order) {
+  std::sort(order.objectives.begin(), order.objectives.end());
+  return order.objectives == Order().objectives && !order.by_score;
+}
+
 }  // namespace
 
 Json ranking_answer(const RankReport& report, const Labels& labels) {
@@ -123,6 +135,7 @@ Json ranking_answer(const RankReport& report, const Labels& labels) {
   values["simulated"] = data && data->simulated;
   values["has_others"] = !values["others"].empty();
   values["hint"] = !report.uncertainty && !report.margins && labels.size() > 1;
+  values["margin_can_be_had"] = is_by_both_means(report.order);
   return values;
 }
 

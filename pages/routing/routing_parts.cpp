@@ -55,9 +55,7 @@ std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
 }
 
 std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& values) {
-  const std::string_view unit = row.unit;
-  const bool counted = unit == "parts" || unit == "grasps";
-  return fixed(value(values, row.objective), counted ? 0 : 3);
+  return fixed(value(values, row.objective), row.is_count() ? 0 : 3);
 }
 
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state) {

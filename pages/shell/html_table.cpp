@@ -29,7 +29,7 @@ std::string html(const HtmlTable& table) {
       cells.push_back(cell(row.cells[i], columns[i]));
     }
     rows.push_back({{"heading", cell(row.cells.front(), columns.front())},
-                    {"notable", row.tint != Tint::none}});
+                    {"notable", row.tint == Tint::notable}});
     rows.back()["cells"] = cells;
   }
   Json values{{"id", table.id}, {"caption", table.caption}, {"sortable", table.sortable}};

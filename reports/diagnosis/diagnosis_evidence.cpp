@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -37,12 +38,6 @@ const NamedCause* find_cause(const DiagnosisReport& report, std::string_view nam
 }
 
 }  // namespace
-
-std::string routing_name(const DiagnosisReport& report, std::size_t routing) {
-  const std::string& word = report.data.routings[routing].word;
-  const auto named = report.names.find(word);
-  return named == report.names.end() || named->second.empty() ? word : named->second;
-}
 
 std::string contacts_text(const std::vector<ContactKind>& contacts) {
   std::string text;
@@ -116,16 +111,18 @@ std::vector<std::string> loss_sentences(const DiagnosisReport& report) {
   std::vector<std::string> sentences;
   for (const Loss& loss : report.result.losses) {
     if (!loss.stands_apart) continue;
-    double least = 1;
+    double least = std::numeric_limits<double>::infinity();
     double most = 0;
     for (const Loss& other : report.result.losses) {
       if (&other == &loss || other.over != loss.over) continue;
       least = std::min(least, std::exp(-other.measured));
       most = std::max(most, std::exp(-other.measured));
     }
-    std::string text =
-        fmt::format("{}: {} of the tension is left, where the extended model has {}",
-                    stretch_text(report, loss), factor(loss.measured), factor(loss.after));
+    std::string text = fmt::format(
+        "{}: {} of the tension is left, where {} has {}", stretch_text(report, loss),
+        factor(loss.measured),
+        report.result.model.effects.empty() ? "the model as it stands" : "the extended model",
+        factor(loss.after));
     if (most > 0) {
       text += fmt::format(" and other stretches over {} read {} to {}", contacts_text(loss.over),
                           fixed(least, 2), fixed(most, 2));
@@ -177,10 +174,12 @@ std::vector<std::string> without_apart_sentences(const DiagnosisReport& report) 
     const std::string text = refitted_text(without, cause);
     if (!text.empty()) sizes += (sizes.empty() ? "" : "; ") + text;
   }
-  return {
-      fmt::format("Fitted to all readings but {}: {}; the tension distribution is then off by "
-                  "{} on average.",
-                  cells, sizes, percent(without.share_error))};
+  std::string text = fmt::format("Fitted to all readings but {}: {}", cells, sizes);
+  if (without.share_error) {
+    text += fmt::format("; the tension distribution is then off by {} on average",
+                        percent(*without.share_error));
+  }
+  return {text + "."};
 }
 
 std::vector<std::string> influence_sentences(const DiagnosisReport& report) {

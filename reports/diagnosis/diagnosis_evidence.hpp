@@ -8,9 +8,6 @@
 
 namespace reeve {
 
-// A routing of the data by its catalogue name, or by its word.
-std::string routing_name(const DiagnosisReport& report, std::size_t routing);
-
 // "sheath, bearing, sheath"
 std::string contacts_text(const std::vector<ContactKind>& contacts);
 

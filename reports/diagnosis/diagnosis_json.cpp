@@ -2,6 +2,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -13,11 +14,6 @@ Json list(const std::vector<Value>& values, ToJson to_json) {
   Json json = Json::array();
   for (const Value& value : values) json.push_back(to_json(value));
   return json;
-}
-
-template <typename Value, typename ToJson>
-Json value_or_null(const std::optional<Value>& value, ToJson to_json) {
-  return value ? to_json(*value) : Json(nullptr);
 }
 
 Json held_out_json(const HeldOut& held_out) {
@@ -60,10 +56,9 @@ Json cause_json(const NamedCause& cause) {
 Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& report) {
   const Measurement& at = planned.measurement;
   const auto if_used = [](bool used, double value) { return used ? Json(value) : Json(nullptr); };
-  const auto named = report.names.find(at.routing);
   const bool shrinks = !planned.parameter.empty();
   return {{"routing", at.routing},
-          {"name", text_or_null(named == report.names.end() ? "" : named->second)},
+          {"name", text_or_null(catalogue_name(report, at.routing))},
           {"held", held_fingers(at.grasp)},
           {"direction", direction_field(at.direction)},
           {"motor_tension_N", at.conditions.motor_tension_N},
@@ -179,7 +174,7 @@ Json without_apart_json(const WithoutApart& without, const MeasuredData& data) {
                                           {"channel", data.channels[cell.channel].name}};
                             })},
           {"causes", causes},
-          {"share_error", number(without.share_error)}};
+          {"share_error", value_or_null(without.share_error, number)}};
 }
 
 Json published_json(const PublishedModel& model, const std::vector<Loss>& losses) {

@@ -14,6 +14,10 @@ namespace {
 // Of lists that can be long; the JSON has all.
 constexpr std::size_t most_rows = 8;
 
+void add_sentences(Section& section, const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) section.lines.push_back({sentence});
+}
+
 Section data_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   Section section{"Data", std::nullopt, {}};
@@ -73,7 +77,9 @@ Section causes_section(const DiagnosisReport& report) {
                  first ? other : ""});
     }
   }
-  return {"Causes, each accepted against chance over the whole search", table, {}};
+  Section section{"Causes, each accepted against chance over the whole search", table, {}};
+  add_sentences(section, influence_sentences(report));
+  return section;
 }
 
 void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
@@ -164,10 +170,6 @@ bool says_more_than_the_model(const DiagnosisReport& report) {
                      [](const Loss& loss) { return loss.stands_apart; });
 }
 
-void add_sentences(Section& section, const std::vector<std::string>& sentences) {
-  for (const std::string& sentence : sentences) section.lines.push_back({sentence});
-}
-
 Section shares_section(const DiagnosisReport& report) {
   if (report.result.share_errors.groups.empty() || !says_more_than_the_model(report)) return {};
   Section section{
@@ -175,7 +177,6 @@ Section shares_section(const DiagnosisReport& report) {
       share_error_table(report),
       {}};
   add_sentences(section, published_sentences(report));
-  add_sentences(section, influence_sentences(report));
   return section;
 }
 

@@ -58,6 +58,17 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
 
 }  // namespace
 
+std::string catalogue_name(const DiagnosisReport& report, const std::string& word) {
+  const auto named = report.names.find(word);
+  return named == report.names.end() ? "" : named->second;
+}
+
+std::string routing_name(const DiagnosisReport& report, std::size_t routing) {
+  const std::string& word = report.data.routings[routing].word;
+  const std::string name = catalogue_name(report, word);
+  return name.empty() ? word : name;
+}
+
 std::string estimate(const EstimatedParameter& parameter, double value) {
   const double half = (parameter.high - parameter.low) / 2;
   if (!std::isfinite(half) || half <= 0) return fmt::format("{:.4g}", value);
@@ -96,10 +107,8 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs) {
 
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
   const Measurement& at = planned.measurement;
-  const auto named = report.names.find(at.routing);
-  std::string text = named == report.names.end() || named->second.empty()
-                         ? at.routing
-                         : fmt::format("{} ({})", named->second, at.routing);
+  const std::string name = catalogue_name(report, at.routing);
+  std::string text = name.empty() ? at.routing : fmt::format("{} ({})", name, at.routing);
   text += fmt::format("{}, {} with {:.3g} N at the motor", held_text(at),
                       at.direction == Direction::pull ? "pulled" : "released",
                       at.conditions.motor_tension_N);

@@ -7,6 +7,12 @@
 
 namespace reeve {
 
+// "TR3"; "" of what the catalogue does not have.
+std::string catalogue_name(const DiagnosisReport& report, const std::string& word);
+
+// A routing of the data by its catalogue name, or by its word.
+std::string routing_name(const DiagnosisReport& report, std::size_t routing);
+
 // To as many places as the interval is known.
 std::string estimate(const EstimatedParameter& parameter, double value);
 

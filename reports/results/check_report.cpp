@@ -72,14 +72,13 @@ std::string check_json(const CheckReport& report) {
   Json json;
   json["checks"] = Json::array();
   for (const CheckItem& item : report.items) {
-    json["checks"].push_back(
-        {{"routing", item.routing.empty() ? Json(nullptr) : Json(item.routing)},
-         {"source", item.source},
-         {"quantity", quantity_text(item.quantity)},
-         {"published", number(item.published)},
-         {"computed", number(item.computed)},
-         {"status", name(item.status)},
-         {"reason", item.reason.empty() ? Json(nullptr) : Json(item.reason)}});
+    json["checks"].push_back({{"routing", text_or_null(item.routing)},
+                              {"source", item.source},
+                              {"quantity", quantity_text(item.quantity)},
+                              {"published", number(item.published)},
+                              {"computed", number(item.computed)},
+                              {"status", name(item.status)},
+                              {"reason", text_or_null(item.reason)}});
   }
   json["misprints"] = Json::array();
   for (const CheckedMisprint& misprint : report.misprints) {

@@ -89,8 +89,7 @@ Json data_json(const CompareReport& report) {
   json["routings"] = Json::array();
   for (std::size_t i = 0; i < data.routings.size(); ++i) {
     const std::string& name = report.names[i];
-    json["routings"].push_back(
-        {{"routing", data.routings[i].word}, {"name", name.empty() ? Json(nullptr) : Json(name)}});
+    json["routings"].push_back({{"routing", data.routings[i].word}, {"name", text_or_null(name)}});
   }
   json["channels"] = Json::array();
   for (const Channel& channel : data.channels) json["channels"].push_back(channel.name);

@@ -123,7 +123,7 @@ Json to_json(const ListedDesign& design) {
   Json json{{"rank", design.ranked.rank},
             {"front", design.ranked.front},
             {"routing", design.ranked.design.word},
-            {"name", design.name.empty() ? Json(nullptr) : Json(design.name)}};
+            {"name", text_or_null(design.name)}};
   add_objectives(json, design.ranked.design.values);
   if (design.distribution) {
     json["rank_distribution"] = {{"first_share", design.distribution->first},

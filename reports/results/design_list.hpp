@@ -14,8 +14,8 @@ namespace reeve {
 
 // Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
 // objectives that the order asks for, and what the score is made of where it orders.
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order = {},
-                   const Score& score = authors_score());
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
+                   const Score& score);
 
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");

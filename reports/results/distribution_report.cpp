@@ -5,8 +5,6 @@
 namespace reeve {
 namespace {
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 const char* word(FrictionKind kind) {
   switch (kind) {
     case FrictionKind::coefficient:
@@ -53,9 +51,9 @@ Json to_json(const TensionDistribution& distribution) {
             {"tube_mu", distribution.tube_mu},
             {"sheath_mu", distribution.sheath_mu},
             {"held", held_fingers(distribution.grasp)}};
-  json["rms_measured"] = or_null(distribution.rms_measured);
-  json["share_error"] = or_null(distribution.share_errors.model);
-  json["published_share_error"] = or_null(distribution.share_errors.published);
+  json["rms_measured"] = value_or_null(distribution.rms_measured, number);
+  json["share_error"] = value_or_null(distribution.share_errors.model, number);
+  json["published_share_error"] = value_or_null(distribution.share_errors.published, number);
   json["routings"] = Json::array();
   for (const RoutingShares& routing : distribution.routings) {
     json["routings"].push_back(to_json(routing));

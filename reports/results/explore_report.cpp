@@ -77,6 +77,9 @@ std::vector<SheetLine> opening_lines(const ExploreReport& report) {
   for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
     lines.push_back(line);
   }
+  if (report.options.order.by_score) {
+    lines.push_back({order_text(report.options.order, report.options.score)});
+  }
   lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
                    to_text(report.options.grasps)});
   return lines;
@@ -92,8 +95,7 @@ Json known_json(const ExploreReport& report) {
                {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
                {"dominated_by", reference.dominated_by},
                {"generated", reference.generated},
-               {"rejected_by",
-                reference.rejected_by.empty() ? Json(nullptr) : Json(reference.rejected_by)}};
+               {"rejected_by", text_or_null(reference.rejected_by)}};
     add_objectives(entry, reference.design.values);
     json.push_back(entry);
   }

@@ -161,7 +161,7 @@ Sheet show_sheet(const ShownRouting& report) {
 
 Json to_json(const ShownRouting& report) {
   Json json{{"routing", report.word},
-            {"name", report.name.empty() ? Json(nullptr) : Json(report.name)},
+            {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
             {"direction", name(report.direction)}};
   json["grasps"] = Json::array();

@@ -38,16 +38,16 @@ double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
 constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::uniformity_mean, "uniformity_mean", "uniformity", "mean", "uniformity", "1",
      Better::higher, 3, 0, false, "least over greatest strand tension, mean over the grasps",
-     [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }},
+     [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }, 0, 1},
     {Objective::uniformity_worst, "uniformity_worst", "uniformity", "worst", "uniformity", "1",
      Better::higher, 3, 0, false, "least over greatest strand tension, in the worst grasp",
-     [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }},
+     [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }, 0, 1},
     {Objective::efficiency_mean, "efficiency_mean", "efficiency", "mean", "efficiency", "1",
      Better::higher, 3, 0, false, "useful work over motor work, mean over the grasps",
-     [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }},
+     [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }, 0, 1},
     {Objective::efficiency_worst, "efficiency_worst", "efficiency", "worst", "efficiency", "1",
      Better::higher, 3, 0, false, "useful work over motor work, in the worst grasp",
-     [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }},
+     [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }, 0, 1},
     {Objective::force_transmission, "force_transmission", "force_transmission", "", "force", "1",
      Better::higher, 3, 3, false, "sum of strand tensions over motor tension, mean over the grasps",
      [](const DesignOutcome& d) {
@@ -76,24 +76,28 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      "motor tension releasing over pulling at equal strand work, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.return_friction; });
-     }},
+     },
+     0, 1},
     {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
      Better::higher, 2, 1, true,
      "10 less the difference of the finger pulls over all pull, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.adaptability; });
-     }},
+     },
+     0, 10},
     {Objective::torsional_balance, "torsional_balance", "torsional_balance", "", "balance", "1",
      Better::higher, 2, 1, true,
      "10 less the greatest difference between the strands of a finger, likewise",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.torsional_balance; });
-     }},
+     },
+     0, 10},
     {Objective::reliability, "reliability", "reliability", "", "reliability", "1", Better::higher,
      2, 1, true, "10 less the greatest friction force at any contact, likewise",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.reliability; });
-     }},
+     },
+     std::nullopt, 10},
     {Objective::authors_efficiency, "authors_efficiency", "authors_efficiency", "",
      "auth. efficiency", "1", Better::higher, 2, 1, true,
      "10 times work over motor work if all strands closed alike, likewise",
@@ -104,9 +108,11 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
-     }},
+     },
+     0, 10},
     {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
-     "weighted mean of objectives; unless others are asked for, of the five before it", nullptr},
+     "weighted mean of objectives; unless others are asked for, of the five before it", nullptr,
+     std::nullopt},
 }};
 
 std::string names() {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,9 @@ struct ObjectiveRow {
   bool on_demand;        // in tables for people only where it is asked for
   const char* meaning;
   double (*compute)(const DesignOutcome&);  // of all but the score, which is made of the others
+  // What is possible, whatever the routing and its friction.
+  std::optional<double> least = 0;
+  std::optional<double> greatest{};
 
   bool is_count() const { return decimals == 0; }
 };

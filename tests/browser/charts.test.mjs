@@ -24,6 +24,7 @@ const objectives = ["higher", "higher", "lower"].map((better, i) => ({
   title: `objective ${i}`,
   unit: "1",
   better,
+  least: i === 2 ? null : 0,
   greatest: i === 2 ? null : 1,
 }));
 
@@ -80,7 +81,9 @@ test("a specification is filled anew each time, and the file's stays as it was",
   assert.equal(spec.encoding.y.title, "objective 2 (lower is better)");
   const params = Object.fromEntries(spec.params.map(({ name, value }) => [name, value]));
   assert.deepEqual(plain(params), {
+    least_x: 0,
     greatest_x: 1,
+    least_y: null,
     greatest_y: null,
     present: ["listed", "on the front"],
   });

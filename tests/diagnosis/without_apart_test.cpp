@@ -106,7 +106,7 @@ TEST(WithoutApart, HasTheShareErrorOfAllReadings) {
     cell.before_N = 1;
     if (cell.cell.channel == 0) cell.after_N = 1;
   }
-  EXPECT_NEAR(blind.without(of_residuals)->share_error, error, 1e-5);
+  EXPECT_NEAR(*blind.without(of_residuals)->share_error, error, 1e-5);
 }
 
 TEST(WithoutApart, IsNothingWhereNoneStandsApartOrNothingIsFitted) {

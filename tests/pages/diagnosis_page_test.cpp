@@ -96,20 +96,101 @@ TEST(DiagnosisPage, LabelsSimulatedDataAtTheTopAndUnderEveryFigure) {
 
 TEST(DiagnosisPage, SaysWhichStretchStandsApart) {
   DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  report.result.model.effects = {report.result.causes[0].effect};
   Loss loss;
   loss.high = parse_segment("T1");
   loss.low = parse_segment("T2");
   loss.over = {ContactKind::tube};
   loss.rows = 3;
   loss.measured = std::log(2);
-  loss.before = loss.after = std::log(1.25);
+  loss.before = std::log(1.25);
+  loss.after = std::log(1.6);
   report.result.losses = {loss};
-  EXPECT_TRUE(contains(diagnosis_html(report), "<td>0.500</td><td>0.800</td>"));
-  EXPECT_FALSE(contains(diagnosis_html(report), "note apart"));
+  std::string page = diagnosis_html(report);
+  EXPECT_TRUE(contains(page, "<td>0.500</td><td>0.800</td><td>0.625</td>"));
+  EXPECT_FALSE(contains(page, "note apart"));
+  EXPECT_FALSE(contains(page, "class=\"notable\""));
   report.result.losses[0].stands_apart = true;
-  EXPECT_TRUE(
-      contains(diagnosis_html(report), "<p class=\"note apart\">M-1-T-2-F, T1 to T2: 0.500"));
-  EXPECT_TRUE(contains(diagnosis_html(report), "<tr class=\"notable\">"));
+  page = diagnosis_html(report);
+  EXPECT_TRUE(contains(page,
+                       "<p class=\"note apart\">M-1-T-2-F, T1 to T2: 0.500 of the tension is left, "
+                       "where the extended model has 0.625: this contact, or this reading, is not "
+                       "like the others.</p>"));
+  EXPECT_TRUE(contains(page, "<tr class=\"notable\">"));
+}
+
+TEST(DiagnosisPage, SaysOnceWhatTheCausesAreWithoutWhatStandsApart) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  Loss loss;
+  loss.high = parse_segment("T1");
+  loss.low = parse_segment("T2");
+  loss.stands_apart = true;
+  report.result.losses = {loss};
+  WithoutApart without;
+  without.left_out = {{0, 1, 0, 3.0}};
+  report.result.without_apart = without;
+  EXPECT_EQ(count(diagnosis_html(report), "Fitted to all readings but"), 1U);
+}
+
+TEST(DiagnosisPage, SaysHowSingleRunsMoveTheSizesThoughNoReadingHasAllStrands) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  EXPECT_FALSE(contains(diagnosis_html(report), "class=\"influence\""));
+  LeftOutRun run;
+  run.run = 1;
+  report.result.left_out = {run};
+  const std::string page = diagnosis_html(report);
+  const std::size_t at = page.find("<p class=\"influence\">With any one run left out");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_GT(at, page.find("id=\"causes\""));
+  EXPECT_LT(at, page.find("id=\"gain\""));
+}
+
+// One routing in so many grasps.
+TensionDistributions distributions(int grasps) {
+  TensionDistributions all;
+  for (int i = 0; i < grasps; ++i) {
+    TensionDistribution one;
+    if (i > 0) one.grasp = hold({i});
+    for (const FrictionKind kind : {FrictionKind::model, FrictionKind::diagnosed}) {
+      one.kind = kind;
+      one.routings = {{"M-1-T-2-F", "TR1", "Table IV", 1, {{"T1", 0.6, {}, {}}}}};
+      all.list.push_back(one);
+    }
+  }
+  all.data = SharedData{"rig.csv", false, {}};
+  return all;
+}
+
+TEST(DiagnosisPage, NamesTheFaultsOfWhatIsPublishedBelowTheFigure) {
+  DiagnosisReport report = plain_report();
+  report.result.notes = {{NoteKind::comment, "rows may be switched off", {4}}};
+  TensionDistributions all = distributions(1);
+  all.list[0].routings[0].strands[0].published = PublishedShare{0.7, "T1 of another routing"};
+  all.data->notes = report.result.notes;
+  all.data->notes.push_back({NoteKind::not_compared, "line 8 is in no share", {}});
+  const std::string page = diagnosis_page({report, "", {}, all}).html;
+  const std::size_t figure = page.find("id=\"figure-9\"");
+  const std::size_t fault = page.find("<li>TR1, Table IV, T1: T1 of another routing</li>");
+  ASSERT_NE(fault, std::string::npos);
+  EXPECT_LT(figure, fault);
+  EXPECT_LT(fault, page.find("id=\"fit\""));
+  EXPECT_TRUE(contains(page, "line 8 is in no share"));
+  EXPECT_EQ(count(page, "rows may be switched off"), 1U);
+  EXPECT_EQ(count(page, "id=\"data\""), 1U);
+}
+
+TEST(DiagnosisPage, DrawsTheDistributionsOfFourGraspsAtMost) {
+  const DiagnosisReport report = plain_report();
+  const DiagnosisPage all = diagnosis_page({report, "", {}, distributions(4)});
+  EXPECT_TRUE(contains(all.html, "id=\"figure-9-held-3\""));
+  EXPECT_FALSE(contains(all.html, "not drawn; diagnosis.json"));
+  const DiagnosisPage some = diagnosis_page({report, "", {}, distributions(6)});
+  EXPECT_TRUE(contains(some.html, "id=\"figure-9-held-3\""));
+  EXPECT_FALSE(contains(some.html, "id=\"figure-9-held-4\""));
+  EXPECT_TRUE(contains(some.html, "2 more grasps not drawn; diagnosis.json has the errors in all"));
 }
 
 TEST(DiagnosisPage, SaysWhereNothingWasHeldOutOrConfirmed) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <random>
 #include <set>
 #include <string>
 
@@ -53,6 +55,26 @@ TEST(ExplorationPage, HasDetailsOfTheBestAndTheKnownAndSaysSo) {
   EXPECT_NE(html.find("7 of 54 listed designs and known routings have schematics"),
             std::string::npos);
   EXPECT_NE(html.find("with --details 54 it has all"), std::string::npos);
+}
+
+// Schematics that no compression makes small.
+TEST(ExplorationPage, AsksForNoMoreDetailsThanItHasRoomFor) {
+  const ExploreReport report = explored(small_options());
+  ExplorationView view = testing::view(report);
+  view.details = 54;
+  view.solve = [&report](const std::string& word) {
+    ShownRouting shown = testing::view(report).solve(word);
+    std::mt19937 letters(static_cast<unsigned>(std::hash<std::string>()(word)));
+    for (int i = 0; i < 100'000; ++i) shown.name += static_cast<char>('a' + letters() % 26);
+    return shown;
+  };
+  const std::string html = exploration_page(view).html;
+  EXPECT_LT(html.size(), page_bytes);
+  EXPECT_NE(html.find("of 54 listed designs and known routings have schematics"),
+            std::string::npos);
+  EXPECT_NE(html.find("there is no room for more of them, whatever --details says."),
+            std::string::npos);
+  EXPECT_EQ(html.find("with --details 54"), std::string::npos);
 }
 
 TEST(ExplorationPage, WritesItsPicturesAsFiles) {

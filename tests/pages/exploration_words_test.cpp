@@ -41,6 +41,28 @@ TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {
   expect_says(words.won, "It stands alone on the Pareto front");
 }
 
+TEST(ExplorationWords, SayThatTheScoreOrders) {
+  ExploreOptions options = small_options();
+  options.order.by_score = true;
+  options.score = authors_score();
+  const ExplorationWords words = exploration_words(explored(options));
+  expect_says(words.won, "Among these the one with the greatest score comes first");
+  EXPECT_EQ(joined(words.won).find("product"), std::string::npos) << joined(words.won);
+  expect_says(words.explored,
+              "(which fingers are held). Front by front over uniformity_mean, efficiency_mean, "
+              "within a front by the score, the weighted mean of adaptability=1,");
+}
+
+TEST(ExplorationWords, SayThatFewestPartsDecideBetweenEqualScores) {
+  ExploreOptions options = small_options();
+  options.order = {{Objective::score}, true};
+  options.score = parse_score("uniformity=1");
+  ExploreReport report = explored(options);
+  ASSERT_GT(report.front.size(), 1U);
+  expect_says(exploration_words(report).won,
+              "comes first; of those with the same score it needs fewest parts.");
+}
+
 TEST(ExplorationWords, CountWhatWasExploredAndRejected) {
   ExploreOptions options = small_options();
   options.constraints.push_back(parse_constraint("sheaths<=2"));

@@ -330,5 +330,20 @@ TEST(RankingPage, EscapesWhatUsersWrite) {
   EXPECT_NE(page.find("&lt;/script&gt;&lt;img&gt;"), std::string::npos);
 }
 
+TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
+  EXPECT_NE(catalogue().html.find("<code>--uncertainty</code> and <code>--margin</code> do."),
+            std::string::npos);
+  const Ranked plain({"--catalog", "--objectives", "uniformity,sheaths"});
+  EXPECT_NE(plain.html.find("Among them the product of both means decides."), std::string::npos);
+  EXPECT_NE(plain.html.find("<code>--uncertainty</code> does."), std::string::npos);
+  const Ranked scored(
+      {"--catalog", "--objectives", "uniformity,sheaths", "--score", "uniformity=1"});
+  const std::string answer = scored.html.substr(scored.html.find("id=\"answer\""), 2000);
+  EXPECT_NE(answer.find("comes first, with score "), std::string::npos) << answer;
+  EXPECT_NE(answer.find("within a front by the score, the weighted mean of uniformity_mean=1"),
+            std::string::npos);
+  EXPECT_NE(answer.find("Among them the score decides."), std::string::npos);
+}
+
 }  // namespace
 }  // namespace reeve::testing

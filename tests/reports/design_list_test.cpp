@@ -85,7 +85,7 @@ TEST(DesignTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
   narrow.distribution = RankDistribution{0.25, 4, 1, 9};
   ListedDesign wide = design("TR0");
   wide.distribution = RankDistribution{1, 100, 100, 1000};
-  const std::string table = text(design_table({narrow, wide}));
+  const std::string table = text(design_table({narrow, wide}, {}, authors_score()));
   // The range is the last column, to the right: all lines end at one place, in code points.
   std::vector<std::size_t> widths(1, 0);
   for (const char c : table) {

@@ -1,0 +1,159 @@
+// The sentences below the tables of a diagnosis; tests/golden has no text of one.
+#include "reports/diagnosis/diagnosis_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "causes/library.hpp"
+#include "core/notation.hpp"
+#include "reports/sheet/sheet_text.hpp"
+
+namespace reeve {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+Effect tube_mu(double mu) { return {find_cause("tube_friction"), {}, {mu}}; }
+
+NamedCause other_tubes() {
+  NamedCause cause;
+  cause.effect = tube_mu(0.09);
+  cause.name = "tube_friction";
+  cause.parameters = {{"mu", "1", 0.09, 0.08, 0.1, 0.18, Range{0.05, 0.2}}};
+  return cause;
+}
+
+Loss stretch(const char* high, const char* low, double left) {
+  Loss loss;
+  loss.high = parse_segment(high);
+  loss.low = parse_segment(low);
+  loss.over = {ContactKind::tube};
+  loss.measured = -std::log(left);
+  loss.after = -std::log(0.75);
+  return loss;
+}
+
+// M-1-T-2-F, which the catalogue calls TR1: one stretch stands apart from two others.
+DiagnosisReport report_of_stretches() {
+  DiagnosisReport report;
+  const Routing routing = parse_routing("M-1-T-2-F");
+  report.data.routings = {{"M-1-T-2-F", routing, expand(routing), {}}};
+  report.names = {{"M-1-T-2-F", "TR1"}};
+  report.data.runs = {"Monday", "Tuesday", "Friday"};
+  report.data.channels = {{"T1", parse_segment("T1")}, {"T4", parse_segment("T4")}};
+  report.data.readings.resize(1);
+  report.data.readings[0].line = 9;
+  report.result.losses = {stretch("T1", "T2", 0.5), stretch("T2", "T3", 1.1),
+                          stretch("T3", "T4", 1.3)};
+  report.result.losses[0].stands_apart = true;
+  return report;
+}
+
+void name_tubes(DiagnosisReport& report) {
+  report.result.causes = {other_tubes()};
+  report.result.model.effects = {tube_mu(0.09)};
+}
+
+void fit_without_one(DiagnosisReport& report) {
+  WithoutApart without;
+  without.left_out = {{0, 1, 0, 3.0}};
+  without.model.effects = {tube_mu(0.085)};
+  without.intervals = {{{0.08, 0.09}}};
+  report.result.without_apart = without;
+}
+
+TEST(DiagnosisEvidence, SaysHowMuchIsLeftOverAStretchThatStandsApartAndOverOthers) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  EXPECT_EQ(
+      loss_sentences(report),
+      Sentences{"TR1, T1 to T2: 0.500 of the tension is left, where the extended model has "
+                "0.750 and other stretches over tube read 1.10 to 1.30: this contact, or this "
+                "reading, is not like the others."});
+}
+
+TEST(DiagnosisEvidence, ComparesAStretchWithTheModelAsItStandsWhereNothingExtendsIt) {
+  DiagnosisReport report = report_of_stretches();
+  report.result.losses.resize(1);
+  EXPECT_EQ(loss_sentences(report),
+            Sentences{"TR1, T1 to T2: 0.500 of the tension is left, where the model as it stands "
+                      "has 0.750: this contact, or this reading, is not like the others."});
+}
+
+TEST(DiagnosisEvidence, SaysWhatTheCausesAreWithoutTheReadingsThatStandApart) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  EXPECT_EQ(without_apart_sentences(report), Sentences{});
+  fit_without_one(report);
+  report.result.without_apart->share_error = 0.034;
+  EXPECT_EQ(without_apart_sentences(report),
+            Sentences{"Fitted to all readings but T4 of TR1 (line 9): tube_friction, mu = 0.085 "
+                      "(0.080 to 0.090); the tension distribution is then off by 3.4 % on "
+                      "average."});
+}
+
+TEST(DiagnosisEvidence, SaysNothingOfADistributionThatNoReadingHas) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  fit_without_one(report);
+  EXPECT_EQ(without_apart_sentences(report),
+            Sentences{"Fitted to all readings but T4 of TR1 (line 9): tube_friction, mu = 0.085 "
+                      "(0.080 to 0.090)."});
+  EXPECT_EQ(Json::parse(diagnosis_json(report))["without_apart"]["share_error"], nullptr);
+}
+
+TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  EXPECT_EQ(influence_sentences(report), Sentences{});
+  for (const double mu : {0.095, 0.06, 0.08}) {
+    LeftOutRun run;
+    run.run = report.result.left_out.size();
+    run.model.effects = {tube_mu(mu)};
+    report.result.left_out.push_back(run);
+  }
+  EXPECT_EQ(influence_sentences(report),
+            Sentences{"With any one run left out and the others fitted, mu of tube_friction lies "
+                      "between 0.060 and 0.095; run Tuesday moves it farthest."});
+  // Below the causes, whether any reading has all strands or not.
+  const std::string sheet = text(diagnosis_sheet(report));
+  const std::size_t causes = sheet.find("Causes, each accepted against chance");
+  ASSERT_NE(causes, std::string::npos);
+  EXPECT_LT(sheet.find("With any one run left out", causes), sheet.find("stretch by stretch"));
+}
+
+TEST(DiagnosisEvidence, SaysWherePublishedLinesLoseOtherwiseThanTheirEquations) {
+  DiagnosisReport report = report_of_stretches();
+  report.result.causes = {other_tubes()};
+  report.result.causes[0].name = "sheath_friction";
+  PublishedModel model;
+  model.name = "Fig. 9";
+  model.mu = 0.18;
+  model.error = 0.136;
+  model.equations = 0.081;
+  PublishedLoss other;
+  other.loss = 0;
+  other.printed = 0.57;
+  other.equations = 2.26;
+  other.sheaths = 2;
+  other.sheaths_drawn = 1;
+  PublishedLoss same = other;
+  same.sheaths_drawn = same.sheaths;
+  model.losses = {other, same};
+  report.published = {model};
+  const Sentences sentences = published_sentences(report);
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[0],
+            "The lines that are published (Fig. 9, mu = 0.18) are off by 13.6 % on average, the "
+            "equations with that coefficient by 8.1 %.");
+  EXPECT_EQ(sentences[1],
+            "TR1, T1 to T2, as ln of the ratio: the lines lose 0.57 with 1 of the 2 sheaths that "
+            "the equations have, the equations 2.26, the readings 0.69; 2 sheaths of mu = 0.090 "
+            "add up to 0.180, and 1 of 0.18 to 0.18.");
+}
+
+}  // namespace
+}  // namespace reeve
