@@ -10,10 +10,8 @@ namespace {
 const Noise noise_of_bench{0, bench_deviation_N, NoiseSource::residuals, 10};
 
 std::vector<LeftOutRun> left_out(const MeasuredData& data, const Model& model) {
-  std::vector<std::size_t> readings(data.readings.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) readings[i] = i;
   Workers workers(2);
-  return left_out_runs(data, readings, model, noise_of_bench, workers);
+  return left_out_runs(data, all_readings(data), model, noise_of_bench, workers);
 }
 
 TEST(LeftOutRuns, AreForecastByAFitToTheOthers) {

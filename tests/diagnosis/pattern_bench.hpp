@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,9 +92,7 @@ struct Bench {
       : Bench(plan, [&](std::size_t) { return offset; }) {}
   Bench(const BenchPlan& plan, const OffsetsByRun& offsets)
       : data(read_data(bench_csv(plan, offsets))) {
-    std::vector<std::size_t> readings(data.readings.size());
-    std::iota(readings.begin(), readings.end(), std::size_t{0});
-    dataset = reeve::dataset(data, readings);
+    dataset = all_of(data);
     const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
     problem = reeve::problem(dataset, Eigen::VectorXd::Constant(cells, bench_noise_N));
   }

@@ -41,14 +41,9 @@ struct Handed {
 
   explicit Handed(std::size_t odd_channel) : data(read_data(readings(odd_channel))) {
     add_effect(model, {find_cause("tube_friction"), {}, {0.2}});
-    for (std::size_t i = 0; i < data.readings.size(); ++i) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        const double read = *data.readings[i].tension_N[c];
-        ComparedCell cell;
-        cell.cell = {i, c, *data.routings[0].segments[c], read};
-        cell.after_N = i == 5 && c == odd_channel ? read / factor : read;
-        cells.push_back(cell);
-      }
+    cells = cells_as_measured(data);
+    for (ComparedCell& cell : cells) {
+      if (cell.cell.reading == 5 && cell.cell.channel == odd_channel) cell.after_N /= factor;
     }
     Loss loss;
     loss.grasp = hold({1});

@@ -9,6 +9,7 @@
 #include "catalog/catalogue.hpp"
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/share_error.hpp"
+#include "tests/diagnosis/read_data.hpp"
 
 namespace reeve {
 namespace {
@@ -27,15 +28,7 @@ std::vector<PublishedModel> published(const std::string& rows, const std::string
       above + "run,routing,held,T1_N,T2_N,T3_N,T4_N\n" + rows, "d.csv",
       [](const std::string& name) { return catalogue().find_name(name)->routing; });
   DiagnosisResult result;
-  for (std::size_t i = 0; i < data.readings.size(); ++i) {
-    const Reading& reading = data.readings[i];
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      ComparedCell cell;
-      cell.cell = {i, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]};
-      cell.before_N = cell.after_N = cell.cell.measured_N;
-      result.cells.push_back(cell);
-    }
-  }
+  result.cells = testing::cells_as_measured(data);
   result.share_errors = share_errors(data, result.cells);
   result.losses = losses(data, result.model, result.cells);
   return published_models(catalogue(), data, result);
