@@ -81,6 +81,43 @@ TEST(WithoutApart, LeavesOutTheReadingThatTheModelMeetsLessWell) {
   }
 }
 
+// T2 is off by more, T3 by more of what it should be.
+TEST(WithoutApart, LeavesOutTheEndThatIsFurtherOffInProportion) {
+  Handed handed(2);
+  for (ComparedCell& cell : handed.cells) {
+    if (cell.cell.reading != 5) continue;
+    cell.after_N = cell.cell.measured_N;
+    if (cell.cell.channel == 1) cell.after_N *= 1.2;
+    if (cell.cell.channel == 2) cell.after_N *= 1.3;
+  }
+  const ComparedCell &high = handed.cells[21], &low = handed.cells[22];
+  ASSERT_GT(high.after_N - high.cell.measured_N, low.after_N - low.cell.measured_N);
+  EXPECT_EQ(handed.without(of_residuals)->left_out.at(0).channel, 2U);
+}
+
+TEST(WithoutApart, LeavesAReadingOutOnceHoweverManyStretchesEndAtIt) {
+  Handed handed(2);
+  Loss next = handed.losses[0];
+  next.high = handed.data.channels[2].segment;
+  next.low = handed.data.channels[3].segment;
+  handed.losses.push_back(next);
+  EXPECT_EQ(handed.without(of_residuals)->left_out.size(), 1U);
+}
+
+// The grasp is not all that a stretch is of.
+TEST(WithoutApart, LeavesOutNoReadingOfReleasingOrOfAnotherRouting) {
+  Handed released(2), other(2);
+  released.data.readings[0].grasp = other.data.readings[0].grasp = hold({1});
+  released.data.readings[0].direction = Direction::release;
+  other.data.routings.push_back(other.data.routings[0]);
+  other.data.readings[0].routing = 1;
+  for (const Handed& handed : {released, other}) {
+    const auto found = handed.without(of_residuals);
+    ASSERT_EQ(found->left_out.size(), 1U);
+    EXPECT_EQ(found->left_out[0].reading, 5U);
+  }
+}
+
 // Which the odd reading made; what repeats show, it did not.
 TEST(WithoutApart, EstimatesTheNoiseThatTheModelLeavesAnew) {
   const Handed handed(2);
