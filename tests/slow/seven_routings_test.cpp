@@ -64,8 +64,21 @@ const EstimatedParameter* size_of(const DiagnosisResult& result, const std::stri
   return nullptr;
 }
 
+double width(const EstimatedParameter& parameter) { return parameter.high - parameter.low; }
+
+// The width of ± 2 standard deviations of ln(T2/T3) / (2 · 2 pi) of TR4, had nothing else been
+// read: ln(T2/T3) = 2 phi_s + phi_b.
+double width_alone() {
+  const auto strands = closed_forms(hidden_tube, hidden_sheath)[3].tension;
+  double sum = 0;
+  for (const double tension : strands) sum += tension;
+  const double relative = noise_N / 100 * sum * std::hypot(1 / strands[1], 1 / strands[2]);
+  return 2 * 2 * relative / (4 * std::numbers::pi);
+}
+
 TEST(SevenRoutings, ShowWhicheverFrictionTheyHave) {
   int found = 0, tube_covered = 0, sheath_covered = 0;
+  double sheath_widths = 0;
   DiagnoseOptions options;
   options.replicates = 200;
   for (int i = 0; i < experiments; ++i) {
@@ -77,33 +90,28 @@ TEST(SevenRoutings, ShowWhicheverFrictionTheyHave) {
     ++found;
     tube_covered += tube->low <= hidden_tube && hidden_tube <= tube->high ? 1 : 0;
     sheath_covered += sheath->low <= hidden_sheath && hidden_sheath <= sheath->high ? 1 : 0;
+    sheath_widths += width(*sheath);
   }
   EXPECT_GE(found, 95);
-  // 95 % intervals: what they cover of so many must be possible for 95 %, and nothing be so wide
-  // that it covers always.
+  // 95 % intervals: what they cover of so many must be possible for 95 %.
   for (const int covered : {tube_covered, sheath_covered}) {
     const ConfidenceInterval possible = binomial_interval(static_cast<std::size_t>(covered),
                                                           static_cast<std::size_t>(found), 0.999);
-    EXPECT_LE(possible.low, 0.95) << covered << " of " << found;
     EXPECT_GE(possible.high, 0.95) << covered << " of " << found;
   }
+  // Nor do they cover by being wide.
+  EXPECT_LT(sheath_widths / found, 1.5 * width_alone());
 }
 
 // Of TR4 and TR5 alone, where the tendon passes two sheaths between strands, shares know anything
-// of the sheaths: ln(T2/T3) = 2 phi_s + phi_b. One of them is held out here.
+// of the sheaths. One of them is held out here.
 TEST(SevenRoutings, TellOfTheSheathsAsCloselyAsTwoStrandsBesideThemAreRead) {
   const MeasuredData data = read_data(experiment(7));
   const DiagnosisResult result = diagnose(data, Hardware{}, {});
   const EstimatedParameter* sheath = size_of(result, "sheath_friction");
   ASSERT_NE(sheath, nullptr);
-  const auto strands = closed_forms(hidden_tube, hidden_sheath)[3].tension;
-  double sum = 0;
-  for (const double tension : strands) sum += tension;
-  // ± 2 standard deviations of ln(T2/T3) / (2 · 2 pi), had nothing else been read.
-  const double relative = noise_N / 100 * sum * std::hypot(1 / strands[1], 1 / strands[2]);
-  const double alone = 2 * 2 * relative / (4 * std::numbers::pi);
-  EXPECT_LT(sheath->high - sheath->low, 3 * alone);
-  EXPECT_GT(sheath->high - sheath->low, alone / 3);
+  EXPECT_LT(width(*sheath), 1.5 * width_alone());
+  EXPECT_GT(width(*sheath), width_alone() / 1.5);
 }
 
 }  // namespace

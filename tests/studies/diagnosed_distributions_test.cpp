@@ -73,10 +73,13 @@ TEST(DiagnosedDistributions, HaveTheModelsClosedFormAndTheReadingsShares) {
               std::exp(-(2 * 0.045 * 2 + 0.001) * std::numbers::pi), 1e-9);
   EXPECT_NEAR(tr4.strands[1].model / tr4.strands[0].model, std::exp(-0.05 * std::numbers::pi),
               1e-9);
+  const double read[] = {36.11, 30.84, 18.35, 14.54};  // 99.84 N together
   for (const TensionDistribution& distribution : all->list) {
-    double sum = 0;
-    for (const StrandShare& strand : of(distribution, "TR4").strands) sum += strand.measured->mean;
-    EXPECT_NEAR(sum, 1, 1e-12);
+    const auto& strands = of(distribution, "TR4").strands;
+    ASSERT_EQ(strands.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(strands[i].measured->mean, read[i] / 99.84, 1e-12) << i;
+    }
   }
 }
 
@@ -101,6 +104,18 @@ TEST(DiagnosedDistributions, NameWhatElseIsDiagnosed) {
   ASSERT_TRUE(all);
   EXPECT_TRUE(all->list[0].other_effects.empty());
   EXPECT_EQ(all->list[1].other_effects, std::vector<std::string>{"pretension"});
+}
+
+TEST(DiagnosedDistributions, SayWhetherASensorReadsOtherwise) {
+  DiagnosisResult result = with_friction(0.05, 0.045);
+  const auto plain = diagnosed_distributions(the_seven(), {}, result, {}, the_catalogue());
+  EXPECT_FALSE(plain->list[1].sensors_differ);
+  Subject sensor;
+  sensor.channel = parse_segment("T1");
+  add_effect(result.model, {find_cause("sensor_gain"), sensor, {1.1}});
+  const auto all = diagnosed_distributions(the_seven(), {}, result, {}, the_catalogue());
+  EXPECT_FALSE(all->list[0].sensors_differ);
+  EXPECT_TRUE(all->list[1].sensors_differ);
 }
 
 TEST(DiagnosedDistributions, AreNoneWhereNoReadingHasAllStrands) {

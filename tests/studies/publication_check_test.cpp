@@ -77,7 +77,7 @@ TEST(CheckOfTheArticle, CoversItsThirtyFiveIndicatorsSevenMeansAndSevenSums) {
 
 // Closely, not only within what the readings allow: but for the numbers with a listed fault, and
 // for balances of TR6 and TR7, whose means over trials lie below what the mean readings give.
-TEST(CheckOfTheArticle, FindsItsTableToThreeHundredths) {
+TEST(CheckOfTheArticle, FindsItsTableToFourHundredths) {
   for (const CheckItem& item : shipped().items) {
     if (item.quantity.kind != CheckedKind::indicator) continue;
     const bool below = item.quantity == balance && (item.routing == "TR6" || item.routing == "TR7");
@@ -192,8 +192,10 @@ TEST(CheckOfTheSupplement, FindsItsErrorsInItsLinesAndNotInItsEquations) {
             "3.4 %, and so the 3.4 % are reached with lines that are not those of the equations");
 }
 
-// "rms error" taken by the letter, over the 28 shares, gives neither of the printed numbers.
-TEST(CheckOfTheSupplement, FindsThatTheRootMeanSquareOverAllSharesIsNotWhatIsPrinted) {
+// "rms error" taken by the letter, over the 28 shares, gives neither of the printed numbers: of the
+// tables 7.6 %, of the lines of Fig. 9 (b) 1.8 %. What docs/diagnosis.md says so holds of the
+// readings as printed; the arithmetic is the test's own.
+TEST(PrintedShares, AreOffByTheRootMeanSquareThatTheDocumentsState) {
   const Catalogue catalogue = read_catalogue(shipped_folder);
   const MeasuredData readings = read_measured_data(
       shipped_folder / "measured" / "exo_glove_ii.csv",
