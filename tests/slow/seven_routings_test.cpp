@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -13,6 +12,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "numerics/binomial.hpp"
 #include "tests/diagnosis/read_data.hpp"
+#include "tests/support/closed_forms.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -22,30 +22,12 @@ constexpr double hidden_sheath = 0.03;
 constexpr double noise_N = 0.6;  // as the readings scatter but for the one that stands apart
 constexpr int experiments = 100;
 
-struct Strands {
-  const char* word;
-  std::array<double, 4> tension;
-};
-
-std::array<Strands, 7> closed_forms(double tube, double sheath) {
-  const double t = std::exp(-tube * std::numbers::pi);
-  const double s = std::exp(-2 * 2 * sheath * std::numbers::pi);  // of two sheaths
-  const double b = std::exp(-0.001 * std::numbers::pi);
-  return {{{"M-1-T-2-F", {1, t, t * t, t * t * t}},
-           {"M-1-T-2-M", {1, t, t * t, t}},
-           {"F-1-P-2-F", {t, 1, b, b * t}},
-           {"M-1-P-2-F", {1, t, t * s * b, t * t * s * b}},
-           {"M-1-P-2-M", {1, t, t * s * b, t * t * s * b}},
-           {"1-T-2-P-1", {1, t, t * b, b}},
-           {"1-P-2-P-1", {1, 1, b, b}}}};
-}
-
 std::string experiment(std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0, noise_N);
   std::string text = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
   int run = 0;
-  for (const Strands& strands : closed_forms(hidden_tube, hidden_sheath)) {
+  for (const ClosedForm& strands : closed_forms(hidden_tube, hidden_sheath)) {
     double sum = 0;
     for (const double tension : strands.tension) sum += tension;
     text += fmt::format("{},{},1", ++run, strands.word);

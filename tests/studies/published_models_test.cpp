@@ -7,11 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "catalog/catalogue.hpp"
-#include "core/notation.hpp"
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "tests/diagnosis/read_data.hpp"
+#include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve {
 namespace {
@@ -20,25 +19,15 @@ constexpr double tube = 0.18 * std::numbers::pi;
 constexpr double sheath = 2 * tube;
 constexpr double bearing = 0.001 * std::numbers::pi;
 
-const Catalogue& catalogue() {
-  static const Catalogue shipped = read_catalogue(REEVE_CATALOG_DIR);
-  return shipped;
-}
-
-Routing routing_of(const std::string& name) {
-  const CatalogueEntry* entry = catalogue().find_name(name);
-  return entry != nullptr ? entry->routing : parse_routing(name);
-}
-
 const std::string strands = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
 
 std::vector<PublishedModel> published(const std::string& rows, const std::string& above = strands) {
-  const MeasuredData data = parse_measured_data(above + rows, "d.csv", routing_of);
+  const MeasuredData data = parse_measured_data(above + rows, "d.csv", testing::routing_of);
   DiagnosisResult result;
   result.cells = testing::cells_as_measured(data);
   result.share_errors = share_errors(data, result.cells);
   result.losses = losses(data, result.model, result.cells);
-  return published_models(catalogue(), data, result);
+  return published_models(testing::shipped_catalogue(), data, result);
 }
 
 // The readings of TR4 and TR7, and a mounting of TR4 in a grasp of which nothing is published.
