@@ -3,44 +3,13 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "causes/library.hpp"
-#include "tests/diagnosis/pattern_bench.hpp"
+#include "tests/diagnosis/found_causes.hpp"
 
 namespace reeve::testing {
 namespace {
-
-using Changed = std::function<void(Problem&, const Model&)>;
-using Candidates = std::vector<Candidate>;
-using Causes = std::vector<const MadeUpCause*>;
-
-void unchanged(Problem&, const Model&) {}
-
-CauseSearchResult found(Bench& bench, const Candidates& candidates,
-                        const CauseSearchOptions& options = {}, const Model& nominal = {},
-                        const Changed& changed = unchanged) {
-  Workers workers(1);
-  return *search_causes(bench.problem, nominal, candidates, options, workers, changed,
-                        [] { return false; });
-}
-
-CauseSearchResult found(Bench& bench, const Causes& causes, const CauseSearchOptions& options = {},
-                        const Changed& changed = unchanged) {
-  Candidates candidates;
-  for (const MadeUpCause* cause : causes) candidates.push_back(cause->candidate());
-  return found(bench, candidates, options, {}, changed);
-}
-
-std::vector<std::string> names(const CauseSearchResult& result) {
-  std::vector<std::string> names;
-  for (const AcceptedCause& accepted : result.accepted) names.push_back(name(accepted.effect));
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-using Names = std::vector<std::string>;
 
 TEST(CauseSearch, AcceptsEachCauseThatTheDataHaveAndFitsIt) {
   Bench bench({1, 0.4});
