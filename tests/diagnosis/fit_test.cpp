@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "causes/library.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
