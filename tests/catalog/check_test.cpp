@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "reports/results/check_words.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/edited_catalogue.hpp"
 
 namespace reeve {
 namespace {
 
-using testing::read_text;
 using testing::TemporaryFolder;
 
 const CheckReport& shipped() {
@@ -36,28 +35,12 @@ CheckItem item(const std::string& routing, const std::string& source, const std:
   return *found;
 }
 
-// A copy of the shipped catalogue in which one piece of one file is another.
-class Edited {
- public:
-  Edited(const std::string& file, const std::string& from, const std::string& to) {
-    for (const auto& entry : std::filesystem::directory_iterator(REEVE_CATALOG_DIR)) {
-      if (entry.path().extension() != ".toml") continue;
-      std::string text = read_text(entry.path());
-      if (entry.path().filename() == file) {
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << from;
-        if (at != std::string::npos) text.replace(at, from.size(), to);
-      }
-      folder_.write(entry.path().filename().string(), text);
-    }
-  }
+struct Edited : testing::EditedCatalogue {
+  using EditedCatalogue::EditedCatalogue;
 
-  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-  CheckReport check() const { return reeve::check(read_catalogue(folder_.path())); }
-  std::string without_path(const std::string& text) const { return folder_.without_path(text); }
-
- private:
-  TemporaryFolder folder_;
+  void write(const std::string& name, const std::string& text) const { folder().write(name, text); }
+  CheckReport check() const { return reeve::check(read_catalogue(path())); }
+  std::string without_path(const std::string& text) const { return folder().without_path(text); }
 };
 
 TEST(CheckOfTheShippedCatalogue, LeavesNoNumberUnexplained) {

@@ -3,40 +3,17 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "causes/library.hpp"
-#include "tests/diagnosis/pattern_bench.hpp"
+#include "tests/diagnosis/found_causes.hpp"
 
 namespace reeve::testing {
 namespace {
 
-using Changed = std::function<void(Problem&, const Model&)>;
-using Causes = std::vector<const PatternCause*>;
-
-CauseSearchResult found(
-    Bench& bench, const Causes& causes, const CauseSearchOptions& options = {},
-    const Changed& changed = [](Problem&, const Model&) {}) {
-  std::vector<Candidate> candidates;
-  for (const PatternCause* cause : causes) candidates.push_back(cause->candidate());
-  Workers workers(1);
-  return *search_causes(bench.problem, {}, candidates, options, workers, changed,
-                        [] { return false; });
-}
-
-std::vector<std::string> names(const CauseSearchResult& result) {
-  std::vector<std::string> names;
-  for (const AcceptedCause& accepted : result.accepted) names.push_back(name(accepted.effect));
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-using Names = std::vector<std::string>;
-
 TEST(CauseSearch, AcceptsEachCauseThatTheDataHaveAndFitsIt) {
   Bench bench({1, 0.4});
-  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3});
+  const CauseSearchResult result = found(bench, Causes{&on_T1, &on_T2, &on_T3});
   ASSERT_EQ(names(result), (Names{"on_T1", "on_T2"}));
   EXPECT_EQ(name(result.accepted[0].effect), "on_T1");
   ASSERT_EQ(result.model.effects.size(), 2U);
@@ -61,7 +38,7 @@ TEST(CauseSearch, AcceptsTheFirstCauseAtAlphaAndFurtherOnesAtTheirOwn) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto accepted = [&](const CauseSearchOptions& options) {
       Bench bench(Pattern{}, {5, 6, seed});
-      return found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.size();
+      return found(bench, Causes{&on_T1, &on_T2, &on_T3}, options).accepted.size();
     };
     EXPECT_EQ(accepted(first_only), 1U) << seed;
     EXPECT_EQ(accepted(none), 0U) << seed;
@@ -81,7 +58,7 @@ TEST(CauseSearch, IsAlarmedByNoiseAsOftenAsAlphaSays) {
   for (std::uint64_t seed = 1; seed <= sets; ++seed) {
     Bench bench(Pattern{}, {5, 4, 1000 + seed});
     options.seed = seed;
-    alarms += found(bench, {&on_T1, &on_T2, &on_T3}, options).accepted.empty() ? 0 : 1;
+    alarms += found(bench, Causes{&on_T1, &on_T2, &on_T3}, options).accepted.empty() ? 0 : 1;
   }
   EXPECT_NEAR(alarms, 0.2 * sets, 3 * std::sqrt(0.2 * 0.8 * sets));
 }
@@ -90,22 +67,17 @@ TEST(CauseSearch, IsAlarmedByNoiseAsOftenAsAlphaSays) {
 TEST(CauseSearch, DoesNotAcceptWhatGainsTooLittleOnceItIsFittedInFull) {
   const PatternCause small("small", {1}, {0, 0.002});
   Bench bench({0.3});
-  const CauseSearchResult result = found(bench, {&small});
+  const CauseSearchResult result = found(bench, Causes{&small});
   EXPECT_TRUE(result.accepted.empty());
   EXPECT_TRUE(result.model.effects.empty());
   EXPECT_LT(result.p_value_of_next, 0.01);
 }
 
 // Its first step is a thousandth on T2; on T1 it is its size cubed.
-class Late final : public Cause {
+class Late final : public MadeUpCause {
  public:
-  const char* name() const override { return "late"; }
-  Reach reach() const override { return Reach::reading; }
-  const char* meaning() const override { return ""; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"size", "N", 0, {0, 5}, std::nullopt}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  Late() : MadeUpCause("late", Reach::reading, {0, 5}) {}
+
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     const double x = effect.values[0];
     return tension_N + (segment.number == 1 ? x * x * x : segment.number == 2 ? 1e-3 * x : 0);
@@ -116,15 +88,12 @@ class Late final : public Cause {
 // more than that has no replicates to be compared with.
 TEST(CauseSearch, DoesNotAcceptWhatTheScreeningTakesForChance) {
   const Late late;
-  Workers workers(1);
   std::size_t accepted = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Bench bench({1}, {5, 6, seed});
-    const auto result = search_causes(
-        bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
-        [](Problem&, const Model&) {}, [] { return false; });
-    for (const AcceptedCause& cause : result->accepted) EXPECT_LE(cause.p_value, 0.05) << seed;
-    accepted += result->accepted.size();
+    const CauseSearchResult result = found(bench, Causes{&late});
+    for (const AcceptedCause& cause : result.accepted) EXPECT_LE(cause.p_value, 0.05) << seed;
+    accepted += result.accepted.size();
   }
   EXPECT_LE(accepted, 1U);
 }
@@ -148,17 +117,11 @@ Eigen::Vector4d vector_of(const Pattern& pattern) {
 
 // The same in the hardware: tubes by its size cubed, and at first a thousandth of what tubes and
 // sheaths do where they look least like that.
-class LateFriction final : public Cause {
+class LateFriction final : public MadeUpCause {
  public:
-  explicit LateFriction(double tube_for_sheath) : tube_for_sheath_(tube_for_sheath) {}
+  explicit LateFriction(double tube_for_sheath)
+      : MadeUpCause("late_friction", Reach::hardware, {0, 1}), tube_for_sheath_(tube_for_sheath) {}
 
-  const char* name() const override { return "late_friction"; }
-  Reach reach() const override { return Reach::hardware; }
-  const char* meaning() const override { return ""; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"size", "1", 0, {0, 1}, std::nullopt}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     const double x = effect.values[0];
     hardware.sheath.mu += 1e-3 * x;
@@ -174,13 +137,10 @@ TEST(CauseSearch, AcceptsACoefficientByItsFitInFull) {
   const Eigen::Vector4d seen = vector_of(far);
   const LateFriction late(seen.dot(vector_of(by_friction(0.18, 0.1801))) /
                           seen.dot(vector_of(by_friction(0.1801, 0.18))));
-  Workers workers(1);
   Bench bench(far);
-  const auto result = search_causes(
-      bench.problem, {}, {Candidate{{&late, {}, {0}}, late.parameters({}), "late"}}, {}, workers,
-      [](Problem&, const Model&) {}, [] { return false; });
-  ASSERT_EQ(result->accepted.size(), 1U);
-  EXPECT_NEAR(std::pow(result->model.effects[0].values[0], 3), 0.12, 0.01);
+  const CauseSearchResult result = found(bench, Causes{&late});
+  ASSERT_EQ(result.accepted.size(), 1U);
+  EXPECT_NEAR(std::pow(result.model.effects[0].values[0], 3), 0.12, 0.01);
 }
 
 Candidate coefficient(const char* name, const Hardware& hardware) {
@@ -194,16 +154,13 @@ std::vector<std::string> beside_coefficients(Bench& bench, const PatternCause& o
                                              std::size_t most, const Hardware& hardware = {}) {
   Model nominal;
   nominal.hardware = hardware;
-  std::vector<Candidate> candidates{other.candidate()};
+  Candidates candidates{other.candidate()};
   for (const char* name : {"tube_friction", "sheath_friction", "bearing_friction"}) {
     candidates.push_back(coefficient(name, hardware));
   }
   CauseSearchOptions options;
   options.most_causes = most;
-  Workers workers(1);
-  return names(*search_causes(
-      bench.problem, nominal, candidates, options, workers, [](Problem&, const Model&) {},
-      [] { return false; }));
+  return names(found(bench, candidates, options, nominal));
 }
 
 const Pattern smooth = by_friction(0.16, 0.17);
@@ -255,13 +212,9 @@ TEST(CauseSearch, LeavesACoefficientItsPlaceIfTheDataDoNotTellItFromAnother) {
     Pattern offset = by_friction(0.12, 0.18);
     offset[0] += 1;
     Bench bench(offset, {5, 6, seed});
-    Workers workers(1);
-    const std::vector<Candidate> candidates{on_T1.candidate(), like_tube.candidate(),
-                                            coefficient("tube_friction", {})};
-    const auto result = search_causes(
-        bench.problem, {}, candidates, {}, workers, [](Problem&, const Model&) {},
-        [] { return false; });
-    EXPECT_EQ(names(*result), (Names{"on_T1", "tube_friction"})) << seed;
+    const Candidates candidates{on_T1.candidate(), like_tube.candidate(),
+                                coefficient("tube_friction", {})};
+    EXPECT_EQ(names(found(bench, candidates)), (Names{"on_T1", "tube_friction"})) << seed;
   }
 }
 
@@ -272,10 +225,10 @@ TEST(CauseSearch, GivesAPlaceToWhatExplainsMoreBesideTheOthers) {
   Bench alone({1, 1});
   CauseSearchOptions options;
   options.most_causes = 1;
-  EXPECT_EQ(names(found(alone, {&all, &on_T1, &on_T2}, options)), Names{"all"});
+  EXPECT_EQ(names(found(alone, Causes{&all, &on_T1, &on_T2}, options)), Names{"all"});
   Bench bench({1, 1});
   options.most_causes = 2;
-  EXPECT_EQ(names(found(bench, {&all, &on_T1, &on_T2}, options)), (Names{"on_T1", "on_T2"}));
+  EXPECT_EQ(names(found(bench, Causes{&all, &on_T1, &on_T2}, options)), (Names{"on_T1", "on_T2"}));
 }
 
 // Once the second cause is known, T1 turns out to scatter by 1.5 N: an offset of 0.3 N is nothing.
@@ -288,7 +241,7 @@ TEST(CauseSearch, DropsACauseThatNoLongerGainsEnough) {
         problem.deviation_N[static_cast<Eigen::Index>(i)] = 1.5;
     }
   };
-  const CauseSearchResult result = found(bench, {&on_T1, &on_T2}, {}, scatter);
+  const CauseSearchResult result = found(bench, Causes{&on_T1, &on_T2}, {}, scatter);
   EXPECT_EQ(names(result), Names{"on_T2"});
   EXPECT_EQ(result.model.effects.size(), 1U);
 }
@@ -299,29 +252,29 @@ const PatternCause three_at_once("x", {2, 1, -0.8});
 
 TEST(CauseSearch, PrefersTwoCausesThatExplainWhatThreeDo) {
   Bench bench({2, 1, 0.8});
-  const CauseSearchResult result = found(bench, {&on_T1, &on_T2, &on_T3, &three_at_once});
+  const CauseSearchResult result = found(bench, Causes{&on_T1, &on_T2, &on_T3, &three_at_once});
   EXPECT_EQ(names(result), (Names{"on_T3", "x"}));
   EXPECT_EQ(result.model.effects.size(), 2U);
 }
 
 TEST(CauseSearch, KeepsThreeCausesWhereNoTwoExplainAsMuch) {
   Bench bench({2, 1.5, 0.8});
-  EXPECT_EQ(found(bench, {&on_T1, &on_T2, &on_T3, &three_at_once}).accepted.size(), 3U);
+  EXPECT_EQ(found(bench, Causes{&on_T1, &on_T2, &on_T3, &three_at_once}).accepted.size(), 3U);
 }
 
 TEST(CauseSearch, AcceptsNoMoreCausesThanItMay) {
   Bench bench({2, 1.5, 0.8});
   CauseSearchOptions options;
   options.most_causes = 2;
-  EXPECT_EQ(names(found(bench, {&on_T1, &on_T2, &on_T3}, options)), (Names{"on_T1", "on_T2"}));
+  EXPECT_EQ(names(found(bench, Causes{&on_T1, &on_T2, &on_T3}, options)),
+            (Names{"on_T1", "on_T2"}));
 }
 
 TEST(CauseSearch, GivesNothingOnceItIsStopped) {
   Bench bench({1});
   Workers workers(1);
-  const auto result = search_causes(
-      bench.problem, {}, {on_T1.candidate()}, {}, workers, [](Problem&, const Model&) {},
-      [] { return true; });
+  const auto result = search_causes(bench.problem, {}, {on_T1.candidate()}, {}, workers, unchanged,
+                                    [] { return true; });
   EXPECT_FALSE(result.has_value());
 }
 

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "diagnosis/data/hold_out.hpp"
 #include "diagnosis/model/left_noise.hpp"
@@ -29,17 +27,25 @@ DiagnoseOptions quick(double alpha) {
 
 constexpr int alarm_sets = 60;
 
+// Of sets that differ by their noise alone.
+std::vector<DiagnosisResult> of_alarm_sets(std::size_t most_causes, const Pattern& offset) {
+  DiagnoseOptions options = quick(0.5);
+  options.most_causes = most_causes;
+  options.hold_out = 0;
+  std::vector<DiagnosisResult> results;
+  for (std::uint64_t seed = 1; seed <= alarm_sets; ++seed) {
+    options.seed = seed;
+    results.push_back(
+        diagnosed(bench_csv({6, 4, seed}, [&](std::size_t) { return offset; }), options));
+  }
+  return results;
+}
+
 // Of noise alone a quarter of alpha of the data sets is said to be unexplained: here 7.5 of 60, and
 // with a probability below 1 in 1000 more than 16. At alpha itself it would be 30.
 TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
   int alarms = 0;
-  DiagnoseOptions options = quick(0.5);
-  options.most_causes = 0;
-  options.hold_out = 0;
-  for (std::uint64_t seed = 1; seed <= alarm_sets; ++seed) {
-    options.seed = seed;
-    const DiagnosisResult result =
-        diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{}; }), options);
+  for (const DiagnosisResult& result : of_alarm_sets(0, {})) {
     EXPECT_EQ(result.unexplained.has_value(), result.structure_p_value < 0.125);
     EXPECT_EQ(result.verdict, result.unexplained ? Verdict::unexplained : Verdict::none);
     alarms += result.unexplained ? 1 : 0;
@@ -53,13 +59,7 @@ TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
 TEST(Diagnose, GivesASecondNameAtHalfOfAlpha) {
   int alarms = 0;
   double highest = 0;
-  DiagnoseOptions options = quick(0.5);
-  options.most_causes = 2;
-  options.hold_out = 0;
-  for (std::uint64_t seed = 1; seed <= alarm_sets; ++seed) {
-    options.seed = seed;
-    const DiagnosisResult result =
-        diagnosed(bench_csv({6, 4, seed}, [](std::size_t) { return Pattern{2}; }), options);
+  for (const DiagnosisResult& result : of_alarm_sets(2, {2})) {
     ASSERT_FALSE(result.causes.empty());
     if (result.causes.size() < 2) continue;
     ++alarms;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "causes/library.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
@@ -12,15 +11,10 @@ namespace reeve::testing {
 namespace {
 
 // Reads x more on T1 for positive x, but never more than 1 N; for negative x, -x.
-class TwoValleys final : public Cause {
+class TwoValleys final : public MadeUpCause {
  public:
-  const char* name() const override { return "two_valleys"; }
-  Reach reach() const override { return Reach::reading; }
-  const char* meaning() const override { return ""; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"x", "N", 0, {-5, 5}, std::nullopt}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  TwoValleys() : MadeUpCause("two_valleys", Reach::reading, {-5, 5}) {}
+
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     if (segment.number != 1) return tension_N;
     const double x = effect.values[0];

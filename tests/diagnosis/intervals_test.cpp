@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "diagnosis/model/fit.hpp"
@@ -159,9 +158,7 @@ TEST(ParameterIntervals, OfWhatTwoRunsTellTakeTheScatterOfAllParameters) {
   for (Reading& reading : bench.data.readings) {
     if (reading.run > 1) reading.tension_N[1].reset();
   }
-  std::vector<std::size_t> all(bench.data.readings.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  bench.dataset = dataset(bench.data, all);
+  bench.dataset = all_of(bench.data);
   bench.problem = problem(
       bench.dataset, Eigen::VectorXd::Constant(
                          static_cast<Eigen::Index>(bench.dataset.cells.size()), bench_noise_N));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/diagnosis/gain_bench.hpp"
 
 namespace reeve::testing {
@@ -9,11 +11,10 @@ namespace {
 
 const Noise noise_of_bench{0, bench_deviation_N, NoiseSource::residuals, 10};
 
-std::vector<LeftOutRun> left_out(const MeasuredData& data, const Model& model) {
-  std::vector<std::size_t> readings(data.readings.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) readings[i] = i;
+std::vector<LeftOutRun> left_out(const MeasuredData& data, const Model& model,
+                                 const Noise& noise = noise_of_bench) {
   Workers workers(2);
-  return left_out_runs(data, readings, model, noise_of_bench, workers);
+  return left_out_runs(data, all_readings(data), model, noise, workers);
 }
 
 TEST(LeftOutRuns, AreForecastByAFitToTheOthers) {
@@ -33,6 +34,45 @@ TEST(LeftOutRuns, AreForecastByAFitToTheOthers) {
     }
   }
   EXPECT_EQ(next, readings.size());
+}
+
+// g = sum(w T_M T1) / sum(w T_M^2), with the weights of readings that scatter by 0.1 N and 5 % of
+// what is forecast.
+TEST(LeftOutRuns, AreForecastByAFitThatWeighsByTheNoise) {
+  const std::vector<BenchReading> readings{{"a", 2, 2.5}, {"b", 20, 21}, {"c", 5, 5.8}};
+  constexpr double gain = 1.1;
+  const Noise noise{0.05, bench_deviation_N, NoiseSource::residuals, 10};
+  const auto runs = left_out(bench_data(readings), with_gain(gain), noise);
+  ASSERT_EQ(runs.size(), 3U);
+  for (std::size_t left = 0; left < 3; ++left) {
+    double along = 0, square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i == left) continue;
+      const BenchReading& reading = readings[i];
+      const double deviation = std::hypot(bench_deviation_N, 0.05 * gain * reading.motor_tension_N);
+      along += reading.motor_tension_N * reading.reading_N / std::pow(deviation, 2);
+      square += std::pow(reading.motor_tension_N / deviation, 2);
+    }
+    EXPECT_NEAR(runs[left].model.effects.front().values.front(), along / square, 1e-4) << left;
+  }
+}
+
+// T1 = T_M e^(-mu angle): the first three runs say that mu is 0.3, by which the exponent of the
+// fourth would be 12, and no contact has more than 10.
+TEST(LeftOutRuns, HaveNoForecastWhereTheOthersModelHasNoTensions) {
+  const double three_tenths = 10 * std::exp(-0.3 * 5);
+  std::string text = "run,routing,motor_tension_N,sheath_angle_rad,T1_N\n";
+  for (const char* run : {"a", "b", "c"})
+    text += fmt::format("{},M-1-F,10,5,{}\n", run, three_tenths);
+  const MeasuredData data = read_data(text + "d,M-1-F,10,40,0.5\n");
+  Model model = bench_model();
+  add_effect(model, {find_cause("sheath_friction"), {}, {0.1}});
+  const auto runs = left_out(data, model);
+  ASSERT_EQ(runs.size(), 4U);
+  EXPECT_EQ(runs[0].forecast_N.size(), 1U);
+  EXPECT_NEAR(runs[3].model.effects.front().values.front(), 0.3, 1e-4);
+  EXPECT_TRUE(runs[3].cells.empty());
+  EXPECT_TRUE(runs[3].forecast_N.empty());
 }
 
 TEST(LeftOutRuns, SayNothingOfAParameterThatOnlyTheRunLeftOutKnows) {

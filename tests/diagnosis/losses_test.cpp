@@ -20,18 +20,10 @@ constexpr double bearing = 0.001 * std::numbers::pi;
 
 // Forecasts as measured, but for a loss that the model thinks twice as large.
 std::vector<ComparedCell> compared(const MeasuredData& data) {
-  std::vector<ComparedCell> cells;
-  for (std::size_t i = 0; i < data.readings.size(); ++i) {
-    const Reading& reading = data.readings[i];
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      if (!reading.tension_N[c]) continue;
-      ComparedCell cell;
-      cell.cell = {i, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]};
-      cell.before_N = std::pow(cell.cell.measured_N, 2);
-      cell.after_N = cell.cell.measured_N;
-      cell.deviation_N = 0.01 * cell.cell.measured_N;
-      cells.push_back(cell);
-    }
+  std::vector<ComparedCell> cells = cells_as_measured(data);
+  for (ComparedCell& cell : cells) {
+    cell.before_N = std::pow(cell.cell.measured_N, 2);
+    cell.deviation_N = 0.01 * cell.cell.measured_N;
   }
   return cells;
 }

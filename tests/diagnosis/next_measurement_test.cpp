@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "causes/library.hpp"
 #include "tests/diagnosis/read_data.hpp"
@@ -78,9 +77,7 @@ TEST(SeparatingMeasurement, AsksForNoReadingFarBeyondWhatTheRigHasShown) {
 
 TEST(ShrinkingMeasurement, IsExpectedToNarrowWhatItSaysItNarrows) {
   const MeasuredData data = read_data(few_conditions);
-  std::vector<std::size_t> readings(data.readings.size());
-  std::iota(readings.begin(), readings.end(), std::size_t{0});
-  const Dataset dataset = reeve::dataset(data, readings);
+  const Dataset dataset = all_of(data);
   const Problem problem = reeve::problem(dataset, Eigen::VectorXd::Constant(6, 0.1));
   const auto measurement =
       shrinking_measurement(plan(data), problem, with("tube_friction", {0.15}), 0);

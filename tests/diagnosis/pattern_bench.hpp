@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,24 +20,38 @@ namespace reeve::testing {
 // N on T1, T2, …
 using Pattern = std::vector<double>;
 
-class PatternCause final : public Cause {
+// Of one size in a range, nominally 0, and on nothing in particular.
+class MadeUpCause : public Cause {
  public:
-  PatternCause(const char* name, Pattern pattern, Range range = {-20, 20})
-      : name_(name), pattern_(std::move(pattern)), range_(range) {}
+  MadeUpCause(const char* name, Reach reach, Range range)
+      : name_(name), reach_(reach), range_(range) {}
 
   const char* name() const override { return name_; }
-  Reach reach() const override { return Reach::reading; }
+  Reach reach() const override { return reach_; }
   const char* meaning() const override { return name_; }
   std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"size", "N", 0, range_, std::nullopt}};
+    return {{"size", "", 0, range_, std::nullopt}};
   }
   std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+
+  Candidate candidate() const { return {{this, {}, {0}}, parameters({}), name_}; }
+
+ private:
+  const char* name_;
+  Reach reach_;
+  Range range_;
+};
+
+class PatternCause final : public MadeUpCause {
+ public:
+  PatternCause(const char* name, Pattern pattern, Range range = {-20, 20})
+      : MadeUpCause(name, Reach::reading, range), pattern_(std::move(pattern)) {}
+
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     const auto strand = static_cast<std::size_t>(segment.number) - 1;
     return tension_N + (strand < pattern_.size() ? effect.values[0] * pattern_[strand] : 0);
   }
 
-  Candidate candidate() const { return {{this, {}, {0}}, parameters({}), name_}; }
   Model model(double size) const {
     Model model;
     add_effect(model, {this, {}, {size}});
@@ -46,9 +59,7 @@ class PatternCause final : public Cause {
   }
 
  private:
-  const char* name_;
   Pattern pattern_;
-  Range range_;
 };
 
 inline constexpr double bench_noise_N = 0.05;
@@ -93,9 +104,7 @@ struct Bench {
       : Bench(plan, [&](std::size_t) { return offset; }) {}
   Bench(const BenchPlan& plan, const OffsetsByRun& offsets)
       : data(read_data(bench_csv(plan, offsets))) {
-    std::vector<std::size_t> readings(data.readings.size());
-    std::iota(readings.begin(), readings.end(), std::size_t{0});
-    dataset = reeve::dataset(data, readings);
+    dataset = all_of(data);
     const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
     problem = reeve::problem(dataset, Eigen::VectorXd::Constant(cells, bench_noise_N));
   }

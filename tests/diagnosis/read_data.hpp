@@ -8,6 +8,7 @@
 #include "core/notation.hpp"
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/data/measured_data.hpp"
+#include "diagnosis/verdict/compared_cell.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
@@ -20,10 +21,24 @@ inline MeasuredData read_data(const std::string& text) {
   });
 }
 
-inline Dataset all_of(const MeasuredData& data) {
+inline std::vector<std::size_t> all_readings(const MeasuredData& data) {
   std::vector<std::size_t> readings(data.readings.size());
   std::iota(readings.begin(), readings.end(), std::size_t{0});
-  return dataset(data, readings);
+  return readings;
+}
+
+inline Dataset all_of(const MeasuredData& data) { return dataset(data, all_readings(data)); }
+
+// Every tension beside forecasts that are just so.
+inline std::vector<ComparedCell> cells_as_measured(const MeasuredData& data) {
+  std::vector<ComparedCell> cells;
+  for (const Cell& cell : all_of(data).cells) {
+    ComparedCell compared;
+    compared.cell = cell;
+    compared.before_N = compared.after_N = cell.measured_N;
+    cells.push_back(compared);
+  }
+  return cells;
 }
 
 inline std::string data_error(const std::string& text) {

@@ -14,7 +14,6 @@
 namespace reeve::testing {
 namespace {
 
-const std::vector<std::string> routings{"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"};
 constexpr AddedNoise no_noise{0, 0};
 
 Model model_with(const ExperimentPlan& plan, const std::vector<NamedEffect>& causes) {

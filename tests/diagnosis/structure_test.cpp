@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <numeric>
 
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_data.hpp"
@@ -53,13 +52,6 @@ struct Setting {
                   extra(cell, data.readings[cell.reading]);
     }
     return result;
-  }
-
- private:
-  static Dataset all_of(const MeasuredData& data) {
-    std::vector<std::size_t> readings(data.readings.size());
-    std::iota(readings.begin(), readings.end(), std::size_t{0});
-    return reeve::dataset(data, readings);
   }
 };
 

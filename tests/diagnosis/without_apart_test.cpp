@@ -41,14 +41,9 @@ struct Handed {
 
   explicit Handed(std::size_t odd_channel) : data(read_data(readings(odd_channel))) {
     add_effect(model, {find_cause("tube_friction"), {}, {0.2}});
-    for (std::size_t i = 0; i < data.readings.size(); ++i) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        const double read = *data.readings[i].tension_N[c];
-        ComparedCell cell;
-        cell.cell = {i, c, *data.routings[0].segments[c], read};
-        cell.after_N = i == 5 && c == odd_channel ? read / factor : read;
-        cells.push_back(cell);
-      }
+    cells = cells_as_measured(data);
+    for (ComparedCell& cell : cells) {
+      if (cell.cell.reading == 5 && cell.cell.channel == odd_channel) cell.after_N /= factor;
     }
     Loss loss;
     loss.grasp = hold({1});
@@ -83,6 +78,43 @@ TEST(WithoutApart, LeavesOutTheReadingThatTheModelMeetsLessWell) {
     EXPECT_EQ(found->left_out[0].reading, 5U);
     EXPECT_EQ(found->left_out[0].channel, odd);
     EXPECT_NEAR(found->model.effects.at(0).values.at(0), Hardware{}.tube.mu, 1e-6);
+  }
+}
+
+// T2 is off by more, T3 by more of what it should be.
+TEST(WithoutApart, LeavesOutTheEndThatIsFurtherOffInProportion) {
+  Handed handed(2);
+  for (ComparedCell& cell : handed.cells) {
+    if (cell.cell.reading != 5) continue;
+    cell.after_N = cell.cell.measured_N;
+    if (cell.cell.channel == 1) cell.after_N *= 1.2;
+    if (cell.cell.channel == 2) cell.after_N *= 1.3;
+  }
+  const ComparedCell &high = handed.cells[21], &low = handed.cells[22];
+  ASSERT_GT(high.after_N - high.cell.measured_N, low.after_N - low.cell.measured_N);
+  EXPECT_EQ(handed.without(of_residuals)->left_out.at(0).channel, 2U);
+}
+
+TEST(WithoutApart, LeavesAReadingOutOnceHoweverManyStretchesEndAtIt) {
+  Handed handed(2);
+  Loss next = handed.losses[0];
+  next.high = handed.data.channels[2].segment;
+  next.low = handed.data.channels[3].segment;
+  handed.losses.push_back(next);
+  EXPECT_EQ(handed.without(of_residuals)->left_out.size(), 1U);
+}
+
+// The grasp is not all that a stretch is of.
+TEST(WithoutApart, LeavesOutNoReadingOfReleasingOrOfAnotherRouting) {
+  Handed released(2), other(2);
+  released.data.readings[0].grasp = other.data.readings[0].grasp = hold({1});
+  released.data.readings[0].direction = Direction::release;
+  other.data.routings.push_back(other.data.routings[0]);
+  other.data.readings[0].routing = 1;
+  for (const Handed& handed : {released, other}) {
+    const auto found = handed.without(of_residuals);
+    ASSERT_EQ(found->left_out.size(), 1U);
+    EXPECT_EQ(found->left_out[0].reading, 5U);
   }
 }
 

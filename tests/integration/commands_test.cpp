@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/svg.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -63,9 +64,9 @@ TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
     arguments.insert(arguments.end(), {"--model", example_model});
     const ProcessResult result = reeve(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(occurrences(result.out, "Model with tube_friction (mu 0.09), "), 1U);
-    EXPECT_EQ(occurrences(result.out, "Left out, "), 1U);
-    EXPECT_EQ(occurrences(result.out, "sensor_gain[T3] (gain 1.08)"), 1U);
+    EXPECT_EQ(count(result.out, "Model with tube_friction (mu 0.09), "), 1U);
+    EXPECT_EQ(count(result.out, "Left out, "), 1U);
+    EXPECT_EQ(count(result.out, "sensor_gain[T3] (gain 1.08)"), 1U);
   }
   const Explored explored({"--model", example_model});
   EXPECT_EQ(explored.result.exit_code, 0);

@@ -129,9 +129,6 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
   const std::string readings = std::string(REEVE_SOURCE_DIR) + "/catalog/measured/exo_glove_ii.csv";
   EXPECT_TRUE(written({"diagnose", readings, "--out", out}, "out/figures/figure-9.svg") ==
               in_documents("seven-routings.svg"));
-  const std::string sheet = (folder.path() / "schematics.svg").string();
-  reeve({"check", "--svg", sheet});
-  EXPECT_TRUE(read_text(sheet) == in_documents("schematics.svg"));
 }
 
 }  // namespace

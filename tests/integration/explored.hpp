@@ -48,14 +48,6 @@ struct Explored {
   }
 };
 
-inline std::size_t occurrences(const std::string& text, const std::string& piece) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++count;
-  }
-  return count;
-}
-
 // The third column of each line after the header. Names with commas are none of ours.
 inline std::vector<std::string> words(const std::string& csv) {
   std::vector<std::string> result;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/svg.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -42,14 +43,14 @@ TEST(Formats, HaveTheSameTablesInMarkdownAndLatex) {
     SCOPED_TRACE(arguments[0]);
     const std::string markdown = output(arguments, "markdown");
     const std::string latex = output(arguments, "latex");
-    EXPECT_EQ(occurrences(markdown, "\n| --") + markdown.starts_with("| --"), tables);
-    EXPECT_EQ(occurrences(latex, "\\begin{tabular}{"), tables);
-    EXPECT_EQ(occurrences(latex, "\\end{tabular}\n"), tables);
+    EXPECT_EQ(count(markdown, "\n| --") + markdown.starts_with("| --"), tables);
+    EXPECT_EQ(count(latex, "\\begin{tabular}{"), tables);
+    EXPECT_EQ(count(latex, "\\end{tabular}\n"), tables);
     for (const char* rule : {"\\toprule\n", "\\midrule\n", "\\bottomrule\n"}) {
-      EXPECT_EQ(occurrences(latex, rule), tables);
+      EXPECT_EQ(count(latex, rule), tables);
     }
     // One line for each row, under one for the headings and in Markdown one for the rule.
-    EXPECT_EQ(occurrences(latex, " \\\\\n"), occurrences("\n" + markdown, "\n| ") - tables);
+    EXPECT_EQ(count(latex, " \\\\\n"), count("\n" + markdown, "\n| ") - tables);
     EXPECT_TRUE(latex.starts_with("% ") && latex.find("booktabs") < latex.find('\n'));
   }
 }

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
-#include "tests/search/published_words.hpp"
+#include "tests/support/published_words.hpp"
 
 namespace reeve {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/ranking.hpp"
-#include "tests/search/published_words.hpp"
+#include "tests/support/published_words.hpp"
 
 namespace reeve {
 namespace {

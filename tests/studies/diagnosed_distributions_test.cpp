@@ -5,25 +5,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "catalog/names.hpp"
 #include "causes/library.hpp"
 #include "tests/diagnosis/read_data.hpp"
+#include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve {
 namespace {
 
 using testing::read_data;
-
-const Catalogue& the_catalogue() {
-  static const Catalogue read = read_catalogue(REEVE_CATALOG_DIR);
-  return read;
-}
-
-MeasuredData the_seven() {
-  return read_measured_data(
-      std::string(REEVE_CATALOG_DIR) + "/measured/exo_glove_ii.csv",
-      [](const std::string& name) { return the_catalogue().find_name(name)->routing; });
-}
+using testing::shipped_catalogue;
+using testing::the_seven;
 
 DiagnosisResult with_friction(double tube, double sheath) {
   DiagnosisResult result;
@@ -49,7 +40,7 @@ const RoutingShares& of(const TensionDistribution& distribution, const std::stri
 // from them by hand.
 TEST(DiagnosedDistributions, AreThePublishedCasesAndThatOfTheDiagnosis) {
   const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
-                                           published_with({0.18, 0.09}), the_catalogue());
+                                           published_with({0.18, 0.09}), shipped_catalogue());
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.size(), 3U);
   EXPECT_EQ(all->list[0].kind, FrictionKind::coefficient);
@@ -67,29 +58,32 @@ TEST(DiagnosedDistributions, AreThePublishedCasesAndThatOfTheDiagnosis) {
 
 TEST(DiagnosedDistributions, HaveTheModelsClosedFormAndTheReadingsShares) {
   const auto all = diagnosed_distributions(the_seven(), {}, with_friction(0.05, 0.045),
-                                           published_with({0.18, 0.09}), the_catalogue());
+                                           published_with({0.18, 0.09}), shipped_catalogue());
   const RoutingShares& tr4 = of(all->list[2], "TR4");
   EXPECT_NEAR(tr4.strands[2].model / tr4.strands[1].model,
               std::exp(-(2 * 0.045 * 2 + 0.001) * std::numbers::pi), 1e-9);
   EXPECT_NEAR(tr4.strands[1].model / tr4.strands[0].model, std::exp(-0.05 * std::numbers::pi),
               1e-9);
+  const double read[] = {36.11, 30.84, 18.35, 14.54};  // 99.84 N together
   for (const TensionDistribution& distribution : all->list) {
-    double sum = 0;
-    for (const StrandShare& strand : of(distribution, "TR4").strands) sum += strand.measured->mean;
-    EXPECT_NEAR(sum, 1, 1e-12);
+    const auto& strands = of(distribution, "TR4").strands;
+    ASSERT_EQ(strands.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(strands[i].measured->mean, read[i] / 99.84, 1e-12) << i;
+    }
   }
 }
 
 TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
   const MeasuredData data =
       read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-M,none,4,3,2,1\n");
-  const auto plain = diagnosed_distributions(data, {}, {}, {}, the_catalogue());
+  const auto plain = diagnosed_distributions(data, {}, {}, {}, shipped_catalogue());
   ASSERT_TRUE(plain);
   ASSERT_EQ(plain->list.size(), 1U);
   EXPECT_EQ(plain->list[0].kind, FrictionKind::model);
   EXPECT_EQ(plain->list[0].grasp, Grasp{});
   const auto both =
-      diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, the_catalogue());
+      diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, shipped_catalogue());
   ASSERT_EQ(both->list.size(), 2U);
   EXPECT_EQ(both->list[1].kind, FrictionKind::diagnosed);
 }
@@ -97,23 +91,36 @@ TEST(DiagnosedDistributions, BeginWithTheModelAsItStandsWhereItIsNotPublished) {
 TEST(DiagnosedDistributions, NameWhatElseIsDiagnosed) {
   DiagnosisResult result = with_friction(0.05, 0.045);
   add_effect(result.model, {find_cause("pretension"), {}, {2}});
-  const auto all = diagnosed_distributions(the_seven(), {}, result, {}, the_catalogue());
+  const auto all = diagnosed_distributions(the_seven(), {}, result, {}, shipped_catalogue());
   ASSERT_TRUE(all);
   EXPECT_TRUE(all->list[0].other_effects.empty());
   EXPECT_EQ(all->list[1].other_effects, std::vector<std::string>{"pretension"});
 }
 
+TEST(DiagnosedDistributions, SayWhetherASensorReadsOtherwise) {
+  DiagnosisResult result = with_friction(0.05, 0.045);
+  const auto plain = diagnosed_distributions(the_seven(), {}, result, {}, shipped_catalogue());
+  EXPECT_FALSE(plain->list[1].sensors_differ);
+  Subject sensor;
+  sensor.channel = parse_segment("T1");
+  add_effect(result.model, {find_cause("sensor_gain"), sensor, {1.1}});
+  const auto all = diagnosed_distributions(the_seven(), {}, result, {}, shipped_catalogue());
+  EXPECT_FALSE(all->list[0].sensors_differ);
+  EXPECT_TRUE(all->list[1].sensors_differ);
+}
+
 TEST(DiagnosedDistributions, AreNoneWhereNoReadingHasAllStrands) {
   const MeasuredData data =
       read_data("run,routing,held,T1_N,T2_N\n1,M-1-T-2-M,none,4,3\n1,TR5,none,4,3\n");
-  EXPECT_FALSE(diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, the_catalogue()));
+  EXPECT_FALSE(
+      diagnosed_distributions(data, {}, with_friction(0.05, 0.045), {}, shipped_catalogue()));
 }
 
 TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
   const MeasuredData data = read_data(
       "run,routing,held,T1_N,T2_N,T3_N,T4_N,T5_N,T6_N\n"
       "1,M-1-T-2-M,none,4,3,2,1,,\n1,M-1-P-2-P-3-M,none,4,3,2,1,1,1\n");
-  const auto all = diagnosed_distributions(data, {}, {}, {}, the_catalogue());
+  const auto all = diagnosed_distributions(data, {}, {}, {}, shipped_catalogue());
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.front().routings.size(), 1U);
   EXPECT_EQ(all->list.front().routings.front().word, "M-1-T-2-M");

@@ -2,51 +2,34 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-#include "catalog/solution.hpp"
 #include "reports/results/check_words.hpp"
 #include "studies/check.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/studies/shipped_catalogue.hpp"
+#include "tests/support/closed_forms.hpp"
+#include "tests/support/edited_catalogue.hpp"
 
 namespace reeve {
 namespace {
 
-using testing::read_text;
-using testing::TemporaryFolder;
+using testing::shipped_catalogue;
+using testing::shipped_folder;
 
-const std::filesystem::path shipped_folder = REEVE_CATALOG_DIR;
-
-// A copy of the catalogue's folder in which one piece of one file is another.
-class Edited {
- public:
-  explicit Edited(const std::string& file = "", const std::string& from = "",
-                  const std::string& to = "") {
-    std::filesystem::copy(shipped_folder, folder_.path(), std::filesystem::copy_options::recursive);
-    if (file.empty()) return;
-    std::string text = read_text(folder_.path() / file);
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    if (at != std::string::npos) text.replace(at, from.size(), to);
-    folder_.write(file, text);
-  }
+struct Edited : testing::EditedCatalogue {
+  using EditedCatalogue::EditedCatalogue;
 
   CheckReport check() const {
-    return check_all(read_catalogue(folder_.path()), CatalogueFiles::in(folder_.path()));
+    return check_all(read_catalogue(path()), CatalogueFiles::in(path()));
   }
   std::string error() const {
-    return folder_.error_of([&] { check(); });
+    return folder().error_of([&] { check(); });
   }
-
- private:
-  TemporaryFolder folder_;
 };
 
 const CheckReport& shipped() {
   static const CheckReport report =
-      check_all(read_catalogue(shipped_folder), CatalogueFiles::in(shipped_folder));
+      check_all(shipped_catalogue(), CatalogueFiles::in(shipped_folder));
   return report;
 }
 
@@ -77,7 +60,7 @@ TEST(CheckOfTheArticle, CoversItsThirtyFiveIndicatorsSevenMeansAndSevenSums) {
 
 // Closely, not only within what the readings allow: but for the numbers with a listed fault, and
 // for balances of TR6 and TR7, whose means over trials lie below what the mean readings give.
-TEST(CheckOfTheArticle, FindsItsTableToThreeHundredths) {
+TEST(CheckOfTheArticle, FindsItsTableToFourHundredths) {
   for (const CheckItem& item : shipped().items) {
     if (item.quantity.kind != CheckedKind::indicator) continue;
     const bool below = item.quantity == balance && (item.routing == "TR6" || item.routing == "TR7");
@@ -90,9 +73,7 @@ TEST(CheckOfTheArticle, FindsItsTableToThreeHundredths) {
 TEST(CheckOfTheArticle, ExplainsExactlyTheseNumbers) {
   std::vector<std::string> explained;
   for (const CheckItem& item : shipped().items) {
-    if (item.status != CheckStatus::explained || item.source.find(", ") == std::string::npos) {
-      continue;
-    }
+    if (item.status != CheckStatus::explained) continue;
     if (item.source.rfind("Dual", 0) == 0 || item.source.rfind("Exo", 0) == 0) {
       explained.push_back(item.routing + " " + quantity_text(item.quantity));
     }
@@ -143,27 +124,21 @@ TEST(CheckOfTheArticle, CountsDesignsOfOddNumbersOfFingersLikeEvenOnes) {
 }
 
 double share_error_by_hand(double mu, bool one_sheath) {
-  const double t = std::exp(-mu * M_PI), s = std::exp(-2 * mu * M_PI), b = std::exp(-0.001 * M_PI);
-  const double two = one_sheath ? s : s * s;
-  const double model[7][4] = {{1, t, t * t, t * t * t},
-                              {1, t, t * t, t},
-                              {t, 1, b, b * t},
-                              {1, t, t * two * b, t * t * two * b},
-                              {1, t, t * two * b, t * t * two * b},
-                              {1, t, t * b, b},
-                              {1, 1, b, b}};
+  const auto model = testing::closed_forms(mu, one_sheath ? mu / 2 : mu);
   const double read[7][4] = {{33.89, 28.07, 22.91, 15.01}, {28.65, 25.35, 20.52, 25.35},
                              {22.63, 27.29, 26.78, 23.20}, {36.11, 30.84, 18.35, 14.54},
                              {36.46, 31.67, 16.92, 14.92}, {27.07, 23.07, 22.85, 26.94},
                              {24.56, 25.61, 25.07, 24.63}};
   double error = 0;
-  for (int r = 0; r < 7; ++r) {
+  for (std::size_t r = 0; r < 7; ++r) {
     double sum = 0, whole = 0, squares = 0;
-    for (int i = 0; i < 4; ++i) {
-      sum += model[r][i];
+    for (std::size_t i = 0; i < 4; ++i) {
+      sum += model[r].tension[i];
       whole += read[r][i];
     }
-    for (int i = 0; i < 4; ++i) squares += std::pow(model[r][i] / sum - read[r][i] / whole, 2);
+    for (std::size_t i = 0; i < 4; ++i) {
+      squares += std::pow(model[r].tension[i] / sum - read[r][i] / whole, 2);
+    }
     error += 100 * std::sqrt(squares) / 7;
   }
   return error;
@@ -192,15 +167,15 @@ TEST(CheckOfTheSupplement, FindsItsErrorsInItsLinesAndNotInItsEquations) {
             "3.4 %, and so the 3.4 % are reached with lines that are not those of the equations");
 }
 
-// "rms error" taken by the letter, over the 28 shares, gives neither of the printed numbers.
-TEST(CheckOfTheSupplement, FindsThatTheRootMeanSquareOverAllSharesIsNotWhatIsPrinted) {
-  const Catalogue catalogue = read_catalogue(shipped_folder);
-  const MeasuredData readings = read_measured_data(
-      shipped_folder / "measured" / "exo_glove_ii.csv",
-      [&](const std::string& name) { return catalogue.find_name(name)->routing; });
+// "rms error" taken by the letter, over the 28 shares, gives neither of the printed numbers: of the
+// tables 7.6 %, of the lines of Fig. 9 (b) 1.8 %. What docs/diagnosis.md says so holds of the
+// readings as printed; the arithmetic is the test's own.
+TEST(PrintedShares, AreOffByTheRootMeanSquareThatTheDocumentsState) {
+  const MeasuredData readings = testing::the_seven();
   double tables = 0, figure = 0;
   for (const Reading& reading : readings.readings) {
-    const CatalogueEntry& entry = *catalogue.find_word(readings.routings[reading.routing].routing);
+    const CatalogueEntry& entry =
+        *shipped_catalogue().find_word(readings.routings[reading.routing].routing);
     double whole = 0;
     for (const auto& tension : reading.tension_N) whole += *tension;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -1,14 +1,16 @@
 #include "studies/published_models.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "catalog/catalogue.hpp"
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/share_error.hpp"
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve {
 namespace {
@@ -17,28 +19,15 @@ constexpr double tube = 0.18 * std::numbers::pi;
 constexpr double sheath = 2 * tube;
 constexpr double bearing = 0.001 * std::numbers::pi;
 
-const Catalogue& catalogue() {
-  static const Catalogue shipped = read_catalogue(REEVE_CATALOG_DIR);
-  return shipped;
-}
+const std::string strands = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
 
-std::vector<PublishedModel> published(const std::string& rows, const std::string& above = "") {
-  const MeasuredData data = parse_measured_data(
-      above + "run,routing,held,T1_N,T2_N,T3_N,T4_N\n" + rows, "d.csv",
-      [](const std::string& name) { return catalogue().find_name(name)->routing; });
+std::vector<PublishedModel> published(const std::string& rows, const std::string& above = strands) {
+  const MeasuredData data = parse_measured_data(above + rows, "d.csv", testing::routing_of);
   DiagnosisResult result;
-  for (std::size_t i = 0; i < data.readings.size(); ++i) {
-    const Reading& reading = data.readings[i];
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      ComparedCell cell;
-      cell.cell = {i, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]};
-      cell.before_N = cell.after_N = cell.cell.measured_N;
-      result.cells.push_back(cell);
-    }
-  }
+  result.cells = testing::cells_as_measured(data);
   result.share_errors = share_errors(data, result.cells);
   result.losses = losses(data, result.model, result.cells);
-  return published_models(catalogue(), data, result);
+  return published_models(testing::shipped_catalogue(), data, result);
 }
 
 // The readings of TR4 and TR7, and a mounting of TR4 in a grasp of which nothing is published.
@@ -89,8 +78,35 @@ TEST(PublishedModels, NameTheLossesThatTheirLinesHaveOtherwise) {
   EXPECT_EQ(losses[1].sheaths_drawn, 0);
 }
 
+// Of what the tendon loses when it is let out nothing is published.
+TEST(PublishedModels, NameNoLossOfReleasing) {
+  const auto models =
+      published("4,TR4,1,pull,36.11,30.84,18.35,14.54\n4,TR4,1,release,14.54,18.35,30.84,36.11\n",
+                "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n");
+  ASSERT_EQ(models.size(), 2U);
+  EXPECT_EQ(models[0].losses.size(), 2U);
+}
+
+// Shares are printed of strands alone: nothing is of the two stretches from T2 to T3 by way of a
+// sensor beside the motor.
+TEST(PublishedModels, NameNoLossToOrFromASensorBesideTheMotor) {
+  for (const char* between : {"Tb", "Tc"}) {
+    const auto models =
+        published("4,TR4,1,36.11,30.84,24,18.35,14.54\n",
+                  fmt::format("run,routing,held,T1_N,T2_N,{}_N,T3_N,T4_N\n", between));
+    ASSERT_EQ(models.size(), 2U);
+    ASSERT_EQ(models[0].losses.size(), 1U) << between;
+    EXPECT_EQ(models[0].losses[0].sheaths, 0);
+  }
+}
+
+// The same routing, but its T1 is the catalogue's T3.
+TEST(PublishedModels, OfAWordThatIsWrittenOtherwiseAreNone) {
+  EXPECT_TRUE(published("4,M-2-P-1-F,1,36.11,30.84,18.35,14.54\n").empty());
+}
+
 TEST(PublishedModels, OfSimulatedReadingsAreNone) {
-  EXPECT_TRUE(published(readings, "# simulated\n").empty());
+  EXPECT_TRUE(published(readings, "# simulated\n" + strands).empty());
 }
 
 TEST(PublishedModels, OfReadingsInAnotherGraspAreNone) {
