@@ -34,7 +34,8 @@ void add_effect(Model& model, Effect effect);
 
 // The hardware with all effects on it.
 Hardware effective_hardware(const Model& model);
-// The same; throws OutOfRange if it is none that there can be.
+// The same. Throws InputError of a fault of the model's own hardware, and OutOfRange if the effects
+// make of it what there cannot be.
 Hardware possible_hardware(const Model& model);
 Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effects);
 

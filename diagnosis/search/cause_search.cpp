@@ -56,6 +56,7 @@ class Search {
       if (!accept_one()) break;
       if (stop_()) break;
       defend();
+      note_repetition();
       if (result_.accepted.size() > 2) shrink();
     }
     if (stop_()) return std::nullopt;
@@ -132,6 +133,19 @@ class Search {
     result_.accepted.insert(result_.accepted.end(), added.begin(), added.end());
     changed_(problem_, result_.model);
     return true;
+  }
+
+  // Where a cause is accepted and loses its place at once, the next step would do the same again.
+  void note_repetition() {
+    const auto same = [](const AcceptedCause& a, const AcceptedCause& b) {
+      return same_effect(a.effect, b.effect);
+    };
+    const auto is_here = [&](const std::vector<AcceptedCause>& others) {
+      return std::is_permutation(others.begin(), others.end(), result_.accepted.begin(),
+                                 result_.accepted.end(), same);
+    };
+    exhausted_ |= std::any_of(met_.begin(), met_.end(), is_here);
+    met_.push_back(result_.accepted);
   }
 
   double gain(double before, double after) const {
@@ -213,7 +227,8 @@ class Search {
   const std::function<bool()>& stop_;
   CauseSearchResult result_;
   double critical_gain_ = 0;
-  bool exhausted_ = false;  // two causes do what a third was accepted for
+  std::vector<std::vector<AcceptedCause>> met_ = {{}};  // after each step, and before the first
+  bool exhausted_ = false;  // two causes do what a third was accepted for, or a step is repeated
 };
 
 }  // namespace

@@ -206,7 +206,7 @@ TEST(KeysOfCompare, AreThePromisedOnes) {
     }
   }
   EXPECT_EQ(keys(json["notes"][0]), "kind text lines");
-  EXPECT_EQ(keys(json["settings"]), "hardware");
+  EXPECT_EQ(keys(json["settings"]), "hardware model");
 }
 
 TEST(KeysOfCompare, HaveNullWhereThereIsNothingToSummarise) {

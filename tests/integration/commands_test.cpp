@@ -144,7 +144,7 @@ TEST(Help, MentionsEveryOption) {
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--details", "--out"}},
       {"count", {"--format"}},
       {"check", {"--svg", "--format"}},
-      {"compare", {"data", "--out", "--hardware", "--format"}},
+      {"compare", {"data", "--out", "--hardware", "--model", "--format"}},
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
         "--explore", "--out", "--save-model", "--format"}},

@@ -37,6 +37,25 @@ TEST(Compare, SaysThatNothingIsFittedAndWhichDataAreSimulated) {
   EXPECT_EQ(measured.find("simulated"), std::string::npos);
 }
 
+// The readings that it was fitted to are nearer to a saved model than to the plain one.
+TEST(Compare, TakesAModelThatADiagnosisSaved) {
+  const TemporaryFolder folder;
+  const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_cause.csv";
+  const std::string model = (folder.path() / "model.toml").string();
+  ASSERT_EQ(reeve({"diagnose", data, "--save-model", model}).exit_code, 0);
+  const auto compared = [&](const Arguments& more) {
+    Arguments arguments{"compare", data, "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Json::parse(reeve(arguments).out);
+  };
+  const Json plain = compared({});
+  const Json extended = compared({"--model", model});
+  EXPECT_LT(extended["tension"]["all"]["rms"].get<double>(),
+            0.5 * plain["tension"]["all"]["rms"].get<double>());
+  EXPECT_TRUE(plain["settings"]["model"].is_null());
+  EXPECT_FALSE(extended["settings"]["model"]["effects"].empty());
+}
+
 TEST(Compare, ReadsAPipe) {
   const ProcessResult result = run_process(
       {"bash", "-c", "cat \"$1\" | \"$0\" compare /dev/stdin", REEVE_EXECUTABLE, readings});

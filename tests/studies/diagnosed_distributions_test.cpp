@@ -130,7 +130,7 @@ TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
 
 TEST(DiagnosedDistributions, HaveACoefficientOnceHoweverOftenItIsPublished) {
   const auto all = diagnosed_distributions(the_seven(), {}, {}, published_with({0.18, 0.18, 0.09}),
-                                           the_catalogue());
+                                           shipped_catalogue());
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.size(), 2U);
   EXPECT_EQ(all->list[0].tube_mu, 0.18);
@@ -138,7 +138,7 @@ TEST(DiagnosedDistributions, HaveACoefficientOnceHoweverOftenItIsPublished) {
 }
 
 TEST(DiagnosedDistributions, ShowTheTableWhereAFigureHasTheSameCoefficient) {
-  Catalogue catalogue = the_catalogue();
+  Catalogue catalogue = shipped_catalogue();
   for (CatalogueEntry& entry : catalogue.entries) {
     for (PublishedLines& lines : entry.lines) lines.mu = 0.18;
   }
