@@ -85,7 +85,7 @@ class Diagnosis {
   }
 
   void note_too_few() {
-    result_.too_few_readings = true;
+    too_few_ = true;
     result_.notes.push_back(
         {NoteKind::not_compared,
          fmt::format("{:.0f} independent readings in the training runs are too few to say "
@@ -179,7 +179,7 @@ class Diagnosis {
     for (const NamedCause& cause : result_.causes) names.push_back(cause.name);
     const auto weighed = weighed_models(problem_, nominal_, result_.model, names, rivals_);
     for (const WeighedModel& model : weighed) {
-      result_.weighed.push_back({model.name, model.gain, std::nullopt});
+      result_.weighed.push_back({model.causes, model.gain, std::nullopt});
     }
     if (sample_.held_out.cells.empty()) return;
     const Problem unseen =
@@ -265,7 +265,9 @@ class Diagnosis {
   }
 
   void decide() {
-    if (result_.unexplained) {
+    if (too_few_) {
+      result_.verdict = Verdict::too_few;
+    } else if (result_.unexplained) {
       result_.verdict = Verdict::unexplained;
     } else if (!indistinguishable_.empty()) {
       result_.verdict = Verdict::indistinguishable;
@@ -289,6 +291,7 @@ class Diagnosis {
   Workers workers_;
   Sample sample_;
   bool stop_ = false;
+  bool too_few_ = false;
   bool noise_is_measured_ = false;
   Model nominal_;
   Problem problem_;
@@ -310,6 +313,8 @@ const char* name(Verdict verdict) {
       return "unexplained";
     case Verdict::indistinguishable:
       return "indistinguishable";
+    case Verdict::too_few:
+      return "too_few";
   }
   return "";
 }

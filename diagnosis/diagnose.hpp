@@ -51,7 +51,8 @@ struct DiagnoseOptions : DiagnosisSettings {
   std::function<bool(const char* stage)> stage;
 };
 
-enum class Verdict : std::uint8_t { none, cause, unexplained, indistinguishable };
+// too_few: readings, to look for anything.
+enum class Verdict : std::uint8_t { none, cause, unexplained, indistinguishable, too_few };
 const char* name(Verdict verdict);
 
 struct EstimatedParameter {
@@ -80,9 +81,9 @@ struct NamedCause {
   std::optional<RunnerUp> runner_up;
 };
 
-// How one cause alone, or in place of an accepted one, explains the data.
-struct WeighedCause {
-  std::string name;
+// How the named causes together, or others in the place of one of them, explain the data.
+struct WeighedCauses {
+  std::vector<std::string> causes;
   double gain = 0;  // in log-likelihood on the training runs, over the nominal model
   std::optional<HeldOut> held_out;
 };
@@ -107,10 +108,9 @@ struct DiagnosisResult {
   std::vector<std::string> not_confirmed;   // accepted, but training runs forecast others worse
   std::optional<NoiseLimit> noise_limit;    // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;           // all causes over none, each held-out run
-  std::vector<WeighedCause> weighed;
-  double p_value = 1;             // that chance alone gives what the best cause gains
-  double structure_p_value = 1;   // that it gives the strongest of `structure`, family-wise
-  bool too_few_readings = false;  // to look for anything
+  std::vector<WeighedCauses> weighed;
+  double p_value = 1;            // that chance alone gives what the best cause gains
+  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
   Noise noise;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;

@@ -47,7 +47,7 @@ class Exploration {
     }
     for (const Routing& routing : options.references) {
       references_.push_back(
-          {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, ""});
+          {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, std::nullopt});
       reference_goodness_.push_back(
           goodness(references_.back().design.values, options.order.objectives));
     }
@@ -109,7 +109,7 @@ class Exploration {
   void note_generated(ReferenceStanding& reference, const Slot& slot) const {
     reference.generated = true;
     if (slot.failed_constraint > 0) {
-      reference.rejected_by = options_.constraints[slot.failed_constraint - 1].text;
+      reference.rejected_by = slot.failed_constraint - 1;
     }
   }
 
@@ -150,10 +150,9 @@ class Exploration {
     result.generated = generated_;
     result.partial = generated_ < total();
     result.evaluated = evaluated_;
-    result.rejected.push_back({"not actuated", not_actuated_});
+    result.rejected.push_back({std::nullopt, not_actuated_});
     for (std::size_t c = 0; c < options_.constraints.size(); ++c) {
-      result.rejected.push_back(
-          {"constraint " + options_.constraints[c].text, constraint_failures_[c]});
+      result.rejected.push_back({c, constraint_failures_[c]});
     }
     const Archive::Content content = archive_.content();
     result.front_equals_left_out = content.front_equals_left_out;

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,8 @@ struct Supervision {
 };
 
 struct Rejection {
-  std::string reason;
+  // Which of the constraints; none: its tendons do not all hang on the motor.
+  std::optional<std::size_t> constraint;
   std::uint64_t count = 0;
 };
 
@@ -62,8 +64,8 @@ struct ReferenceStanding {
   std::uint64_t dominated_by = 0;  // designs that dominate it
   std::size_t rank = 0;  // 0: not generated, rejected, or beyond the designs that are kept
   int front = 0;
-  bool generated = false;   // among the routings of these parts and this shard
-  std::string rejected_by;  // the constraint that it fails, or ""
+  bool generated = false;                  // among the routings of these parts and this shard
+  std::optional<std::size_t> rejected_by;  // the constraint that it fails
 };
 
 struct ExploreResult {

@@ -15,6 +15,7 @@ Finding finding_of(const DiagnosisResult& result, std::vector<std::string> named
     case Verdict::indistinguishable:
       return Finding::indistinguishable;
     case Verdict::none:
+    case Verdict::too_few:
       return hidden.empty() ? Finding::found : Finding::none;
     case Verdict::cause:
       break;

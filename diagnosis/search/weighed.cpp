@@ -1,9 +1,7 @@
 #include "diagnosis/search/weighed.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <utility>
 
 #include "diagnosis/model/problem.hpp"
 
@@ -17,10 +15,10 @@ std::vector<WeighedModel> weighed_models(const Problem& problem, const Model& no
   if (causes.empty()) return weighed;
   const double nothing = misfit(problem, nominal);
   const auto add = [&](std::vector<std::string> names, const Model& model, double misfit) {
-    const std::string name = fmt::format("{}", fmt::join(names, " + "));
-    const bool known = std::any_of(weighed.begin(), weighed.end(),
-                                   [&](const WeighedModel& other) { return other.name == name; });
-    if (!known) weighed.push_back({name, model, (nothing - misfit) / 2});
+    const bool known = std::any_of(weighed.begin(), weighed.end(), [&](const WeighedModel& other) {
+      return other.causes == names;
+    });
+    if (!known) weighed.push_back({std::move(names), model, (nothing - misfit) / 2});
   };
   add(causes, extended, misfit(problem, extended));
   for (std::size_t c = 0; c < causes.size(); ++c) {

@@ -10,13 +10,13 @@
 namespace reeve {
 
 struct WeighedModel {
-  std::string name;  // "a + b"
+  std::vector<std::string> causes;
   Model model;
   double gain = 0;  // in log-likelihood on the training runs, over the nominal model
 };
 
-// `rivals` is parallel to the causes, whose names these are. Of several models of one name only the
-// first. Empty without causes.
+// `rivals` is parallel to the causes, whose names these are. Of several models of the same causes
+// only the first. Empty without causes.
 std::vector<WeighedModel> weighed_models(const Problem& problem, const Model& nominal,
                                          const Model& extended,
                                          const std::vector<std::string>& causes,

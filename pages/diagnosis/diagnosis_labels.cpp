@@ -9,22 +9,32 @@
 namespace reeve {
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+using Causes = std::vector<std::string>;
+
+Causes names_of(const std::vector<NamedCause>& causes) {
+  Causes names;
+  for (const NamedCause& cause : causes) names.push_back(cause.name);
+  return names;
 }
 
 // The models in which one of a group's names stands in the place of the first.
-bool is_alike(const DiagnosisResult& result, const std::string& model) {
-  for (const std::vector<std::string>& group : result.indistinguishable) {
-    std::string kept;
-    for (const NamedCause& cause : result.causes) {
-      if (cause.name != group.front()) kept += " + " + cause.name;
-    }
+bool is_alike(const DiagnosisResult& result, const Causes& model) {
+  for (const Causes& group : result.indistinguishable) {
+    Causes others = names_of(result.causes);
+    std::erase(others, group.front());
     for (std::size_t i = 1; i < group.size(); ++i) {
-      if (model == group[i] + kept) return true;
+      Causes alike{group[i]};
+      alike.insert(alike.end(), others.begin(), others.end());
+      if (model == alike) return true;
     }
   }
   return false;
+}
+
+bool is_refuted(const DiagnosisResult& result, const Causes& model) {
+  const Causes& refuted = result.not_confirmed;
+  return model.size() == 1 &&
+         std::find(refuted.begin(), refuted.end(), model.front()) != refuted.end();
 }
 
 }  // namespace
@@ -34,7 +44,6 @@ std::string simulated_label(const DiagnosisReport& report) {
 }
 
 VerdictLabel verdict_label(const DiagnosisResult& result) {
-  if (result.too_few_readings) return {"Too few readings to say anything", "open"};
   switch (result.verdict) {
     case Verdict::none:
       return {"Nothing is wrong that the readings could show", "check"};
@@ -45,6 +54,8 @@ VerdictLabel verdict_label(const DiagnosisResult& result) {
       return {"Something is wrong that no known cause explains", "question"};
     case Verdict::indistinguishable:
       return {"Several causes explain the data alike", "alike"};
+    case Verdict::too_few:
+      return {"Too few readings to say anything", "open"};
   }
   return {};
 }
@@ -61,17 +72,13 @@ std::string compared_alt(const DiagnosisReport& report) {
   return what + fmt::format("Residuals {}.", gain_text(*result.held_out, result.held_out_runs));
 }
 
-std::string standing(const DiagnosisResult& result, const std::string& model) {
-  std::string named;
-  for (const NamedCause& cause : result.causes) {
-    named += (named.empty() ? "" : " + ") + cause.name;
-  }
-  if (model == named) return "named";
+std::string standing(const DiagnosisResult& result, const std::vector<std::string>& model) {
+  if (model == names_of(result.causes)) return "named";
   if (is_alike(result, model)) return "cannot be told from it";
-  return contains(result.not_confirmed, model) ? "not confirmed" : "weighed";
+  return is_refuted(result, model) ? "not confirmed" : "weighed";
 }
 
-std::vector<WeighedCause> by_training_gain(std::vector<WeighedCause> weighed) {
+std::vector<WeighedCauses> by_training_gain(std::vector<WeighedCauses> weighed) {
   std::stable_sort(weighed.begin(), weighed.end(),
                    [](const auto& a, const auto& b) { return a.gain > b.gain; });
   return weighed;

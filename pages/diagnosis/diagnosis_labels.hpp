@@ -23,9 +23,9 @@ std::string compared_alt(const DiagnosisReport& report);
 
 // How a weighed model stands to the answer: "named", "cannot be told from it", "not confirmed" or
 // "weighed".
-std::string standing(const DiagnosisResult& result, const std::string& model);
+std::string standing(const DiagnosisResult& result, const std::vector<std::string>& model);
 
 // The best first.
-std::vector<WeighedCause> by_training_gain(std::vector<WeighedCause> weighed);
+std::vector<WeighedCauses> by_training_gain(std::vector<WeighedCauses> weighed);
 
 }  // namespace reeve

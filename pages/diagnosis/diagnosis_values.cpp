@@ -96,9 +96,9 @@ Json gains(const DiagnosisResult& result) {
 
 Json weighed(const DiagnosisResult& result) {
   Json list = Json::array();
-  for (const WeighedCause& cause : by_training_gain(result.weighed)) {
-    const std::string place = standing(result, cause.name);
-    Json item{{"name", cause.name},
+  for (const WeighedCauses& cause : by_training_gain(result.weighed)) {
+    const std::string place = standing(result, cause.causes);
+    Json item{{"name", joined_causes(cause.causes)},
               {"standing", place},
               {"is_named", place == "named"},
               {"training", gain_number(cause.gain)},
@@ -141,7 +141,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 Json answer_values(const DiagnosisReport& report) {
   const VerdictLabel label = verdict_label(report.result);
-  return {{"verdict", report.result.too_few_readings ? "too_few" : name(report.result.verdict)},
+  return {{"verdict", name(report.result.verdict)},
           {"words", label.words},
           {"shape_" + label.shape, true},
           {"sentences", sentences(diagnosis_answer(report))}};
@@ -151,7 +151,7 @@ Json cause_values(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   return {{"named", named_values(report)},
           {"has_named", !result.causes.empty()},
-          {"too_few", result.too_few_readings},
+          {"too_few", result.verdict == Verdict::too_few},
           {"parameters", parameters(result)},
           {"has_parameters", !parameters(result).empty()},
           {"gains", gains(result)},

@@ -25,9 +25,9 @@ const std::array<StandingStyle, 4> standing_styles{
      {"cannot be told from it", {chart::Colour::green, chart::Symbol::square, 5.5}},
      {"not confirmed", {chart::Colour::pink, chart::Symbol::cross, 5.5}}}};
 
-std::string title(const WeighedCause& weighed, const std::string& place) {
-  std::string text =
-      fmt::format("{}: {}\ntraining runs: {:.4g}", weighed.name, place, weighed.gain);
+std::string title(const WeighedCauses& weighed, const std::string& place) {
+  std::string text = fmt::format("{}: {}\ntraining runs: {:.4g}", joined_causes(weighed.causes),
+                                 place, weighed.gain);
   if (weighed.held_out) {
     text += fmt::format("\nheld-out runs: {:.4g} ({:.4g} to {:.4g})",
                         weighed.held_out->log_likelihood_gain, weighed.held_out->gain_low,
@@ -51,15 +51,15 @@ void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
 
 // The intervals of all, and the points of each standing.
 void add_models(const DiagnosisResult& result, chart::Panel& panel) {
-  const std::vector<WeighedCause> models = by_training_gain(result.weighed);
+  const std::vector<WeighedCauses> models = by_training_gain(result.weighed);
   std::array<chart::Points, standing_styles.size()> points;
   chart::Spans intervals{{}, chart::Along::x, {}};
   for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
-    const WeighedCause& weighed = models[i];
-    const std::string place = standing(result, weighed.name);
+    const WeighedCauses& weighed = models[i];
+    const std::string place = standing(result, weighed.causes);
     const std::string text = title(weighed, place);
     const auto at = static_cast<double>(i);
-    panel.y.categories.push_back((place == "named" ? "◆ " : "") + weighed.name);
+    panel.y.categories.push_back((place == "named" ? "◆ " : "") + joined_causes(weighed.causes));
     const double gain = weighed.held_out ? weighed.held_out->log_likelihood_gain : weighed.gain;
     if (weighed.held_out) {
       intervals.spans.push_back(

@@ -155,10 +155,13 @@ std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
 }
 
 // Why a known routing is not in the list.
-std::string standing(const ReferenceStanding& reference, bool partial) {
-  if (!reference.generated && partial) return "it was not reached before the exploration stopped";
+std::string standing(const ReferenceStanding& reference, const ExploreReport& report) {
+  if (!reference.generated && report.result.partial)
+    return "it was not reached before the exploration stopped";
   if (!reference.generated) return "these parts, or this shard, do not give it";
-  if (!reference.rejected_by.empty()) return "it fails " + reference.rejected_by;
+  if (reference.rejected_by) {
+    return "it fails " + report.options.constraints[*reference.rejected_by].text;
+  }
   return fmt::format("its rank is beyond the list, and {} designs dominate it",
                      reference.dominated_by);
 }
@@ -166,7 +169,7 @@ std::string standing(const ReferenceStanding& reference, bool partial) {
 Json standings_json(const ExploreReport& report) {
   Json json = Json::object();
   for (const ReferenceStanding& reference : report.result.references) {
-    json[reference.design.word] = standing(reference, report.result.partial);
+    json[reference.design.word] = standing(reference, report);
   }
   return json;
 }

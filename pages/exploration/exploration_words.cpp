@@ -9,13 +9,12 @@
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "reports/json.hpp"
+#include "reports/results/explore_report.hpp"
 #include "reports/results/model_text.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
-
-constexpr const char* not_actuated = "not actuated";
 
 std::string plural(std::uint64_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
@@ -221,9 +220,9 @@ std::vector<std::string> rejected(const ExploreReport& report) {
                                             plural(report.result.generated, "generated routing"),
                                             ranked_designs(report))};
   for (const Rejection& rejection : report.result.rejected) {
-    const bool slack = rejection.reason == not_actuated;
-    text.push_back(fmt::format("{}: {}{}.", rejection.count, rejection.reason,
-                               slack ? "; one of the tendons hangs on no motor" : " not met"));
+    text.push_back(
+        fmt::format("{}: {}{}.", rejection.count, rejection_text(rejection, report.options),
+                    rejection.constraint ? " not met" : "; one of the tendons hangs on no motor"));
   }
   return text;
 }
@@ -308,7 +307,7 @@ void drop_empty(std::vector<std::string>& sentences) {
 std::uint64_t ranked_designs(const ExploreReport& report) {
   std::uint64_t count = report.result.evaluated;
   for (const Rejection& rejection : report.result.rejected) {
-    if (rejection.reason != not_actuated) count -= rejection.count;
+    if (rejection.constraint) count -= rejection.count;
   }
   return count;
 }

@@ -89,13 +89,14 @@ std::string separation_line(const DiagnosisReport& report) {
                      measurement_text(*result.separating_measurement, report));
 }
 
+std::string too_few_answer() {
+  return "Whether anything is wrong cannot be said: the readings are too few.\n"
+         "No cause was looked for.\n"
+         "The notes below say how many it takes.\n";
+}
+
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  if (result.too_few_readings) {
-    return "Whether anything is wrong cannot be said: the readings are too few.\n"
-           "No cause was looked for.\n"
-           "The notes below say how many it takes.\n";
-  }
   std::string text = "The model as it stands explains the data as well as their noise allows.\n";
   if (result.not_confirmed.empty()) {
     text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
@@ -153,6 +154,8 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
       return unexplained_answer(report);
     case Verdict::indistinguishable:
       return indistinguishable_answer(report);
+    case Verdict::too_few:
+      return too_few_answer();
   }
   return "";
 }

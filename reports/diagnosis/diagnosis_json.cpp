@@ -211,8 +211,8 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   });
   json["noise_limit"] = value_or_null(result.noise_limit, noise_limit_json);
   json["not_confirmed"] = result.not_confirmed;
-  json["weighed"] = list(result.weighed, [](const WeighedCause& cause) {
-    return Json{{"name", cause.name},
+  json["weighed"] = list(result.weighed, [](const WeighedCauses& cause) {
+    return Json{{"name", joined_causes(cause.causes)},
                 {"log_likelihood_gain", number(cause.gain)},
                 {"held_out", value_or_null(cause.held_out, held_out_json)}};
   });
@@ -248,7 +248,7 @@ std::string diagnosis_json(const DiagnosisReport& report) {
   add_findings(json, report);
   add_evidence(json, report);
   json["simulated"] = report.data.simulated;
-  json["too_few"] = result.too_few_readings;
+  json["too_few"] = result.verdict == Verdict::too_few;
   json["rows"] = result.rows;
   json["runs"] = result.runs;
   json["held_out_runs"] = result.held_out_runs;

@@ -110,14 +110,14 @@ Section gains_section(const DiagnosisReport& report) {
 }
 
 Section weighed_section(const DiagnosisReport& report) {
-  const std::vector<WeighedCause>& weighed = report.result.weighed;
+  const std::vector<WeighedCauses>& weighed = report.result.weighed;
   if (weighed.empty()) return {};
   Table table{{text_column("model"), number_column("training runs"), number_column("held-out runs"),
                number_column("rms held out")},
               {}};
   for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
     const std::optional<HeldOut>& held_out = weighed[i].held_out;
-    table.add({weighed[i].name, fmt::format("{:.1f}", weighed[i].gain),
+    table.add({joined_causes(weighed[i].causes), fmt::format("{:.1f}", weighed[i].gain),
                held_out ? fmt::format("{:.1f}", held_out->log_likelihood_gain) : "-",
                held_out ? newton(held_out->rms_after_N) : "-"});
   }

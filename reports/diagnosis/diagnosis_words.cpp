@@ -69,6 +69,10 @@ std::string routing_name(const DiagnosisReport& report, std::size_t routing) {
   return name.empty() ? word : name;
 }
 
+std::string joined_causes(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, " + "));
+}
+
 std::string estimate(const EstimatedParameter& parameter, double value) {
   const double half = (parameter.high - parameter.low) / 2;
   if (!std::isfinite(half) || half <= 0) return fmt::format("{:.4g}", value);

@@ -13,6 +13,9 @@ std::string catalogue_name(const DiagnosisReport& report, const std::string& wor
 // A routing of the data by its catalogue name, or by its word.
 std::string routing_name(const DiagnosisReport& report, std::size_t routing);
 
+// "sensor_gain[T3] + wear", of causes that are there together.
+std::string joined_causes(const std::vector<std::string>& names);
+
 // To as many places as the interval is known.
 std::string estimate(const EstimatedParameter& parameter, double value);
 

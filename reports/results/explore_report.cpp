@@ -21,10 +21,12 @@ double rate(const ExploreResult& result) {
   return result.seconds > 0 ? static_cast<double>(result.evaluated) / result.seconds : 0;
 }
 
-std::string counts_text(const ExploreResult& result) {
+std::string counts_text(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
   std::string text = fmt::format("{} of {} routings generated", result.generated, result.total);
   for (const Rejection& rejection : result.rejected) {
-    text += fmt::format(", {} rejected ({})", rejection.count, rejection.reason);
+    text += fmt::format(", {} rejected ({})", rejection.count,
+                        rejection_text(rejection, report.options));
   }
   return text + fmt::format(", {} evaluated", result.evaluated);
 }
@@ -46,7 +48,8 @@ Section front_section(const ExploreReport& report) {
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
   if (reference.rank > 0) return std::to_string(reference.rank);
-  if (!reference.rejected_by.empty()) return "not " + reference.rejected_by;
+  if (reference.rejected_by)
+    return "not " + report.options.constraints[*reference.rejected_by].text;
   return reference.generated ? fmt::format(">{}", report.options.top) : "not among them";
 }
 
@@ -69,7 +72,7 @@ Section known_section(const ExploreReport& report) {
 
 std::vector<SheetLine> opening_lines(const ExploreReport& report) {
   const ExploreResult& result = report.result;
-  std::vector<SheetLine> lines{{counts_text(result) + fmt::format(" in {:.2f} s ({:.0f} a second)",
+  std::vector<SheetLine> lines{{counts_text(report) + fmt::format(" in {:.2f} s ({:.0f} a second)",
                                                                   result.seconds, rate(result))}};
   const std::string note = partial_note(report);
   if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
@@ -95,7 +98,9 @@ Json known_json(const ExploreReport& report) {
                {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
                {"dominated_by", reference.dominated_by},
                {"generated", reference.generated},
-               {"rejected_by", text_or_null(reference.rejected_by)}};
+               {"rejected_by", value_or_null(reference.rejected_by, [&](std::size_t constraint) {
+                  return Json(report.options.constraints[constraint].text);
+                })}};
     add_objectives(entry, reference.design.values);
     json.push_back(entry);
   }
@@ -158,12 +163,17 @@ std::string partial_note(const ExploreReport& report) {
                      report.result.generated, report.result.total);
 }
 
+std::string rejection_text(const Rejection& rejection, const ExploreOptions& options) {
+  if (!rejection.constraint) return "not actuated";
+  return "constraint " + options.constraints[*rejection.constraint].text;
+}
+
 std::string explore_summary_json(const ExploreReport& report) {
   const ExploreResult& result = report.result;
   Json json{{"generated", result.generated}};
   json["rejected"] = Json::object();
   for (const Rejection& rejection : result.rejected) {
-    json["rejected"][rejection.reason] = rejection.count;
+    json["rejected"][rejection_text(rejection, report.options)] = rejection.count;
   }
   json["evaluated"] = result.evaluated;
   json["partial"] = result.partial || report.draws_stopped;

@@ -14,6 +14,9 @@ std::string explore_summary_json(const ExploreReport& report);
 // What the user should know of how the ranking came about; usually nothing.
 std::vector<std::string> notes(const ExploreReport& report);
 
+// "not actuated", "constraint sheaths<=2".
+std::string rejection_text(const Rejection& rejection, const ExploreOptions& options);
+
 // Set in the files of an exploration that was stopped; otherwise "".
 std::string partial_note(const ExploreReport& report);
 

@@ -162,8 +162,8 @@ TEST(Diagnose, NeedsEightIndependentReadings) {
     }
     return csv;
   };
-  EXPECT_TRUE(diagnosed(rows(7), quick(0.05)).too_few_readings);
-  EXPECT_FALSE(diagnosed(rows(8), quick(0.05)).too_few_readings);
+  EXPECT_EQ(diagnosed(rows(7), quick(0.05)).verdict, Verdict::too_few);
+  EXPECT_NE(diagnosed(rows(8), quick(0.05)).verdict, Verdict::too_few);
 }
 
 }  // namespace

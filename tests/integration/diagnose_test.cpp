@@ -184,7 +184,7 @@ TEST(Diagnose, OfOneReadingSaysThatItIsTooFew) {
   std::vector<std::string> rows = lines();
   rows.resize(3);
   const Json json = diagnosed(rows);
-  EXPECT_EQ(json["verdict"], "none");
+  EXPECT_EQ(json["verdict"], "too_few");
   EXPECT_TRUE(has_note(json, "too few"));
 }
 

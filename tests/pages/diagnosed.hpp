@@ -54,7 +54,7 @@ inline void name_tube_friction(DiagnosisReport& report) {
   cause.held_out = gained;
   report.result.causes = {cause};
   report.result.held_out = gained;
-  report.result.weighed = {{"wear", 20, HeldOut{}}, {"tube_friction", 100, gained}};
+  report.result.weighed = {{{"wear"}, 20, HeldOut{}}, {{"tube_friction"}, 100, gained}};
   report.result.verdict = Verdict::cause;
 }
 

@@ -45,7 +45,7 @@ TEST(DiagnosisPage, TellsEveryVerdictApart) {
       report.result.verdict = Verdict::indistinguishable;
       report.result.indistinguishable = {{"tube_friction", "wear"}};
     }
-    if (i == 4) report.result.too_few_readings = true;
+    if (i == 4) report.result.verdict = Verdict::too_few;
     const std::string page = body(diagnosis_html(report));
     const std::size_t begin = page.find("<h2 class=\"verdict\"");
     shapes.push_back(page.substr(begin, page.find("</h2>", begin) - begin));
@@ -201,7 +201,7 @@ TEST(DiagnosisPage, SaysWhereNothingWasHeldOutOrConfirmed) {
   report.result.noise_limit.reset();
   report.result.run_gains.clear();
   report.result.causes[0].held_out.reset();
-  for (WeighedCause& cause : report.result.weighed) cause.held_out.reset();
+  for (WeighedCauses& cause : report.result.weighed) cause.held_out.reset();
   report.result.not_confirmed = {"wear"};
   const std::string page = diagnosis_html(report);
   EXPECT_TRUE(contains(page, "Nothing was held out, so how much better"));

@@ -41,8 +41,7 @@ TEST(DiagnosisAnswer, OfNoCauseSaysWhetherOneWasNotConfirmed) {
 }
 
 TEST(DiagnosisAnswer, OfTooFewReadingsClaimsNothing) {
-  DiagnosisReport report = report_of(Verdict::none);
-  report.result.too_few_readings = true;
+  const DiagnosisReport report = report_of(Verdict::too_few);
   EXPECT_TRUE(says(report, "cannot be said: the readings are too few"));
   EXPECT_FALSE(says(report, "explains the data"));
 }

@@ -20,7 +20,7 @@ void expect_equal_results(const ExploreResult& a, const ExploreResult& b) {
   EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);
   ASSERT_EQ(a.rejected.size(), b.rejected.size());
   for (std::size_t i = 0; i < a.rejected.size(); ++i) {
-    EXPECT_EQ(a.rejected[i].reason, b.rejected[i].reason);
+    EXPECT_EQ(a.rejected[i].constraint, b.rejected[i].constraint);
     EXPECT_EQ(a.rejected[i].count, b.rejected[i].count);
   }
   ASSERT_EQ(a.top.size(), b.top.size());
