@@ -7,7 +7,7 @@
 #include "catalog/entry_file.hpp"
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -124,4 +124,4 @@ Catalogue read_catalogue(const std::filesystem::path& folder) {
   return read_catalogue(CatalogueFiles::in(folder));
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -24,7 +24,7 @@
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 struct CatalogueEntry {
   std::string name;
@@ -54,4 +54,4 @@ struct Catalogue {
 Catalogue read_catalogue(const CatalogueFiles& files);
 Catalogue read_catalogue(const std::filesystem::path& folder);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

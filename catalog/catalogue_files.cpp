@@ -9,7 +9,7 @@
 #include "catalog/embedded_catalogue.hpp"
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 constexpr std::string_view toml_ending = ".toml";
@@ -83,4 +83,4 @@ CatalogueFile CatalogueFiles::find(const std::string& path) const {
   return {"catalog/" + path, std::string(found->second)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -9,7 +9,7 @@
 
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 struct CatalogueFile {
   std::string name;                 // where it lies, or its path in the program's catalogue
@@ -32,4 +32,4 @@ class CatalogueFiles {
   std::filesystem::path folder_;  // "": built in
 };
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -11,7 +11,7 @@
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 // Closed forms and solver both use exact ratios; what is left is rounding of doubles.
@@ -54,7 +54,7 @@ void EntryCheck::add(CheckItem item) {
 
 void EntryCheck::explain(CheckItem& item, const DifferingNumber& number) {
   for (std::size_t i = 0; i < entry_.faults.size(); ++i) {
-    const auto reason = reeve::explain(entry_.faults[i], number);
+    const auto reason = catalog::explain(entry_.faults[i], number);
     if (!reason) continue;
     fault_holds_[i] = true;
     add_explanation(item, *reason);
@@ -183,7 +183,7 @@ CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const 
 
 CheckItem EntryCheck::idle_fault(std::size_t fault) const {
   const Fault& listed = entry_.faults[fault];
-  CheckItem item = reeve::idle_fault(fault, name(listed), entry_.file, listed.at);
+  CheckItem item = catalog::idle_fault(fault, name(listed), entry_.file, listed.at);
   item.source = entry_.table ? entry_.table->source : entry_.lines.front().source;
   return item;
 }
@@ -244,4 +244,4 @@ CheckReport check(const Catalogue& catalogue) {
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -20,7 +20,7 @@
 
 #include "catalog/catalogue.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 enum class CheckStatus : std::uint8_t { agrees, explained, differs };
 
@@ -83,4 +83,4 @@ void add_explanation(CheckItem& item, const std::string& reason);
 CheckItem idle_fault(std::size_t fault, const std::string& name, const std::string& file,
                      TomlPosition at);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -5,8 +5,10 @@
 #include <map>
 #include <string_view>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::catalog {
 
 const std::map<std::string_view, std::string_view>& embedded_catalogue();
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -12,7 +12,7 @@
 #include "core/network.hpp"
 #include "core/notation.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 // No closed form passes a contact more often.
@@ -282,4 +282,4 @@ CatalogueEntry read_entry(const TomlNode& file) {
   return entry;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

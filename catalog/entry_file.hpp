@@ -4,7 +4,7 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 // Throws InputError with file, line and column. What concerns other files (names that are taken,
 // faults that refer to other routings) is not looked at.
@@ -15,4 +15,4 @@ std::optional<PrintedNumber> parse_printed_number(const std::string& digits);
 // The same of a text in quotes; throws InputError for anything else.
 PrintedNumber read_printed_number(const TomlNode& node);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 // Of another entry: the one that stands in the same kind of place, and in a figure in the same one.
@@ -184,4 +184,4 @@ CarriageBalance carriage_balance(const ReversedContactFault& fault, const Closed
                                      : CarriageBalance{stronger, weaker};
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

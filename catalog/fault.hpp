@@ -11,7 +11,7 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/solution.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 enum class PrintedKind : std::uint8_t { tension, share };
 
@@ -57,4 +57,4 @@ struct CarriageBalance {
 };
 CarriageBalance carriage_balance(const ReversedContactFault& fault, const ClosedForm& form);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -3,7 +3,7 @@
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 std::string name_of(const Catalogue& catalogue, const std::string& word) {
   const CatalogueEntry* entry =
@@ -11,4 +11,4 @@ std::string name_of(const Catalogue& catalogue, const std::string& word) {
   return entry == nullptr ? "" : entry->name;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -4,9 +4,9 @@
 
 #include "catalog/catalogue.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 // The catalogue's name of a routing, or "". Fingers count as identical: M-2-P-1-F is TR4 too.
 std::string name_of(const Catalogue& catalogue, const std::string& word);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

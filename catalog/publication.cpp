@@ -8,7 +8,7 @@
 #include "catalog/entry_file.hpp"
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 constexpr double greatest_N = 1e9;
@@ -181,4 +181,4 @@ std::vector<Publication> read_publications(const CatalogueFiles& files) {
   return publications;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

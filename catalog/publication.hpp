@@ -22,7 +22,7 @@
 #include "catalog/published.hpp"
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 inline constexpr std::size_t indicator_count = 5;
 
@@ -106,4 +106,4 @@ struct Publication {
 // folder. Throws InputError with file, line and column.
 std::vector<Publication> read_publications(const CatalogueFiles& files);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

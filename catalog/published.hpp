@@ -12,7 +12,7 @@
 
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 // A number with its digits: "0.10" is 0.1, known to half a unit of its second decimal.
 struct PrintedNumber {
@@ -91,4 +91,4 @@ struct Misprint {
   std::string text;
 };
 
-}  // namespace reeve
+}  // namespace reeve::catalog

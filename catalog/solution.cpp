@@ -9,7 +9,7 @@
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 std::vector<double> strand_tensions(const Network& network, const TensionState& state) {
@@ -90,4 +90,4 @@ bool rounds_to(double computed, const PrintedNumber& printed) {
   return std::abs(computed - printed.value) <= printed.half_unit + 1e-12;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

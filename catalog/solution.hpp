@@ -9,7 +9,7 @@
 #include "catalog/catalogue.hpp"
 #include "core/hardware.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 // A sheath between a strand and a motor-side segment.
 struct SheathEnds {
@@ -41,4 +41,4 @@ double gain(const ClosedForm& form);
 // Whether `computed` rounds to the printed digits. Either way, at a tie.
 bool rounds_to(double computed, const PrintedNumber& printed);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

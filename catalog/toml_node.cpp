@@ -13,7 +13,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 // A thousand times any real file; a wrong path (a recording, a device) is refused, not swallowed.
@@ -262,4 +262,4 @@ std::string toml_comment(std::string text) {
   return "# " + text + "\n";
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

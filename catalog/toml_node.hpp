@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::catalog {
 
 enum class TomlKind : std::uint8_t { boolean, integer, floating, string, date, array, table };
 
@@ -63,4 +65,4 @@ TomlNode parse_toml(const std::string& text, const std::string& name);
 // "# text" and a line end, whatever the text: what TOML does not allow in a comment becomes '?'.
 std::string toml_comment(std::string text);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reeve {
+namespace reeve::causes {
 
 bool has_contact(const Survey& survey, ContactKind kind) {
   return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
@@ -48,4 +48,4 @@ bool is_about_the_same(const Effect& a, const Effect& b) {
          a.subject.contact == b.subject.contact && a.subject.recorded == b.subject.recorded;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -17,7 +17,7 @@
 #include "core/hardware.hpp"
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 
 // Under which a reading was taken. What is missing is taken as the reference value, at which the
 // laws of speed, wear and temperature change nothing.
@@ -155,4 +155,4 @@ inline bool is_tube_or_sheath(ContactKind kind) { return kind != ContactKind::be
 // The exponent that stands for T_low = T_high e^{-phi} - F at this T_high; at most max_exponent.
 double exponent_with_force(double phi, double high_N, double force_N);
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -21,7 +21,7 @@
   X(sensor_gain)              \
   X(sensor_offset)
 
-namespace reeve {
+namespace reeve::causes {
 
 #define REEVE_DECLARE(name) const Cause& name##_cause();
 REEVE_CAUSES(REEVE_DECLARE)
@@ -49,4 +49,4 @@ std::string cause_names() {
   return names;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

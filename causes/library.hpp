@@ -7,7 +7,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 
 // In the order in which their laws act on an exponent.
 std::span<const Cause* const> cause_library();
@@ -18,4 +18,4 @@ const Cause* find_cause(const std::string& name);
 // "tube_friction, sheath_friction, …", for messages.
 std::string cause_names();
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -7,7 +7,7 @@
 #include "causes/library.hpp"
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 std::ptrdiff_t place(const Cause* cause) {
@@ -98,4 +98,4 @@ double reading(const Model& model, const Segment& segment, double tension_N) {
   return tension_N;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

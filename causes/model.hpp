@@ -11,7 +11,7 @@
 #include "core/tension/seizure.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 
 struct Model {
   Hardware hardware;
@@ -54,4 +54,4 @@ std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
 // What the sensor at this segment reads.
 double reading(const Model& model, const Segment& segment, double tension_N);
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 constexpr double tolerance = 1e-10;
@@ -120,4 +120,4 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
   return restored_;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

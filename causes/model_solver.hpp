@@ -18,7 +18,7 @@
 #include "core/tension/seizure.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 
 // One routing after the other under one model, in any grasp and under any conditions. Keeps its
 // memory: but for routings with a seized contact, nothing is allocated in the steady state.
@@ -63,4 +63,4 @@ class ModelSolver {
   bool converged_ = true;
 };
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -11,7 +11,7 @@
 #include "causes/library.hpp"
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 std::string name_of(const Cause& cause, const Subject& subject) {
@@ -186,4 +186,4 @@ std::string size_text(const Effect& effect, const Hardware& hardware) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

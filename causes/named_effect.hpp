@@ -16,7 +16,7 @@
 #include "causes/cause.hpp"
 #include "core/hardware.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 
 struct Setting {
   std::string key;
@@ -35,4 +35,4 @@ Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware&
 // "exponent = 0.15", "recorded none, really 1"; empty if there is nothing to say besides the name.
 std::string size_text(const Effect& effect, const Hardware& hardware);
 
-}  // namespace reeve
+}  // namespace reeve::causes

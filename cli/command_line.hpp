@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::cli {
 
 // "reeve explore --fingers 3 --hardware 'my glove.toml'": what was given, not what it defaults to,

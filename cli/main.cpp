@@ -71,9 +71,9 @@ int main(int argc, char** argv) {
   using namespace reeve::cli;
   try {
     return run(argc, argv);
-  } catch (const reeve::InputError& error) {
+  } catch (const reeve::core::InputError& error) {
     return complain(error.what(), bad_input);
-  } catch (const reeve::OutOfRange& error) {
+  } catch (const reeve::core::OutOfRange& error) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);

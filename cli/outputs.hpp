@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::cli {
 
 // The data cannot be measured again. `option` stands before the value in messages.

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::cli {
 
 struct Terminal {

@@ -11,10 +11,10 @@ foreach(entry IN LISTS FILES)
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"${HEADER}\"\n
 using namespace std::string_view_literals;\n
-namespace reeve {\n
+namespace reeve::${FOLDER} {\n
 const std::map<std::string_view, std::string_view>& ${FUNCTION}() {
   static const std::map<std::string_view, std::string_view> table{
 ${entries}  };
   return table;
 }\n
-}  // namespace reeve\n")
+}  // namespace reeve::${FOLDER}\n")

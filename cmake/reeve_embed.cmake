@@ -8,7 +8,7 @@ function(reeve_embed folder header function)
   list(JOIN arg_FILES "|" files)
   add_custom_command(OUTPUT "${embedded}"
     COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${embedded}" "-DHEADER=${header}"
-            "-DFUNCTION=${function}" "-DFILES=${files}" -P "${script}"
+            "-DFOLDER=${folder}" "-DFUNCTION=${function}" "-DFILES=${files}" -P "${script}"
     DEPENDS ${arg_DEPENDS} "${script}"
     COMMENT "Embedding the files of ${folder}" VERBATIM)
   target_sources(reeve_${folder} PRIVATE "${embedded}")

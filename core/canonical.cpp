@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <compare>
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 // One way to walk a tendon: token i of the image is token start + i * step of the walk.
@@ -136,4 +136,4 @@ Routing canonical(const Routing& routing, FingerIdentity identity) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

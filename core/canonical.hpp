@@ -10,7 +10,7 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 enum class FingerIdentity {
   identical,  // fingers may be renamed: M-1-P-2-F is M-2-P-1-F
@@ -29,4 +29,4 @@ bool same_shape(const Tendon& a, const Tendon& b);
 
 Routing canonical(const Routing& routing, FingerIdentity identity);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 // What the user got wrong: found where input is read. One message that names the place, the value
 // and what was expected; the command line turns it into exit code 2.
@@ -20,4 +22,4 @@ class OutOfRange : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace reeve
+}  // namespace reeve::core

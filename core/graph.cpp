@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 NetworkGraph graph(const Network& network) {
   NetworkGraph result(network.segments.size());
@@ -125,4 +125,4 @@ std::string to_dot(const Network& network, const std::string& title, const Tensi
   return out.str();
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

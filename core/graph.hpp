@@ -12,7 +12,7 @@
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 struct ContactEdge {
   Contact contact;
@@ -35,4 +35,4 @@ void require_actuated(const NetworkGraph& graph, const std::string& word);
 std::string to_dot(const Network& network, const std::string& title,
                    const TensionState* state = nullptr);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -156,4 +156,4 @@ std::string to_text(const GraspSet& grasps) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 // Fingers that are not held close (pull) or open again (release).
 struct Grasp {
@@ -46,4 +48,4 @@ GraspSet parse_grasps(const std::string& text, int fingers);
 bool treats_fingers_alike(const GraspSet& grasps, int fingers);
 std::string to_text(const GraspSet& grasps);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 struct Bounds {
@@ -106,4 +106,4 @@ void validate(const Hardware& hardware) {
   if (const auto found = fault(hardware)) throw InputError(*found);
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

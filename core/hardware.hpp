@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 struct ContactLaw {
   double mu = 0;         // friction coefficient, 1
@@ -61,4 +63,4 @@ std::optional<std::string> fault(const Hardware& hardware);
 // Throws it as an InputError.
 void validate(const Hardware& hardware);
 
-}  // namespace reeve
+}  // namespace reeve::core

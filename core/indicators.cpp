@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace reeve {
+namespace reeve::core {
 
 Indicators indicators(const Network& network, const TensionState& state) {
   constexpr double best = 10;
@@ -36,4 +36,4 @@ Indicators indicators(const Network& network, const TensionState& state) {
           best * (1 - friction / sum), motor_sides * transmission, transmission};
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

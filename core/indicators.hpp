@@ -18,7 +18,7 @@
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 struct Indicators {
   double adaptability = 0;
@@ -30,4 +30,4 @@ struct Indicators {
 
 Indicators indicators(const Network& network, const TensionState& state);
 
-}  // namespace reeve
+}  // namespace reeve::core

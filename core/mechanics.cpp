@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 int highest_finger(const ContactHardware& contact) {
   return std::max(parse_segment(contact.segment).finger,
@@ -133,4 +133,4 @@ Mechanics mechanics(const Network& network, const Hardware& hardware) {
   return require_in_range(network, result);
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

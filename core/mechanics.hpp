@@ -9,7 +9,7 @@
 #include "core/hardware.hpp"
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct Mechanics {
@@ -62,4 +62,4 @@ const Mechanics& require_in_range(const Network& network, const Mechanics& mecha
 // Of hardware that is valid. Throws InputError or OutOfRange otherwise.
 Mechanics mechanics(const Network& network, const Hardware& hardware);
 
-}  // namespace reeve
+}  // namespace reeve::core

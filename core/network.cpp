@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 class Expansion {
@@ -182,4 +182,4 @@ Segment parse_segment(const std::string& text) {
   return {SegmentKind::motor_side, number, 0};
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

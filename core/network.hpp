@@ -23,7 +23,7 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 enum class SegmentKind : std::uint8_t { strand, motor_side, hand };
 
@@ -89,4 +89,4 @@ std::string name(const Segment& segment);
 Segment parse_segment(const std::string& name);
 const char* name(ContactKind kind);
 
-}  // namespace reeve
+}  // namespace reeve::core

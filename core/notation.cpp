@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 // Far above any real routing (64 fingers take some 500 characters), far below what could hurt.
@@ -233,4 +233,4 @@ std::string to_word(const Routing& routing) {
   return word;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

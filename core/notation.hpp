@@ -16,11 +16,11 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 // Throws InputError with the word, the column (from 1), the token and what was expected.
 Routing parse_routing(std::string_view word);
 
 std::string to_word(const Routing& routing);
 
-}  // namespace reeve
+}  // namespace reeve::core

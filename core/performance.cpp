@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace reeve {
+namespace reeve::core {
 
 Performance performance(const Network& network, const TensionState& state, Direction direction) {
   double least = std::numeric_limits<double>::infinity();
@@ -45,4 +45,4 @@ PartCount parts(const Network& network) {
   return count;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

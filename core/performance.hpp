@@ -13,7 +13,7 @@
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 struct Performance {
   double uniformity = 0;
@@ -40,4 +40,4 @@ struct PartCount {
 
 PartCount parts(const Network& network);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::core {
 
 int finger_count(const Tendon& tendon) {
   return static_cast<int>(
@@ -26,4 +26,4 @@ bool is_actuated(const Routing& routing) {
                      [](const Tendon& tendon) { return is_actuated(tendon); });
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 // The order of the enumerators is the canonical order of routings (canonical.hpp).
 enum class TokenKind : std::uint8_t {
@@ -74,4 +76,4 @@ int finger_count(const Tendon& tendon);
 bool is_actuated(const Tendon& tendon);
 bool is_actuated(const Routing& routing);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::core {
 
 std::vector<std::string> comma_separated(std::string_view text) {
   std::vector<std::string> items;
@@ -20,4 +20,4 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 // Between commas; an empty text is one empty item.
 std::vector<std::string> comma_separated(std::string_view text);
@@ -13,4 +15,4 @@ std::vector<std::string> comma_separated(std::string_view text);
 // Without blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
 
-}  // namespace reeve
+}  // namespace reeve::core

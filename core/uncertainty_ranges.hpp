@@ -5,7 +5,9 @@
 // load, and a sheath turns with the posture of the wearer.
 #pragma once
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 struct MuRange {
   double low = 0;  // friction coefficient, 1
@@ -19,4 +21,4 @@ struct UncertaintyRanges {
   double sheath_angle_relative = 0.2;  // half-width over the value, 1
 };
 
-}  // namespace reeve
+}  // namespace reeve::core

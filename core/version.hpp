@@ -2,7 +2,9 @@
 
 #include <string>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::core {
 
 struct Version {
   std::string number;  // of the project, such as "0.1.0"
@@ -11,4 +13,4 @@ struct Version {
 
 Version version();
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "diagnosis/model/forecast.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 struct Sums {
@@ -188,4 +188,4 @@ Comparison compare(const MeasuredData& data, const Model& model) {
   return Comparer(data, model).run();
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -17,7 +17,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 enum class Quantity : std::uint8_t {
   tension,  // N
@@ -65,4 +65,4 @@ struct Comparison {
 // the model has no tensions.
 Comparison compare(const MeasuredData& data, const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

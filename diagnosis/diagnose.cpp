@@ -18,7 +18,7 @@
 #include "diagnosis/search/weighed.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // A second name, or the claim that something is left that no cause explains, has to stand against
@@ -329,4 +329,4 @@ DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,
   return *diagnose_until(data, hardware, options);
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -32,7 +32,7 @@
 #include "diagnosis/verdict/structure.hpp"
 #include "diagnosis/verdict/without_apart.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // What the result depends on, besides the data and the hardware.
 struct DiagnosisSettings {
@@ -132,4 +132,4 @@ std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Ha
 DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,
                          const DiagnoseOptions& options = {});
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

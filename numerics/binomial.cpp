@@ -2,7 +2,7 @@
 
 #include <boost/math/special_functions/beta.hpp>
 
-namespace reeve {
+namespace reeve::numerics {
 
 ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials, double confidence) {
   const auto k = static_cast<double>(successes);
@@ -12,4 +12,4 @@ ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials, 
           successes == trials ? 1 : boost::math::ibetac_inv(k + 1, n - k, tail)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::numerics

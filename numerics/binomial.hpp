@@ -3,7 +3,9 @@
 
 #include <cstddef>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::numerics {
 
 struct ConfidenceInterval {
   double low = 0;
@@ -15,4 +17,4 @@ struct ConfidenceInterval {
 ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials,
                                      double confidence = 0.95);
 
-}  // namespace reeve
+}  // namespace reeve::numerics

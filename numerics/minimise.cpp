@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace reeve {
+namespace reeve::numerics {
 namespace {
 
 // In parts of the box's sides.
@@ -133,4 +133,4 @@ Minimum refine(const Function& function, const std::vector<Interval>& box,
   return found(problem);
 }
 
-}  // namespace reeve
+}  // namespace reeve::numerics

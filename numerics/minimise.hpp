@@ -4,7 +4,9 @@
 #include <functional>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::numerics {
 
 struct Interval {
   double low = 0;
@@ -28,4 +30,4 @@ Minimum minimise(const std::function<double(const std::vector<double>&)>& functi
 Minimum refine(const std::function<double(const std::vector<double>&)>& function,
                const std::vector<Interval>& box, const std::vector<double>& start, int evaluations);
 
-}  // namespace reeve
+}  // namespace reeve::numerics

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace reeve {
+namespace reeve::numerics {
 namespace {
 
 int thread_count(int wanted) { return wanted > 0 ? wanted : tbb::info::default_concurrency(); }
@@ -84,4 +84,4 @@ void Workers::for_each_block(std::size_t size, std::size_t grain,
 #endif
 }
 
-}  // namespace reeve
+}  // namespace reeve::numerics

@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::numerics {
 
 // Half-open block of indices, worked on by one worker (0 … threads - 1) at a time.
 struct IndexBlock {
@@ -34,4 +36,4 @@ class Workers {
   std::unique_ptr<Arena> arena_;
 };
 
-}  // namespace reeve
+}  // namespace reeve::numerics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace reeve {
+namespace reeve::numerics {
 namespace {
 
 using Generator = r123::Philox4x32;
@@ -40,4 +40,4 @@ double normal(std::uint64_t seed, std::uint32_t stream, std::uint64_t index) {
   return std::sqrt(-2 * std::log(above_zero)) * std::cos(2 * std::numbers::pi * turn);
 }
 
-}  // namespace reeve
+}  // namespace reeve::numerics

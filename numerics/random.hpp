@@ -4,7 +4,9 @@
 
 #include <cstdint>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::numerics {
 
 // Uniform in [0, 1), with 53 random bits.
 double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
@@ -13,4 +15,4 @@ double uniform(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
 // same arguments.
 double normal(std::uint64_t seed, std::uint32_t stream, std::uint64_t index);
 
-}  // namespace reeve
+}  // namespace reeve::numerics

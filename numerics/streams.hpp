@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace reeve::streams {
+#include "numerics/floors.hpp"
+
+namespace reeve::numerics::streams {
 
 // Replicates of the noise draw from the streams 0, 1, …, one for each of them; what else one seed
 // serves beside a diagnosis lies far above. Designs are sampled with a seed of their own.
@@ -29,4 +31,4 @@ inline std::uint64_t seed_of_step(std::uint64_t seed, std::size_t step) {
 }
 inline std::uint64_t seed_of_what_is_left(std::uint64_t seed) { return seed + 104729; }
 
-}  // namespace reeve::streams
+}  // namespace reeve::numerics::streams

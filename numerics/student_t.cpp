@@ -2,10 +2,10 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
-namespace reeve {
+namespace reeve::numerics {
 
 double student_t_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
-}  // namespace reeve
+}  // namespace reeve::numerics

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // Two runs that write the same file at a time must not share the temporary one.
@@ -49,4 +49,4 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
   }
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
 
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);
@@ -12,4 +14,4 @@ void prepare_directory(const std::filesystem::path& directory, const std::string
 // Writes to a temporary name beside it, then renames. Throws InputError that names the file.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 #include "core/version.hpp"
 #include "reports/results/model_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 void add_if_given(Json& target, const char* key, const std::optional<double>& value) {
@@ -125,4 +125,4 @@ std::string version_json() {
   return build.number + " (" + build.commit + ")";
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

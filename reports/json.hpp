@@ -13,7 +13,7 @@
 #include "search/judge/objectives.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 using Json = nlohmann::ordered_json;
 
@@ -46,4 +46,4 @@ std::string order_text(const Order& order, const Score& score);
 
 std::string version_json();
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::reports {
 
 namespace measures {
 
@@ -39,4 +39,4 @@ std::vector<std::string> wrap(const std::string& text, double size, bool bold, d
   return lines;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
 
 struct Point {
   double x = 0;
@@ -46,4 +48,4 @@ double text_width(const std::string& text, double size, bool bold);
 // Breaks behind spaces, '-' and '+' where a line would grow wider.
 std::vector<std::string> wrap(const std::string& text, double size, bool bold, double width);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // What no shell takes for anything else, wherever it stands in a word; '~', '=' and '#' can be.
@@ -28,4 +28,4 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -3,8 +3,10 @@
 
 #include <string>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
 
 std::string shell_word(const std::string& text);
 
-}  // namespace reeve
+}  // namespace reeve::reports

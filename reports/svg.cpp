@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace reeve::svg {
+namespace reeve::reports::svg {
 namespace {
 
 Point step(Point from, Point to, double length) {
@@ -168,4 +168,4 @@ std::string arc_to(Point at, double radius, bool clockwise) {
          number(at.y);
 }
 
-}  // namespace reeve::svg
+}  // namespace reeve::reports::svg

@@ -7,7 +7,7 @@
 
 #include "reports/shapes.hpp"
 
-namespace reeve::svg {
+namespace reeve::reports::svg {
 
 // Text and attribute values; control characters, which XML cannot hold, become spaces.
 std::string escape(const std::string& text);
@@ -36,4 +36,4 @@ std::string line_to(Point at);
 // A circular arc of less than half a turn or half a turn.
 std::string arc_to(Point at, double radius, bool clockwise);
 
-}  // namespace reeve::svg
+}  // namespace reeve::reports::svg

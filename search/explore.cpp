@@ -14,7 +14,7 @@
 #include "search/judge/pareto.hpp"
 #include "search/sample.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 constexpr std::size_t batch_size = 16384;
@@ -242,4 +242,4 @@ ExploreResult explore(const ExploreOptions& options, const Supervision& supervis
   return Exploration(options).run(supervision);
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

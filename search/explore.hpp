@@ -18,7 +18,7 @@
 #include "search/judge/ranking.hpp"
 #include "search/judge/score.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct Shard {
   std::uint64_t index = 1;  // from 1
@@ -86,4 +86,4 @@ struct ExploreResult {
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {});
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -6,7 +6,7 @@
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 constexpr std::uint64_t seed = 0;
@@ -39,4 +39,4 @@ std::vector<Design> DesignSample::designs() const {
   return designs;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

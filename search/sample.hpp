@@ -10,7 +10,7 @@
 
 #include "search/judge/ranking.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 class DesignSample {
  public:
@@ -38,4 +38,4 @@ class DesignSample {
   std::vector<Member> members_;  // a heap: the greatest lot first
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -7,7 +7,7 @@
 #include "diagnosis/data/measured_data.hpp"
 #include "studies/publication_check.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 CheckReport check_all(const Catalogue& catalogue, const CatalogueFiles& files) {
   CheckReport report = check(catalogue);
@@ -26,4 +26,4 @@ CheckReport check_all(const Catalogue& catalogue, const CatalogueFiles& files) {
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -5,9 +5,9 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/check.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // `files` are those that the catalogue was read from. Throws InputError.
 CheckReport check_all(const Catalogue& catalogue, const CatalogueFiles& files);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -4,7 +4,7 @@
 
 #include "catalog/names.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 CompareReport comparison_study(MeasuredData data, const Model& model, const Catalogue& catalogue) {
   CompareReport report;
@@ -17,4 +17,4 @@ CompareReport comparison_study(MeasuredData data, const Model& model, const Cata
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -9,7 +9,7 @@
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct CompareReport {
   MeasuredData data;
@@ -21,4 +21,4 @@ struct CompareReport {
 // Throws InputError if there is nothing to compare, OutOfRange where the model has no tensions.
 CompareReport comparison_study(MeasuredData data, const Model& model, const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -6,7 +6,7 @@
 #include "core/notation.hpp"
 #include "diagnosis/data/measured_shares.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 std::vector<Routing> routings_with_shares(const MeasuredData& data) {
@@ -59,4 +59,4 @@ std::optional<TensionDistributions> diagnosed_distributions(
   }
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

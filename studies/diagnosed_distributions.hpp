@@ -12,7 +12,7 @@
 #include "studies/published_models.hpp"
 #include "studies/tension_distributions.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // Of the data's routings with as many fingers as the first that has shares, in their grasps.
 // Nothing if no pulled reading has all strands, or a model has no tensions in one of the grasps.
@@ -20,4 +20,4 @@ std::optional<TensionDistributions> diagnosed_distributions(
     const MeasuredData& data, const Hardware& hardware, const DiagnosisResult& result,
     const std::vector<PublishedModel>& published, const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -11,7 +11,7 @@
 #include "search/judge/evaluation.hpp"
 #include "search/judge/ranking.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 constexpr std::size_t most_generated = 200;
@@ -118,4 +118,4 @@ std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
   }
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

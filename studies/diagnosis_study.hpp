@@ -14,7 +14,7 @@
 #include "studies/published_models.hpp"
 #include "studies/shown_routing.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct DiagnosisRequest {
   MeasuredData data;
@@ -58,4 +58,4 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
 // conditions; nothing if there is no such measurement, or the model has no tensions in it.
 std::optional<ShownRouting> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

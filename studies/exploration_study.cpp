@@ -5,7 +5,7 @@
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue) {
   std::vector<Routing> routings;
@@ -48,4 +48,4 @@ ExploreReport exploration_study(const ExploreOptions& options,
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -11,7 +11,7 @@
 #include "studies/listed_design.hpp"
 #include "studies/study_supervision.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct ExploreReport {
   ExploreOptions options;
@@ -40,4 +40,4 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
                              const std::vector<RankDistribution>& distributions,
                              const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

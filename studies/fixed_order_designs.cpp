@@ -6,7 +6,7 @@
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 std::vector<Routing> fixed_order_designs(int fingers) {
   std::vector<Routing> designs;
@@ -28,4 +28,4 @@ std::vector<Routing> fixed_order_designs(int fingers) {
   return designs;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -7,11 +7,11 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 inline constexpr int closings_in_fixed_order = 4;
 
 // All that a motor pulls, each once.
 std::vector<Routing> fixed_order_designs(int fingers);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -16,7 +16,7 @@
 #include "core/indicators.hpp"
 #include "studies/strand_readings.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 // Of a folded normal distribution about 0: mean over standard deviation.
@@ -304,4 +304,4 @@ std::vector<CheckItem> check_indicators(const Catalogue& catalogue, const Public
   return IndicatorCheck(catalogue, publication, readings).run();
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -8,7 +8,7 @@
 #include "catalog/publication.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // A number and by how much it may be off.
 struct Uncertain {
@@ -24,4 +24,4 @@ Uncertain implied_ratio(const Catalogue& catalogue, const Publication& publicati
 std::vector<CheckItem> check_indicators(const Catalogue& catalogue, const Publication& publication,
                                         const MeasuredData& readings);
 
-}  // namespace reeve
+}  // namespace reeve::studies

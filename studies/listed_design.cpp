@@ -2,7 +2,7 @@
 
 #include "catalog/names.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<RankDistribution>& distributions,
@@ -15,4 +15,4 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
   return designs;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -9,7 +9,7 @@
 #include "search/judge/ranking.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct ListedDesign {
   RankedDesign ranked;
@@ -23,4 +23,4 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<RankDistribution>& distributions,
                                        const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -16,7 +16,7 @@
 #include "studies/indicator_check.hpp"
 #include "studies/strand_readings.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 class PublicationCheck {
@@ -244,4 +244,4 @@ std::vector<CheckItem> check_publication(const Catalogue& catalogue, const Publi
   return PublicationCheck(catalogue, publication, readings).run();
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -22,10 +22,10 @@
 #include "catalog/publication.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // Throws InputError if the readings or the catalogue lack a routing of the publication.
 std::vector<CheckItem> check_publication(const Catalogue& catalogue, const Publication& publication,
                                          const MeasuredData& readings);
 
-}  // namespace reeve
+}  // namespace reeve::studies

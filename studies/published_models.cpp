@@ -13,7 +13,7 @@
 #include "diagnosis/verdict/share_error.hpp"
 #include "studies/strand_readings.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 // Within this, lines and equations say the same of a stretch: a tenth of what a sheath loses.
@@ -178,4 +178,4 @@ std::vector<PublishedModel> published_models(const Catalogue& catalogue, const M
   return list;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -10,7 +10,7 @@
 #include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // One stretch of the diagnosis' losses (diagnosis/verdict/losses.hpp) as the lines have it.
 struct PublishedLoss {
@@ -43,4 +43,4 @@ struct PublishedModel {
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result);
 
-}  // namespace reeve
+}  // namespace reeve::studies

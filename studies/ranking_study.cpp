@@ -5,7 +5,7 @@
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 std::vector<RankedDesign> ranked(const RankRequest& request, std::uint64_t& unconverged) {
@@ -62,4 +62,4 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

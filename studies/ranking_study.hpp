@@ -22,7 +22,7 @@
 #include "studies/study_supervision.hpp"
 #include "studies/tension_distributions.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // Of coefficients, for the spread of the ranks.
 struct Draws {
@@ -67,4 +67,4 @@ struct RankReport {
 std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,
                                         const StudySupervision& supervision = {});
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -6,7 +6,7 @@
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
                            Direction direction, const Catalogue& catalogue) {
@@ -28,4 +28,4 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

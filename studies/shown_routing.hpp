@@ -14,7 +14,7 @@
 #include "core/tension/tension.hpp"
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct ShownGrasp {
   Grasp grasp;
@@ -37,4 +37,4 @@ struct ShownRouting {
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
                            Direction direction, const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

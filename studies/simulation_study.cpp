@@ -4,7 +4,7 @@
 #include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 MeasuredData read_back(const SimulationReport& report, const WrittenSimulation& written) {
@@ -42,4 +42,4 @@ std::optional<PowerReport> power_study(SimulationReport experiment, std::size_t 
   return report;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

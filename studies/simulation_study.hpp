@@ -14,7 +14,7 @@
 #include "diagnosis/plan/simulation.hpp"
 #include "studies/study_supervision.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 struct SimulationReport {
   ExperimentPlan plan;
@@ -39,4 +39,4 @@ std::optional<PowerReport> power_study(SimulationReport experiment, std::size_t 
                                        const WrittenSimulation& written,
                                        const StudySupervision& supervision = {});
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 std::vector<double> strands_of(const MeasuredData& data, const Reading& reading) {
   const int fingers = data.routings[reading.routing].network.fingers;
@@ -61,4 +61,4 @@ const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& pu
   return *entry;
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -8,7 +8,7 @@
 #include "catalog/publication.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // T1 … T2n of a reading, N; -1 where it has none.
 std::vector<double> strands_of(const MeasuredData& data, const Reading& reading);
@@ -22,4 +22,4 @@ std::vector<double> strand_readings(const Publication& publication, const Catalo
 const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& publication,
                                const std::string& routing);
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -7,7 +7,7 @@
 
 #include "search/explore.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 // Both may be empty.
 struct StudySupervision {
@@ -22,4 +22,4 @@ struct StudySupervision {
   bool stopped() const { return stop != nullptr && stop->load(); }
 };
 
-}  // namespace reeve
+}  // namespace reeve::studies

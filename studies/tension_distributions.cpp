@@ -16,7 +16,7 @@
 #include "diagnosis/verdict/share_error.hpp"
 #include "studies/shown_routing.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 namespace {
 
 bool is_coefficient_of_tubes_or_sheaths(const Effect& effect) {
@@ -268,4 +268,4 @@ TensionDistributions measured_distributions(const DistributionRequest& request,
   return distributions.run(distributions.with_measured_ones({}));
 }
 
-}  // namespace reeve
+}  // namespace reeve::studies

@@ -18,7 +18,7 @@
 #include "core/routing.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::studies {
 
 enum class FrictionKind : std::uint8_t {
   coefficient,  // one coefficient of tubes and sheaths alike
@@ -109,4 +109,4 @@ TensionDistributions tension_distributions(const DistributionRequest& request,
 TensionDistributions measured_distributions(const DistributionRequest& request,
                                             const Catalogue& catalogue);
 
-}  // namespace reeve
+}  // namespace reeve::studies

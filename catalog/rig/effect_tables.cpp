@@ -10,7 +10,7 @@
 #include "core/notation.hpp"
 #include "core/tension/seizure.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 std::vector<std::string_view> subject_keys(SubjectKind kind) {
@@ -161,4 +161,4 @@ std::string effect_toml(const Effect& effect, const Hardware& hardware) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -7,11 +7,11 @@
 #include "catalog/toml_node.hpp"
 #include "causes/model.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 // Adds the effect to the model, whose hardware must be read already.
 void read_effect(const TomlNode& table, Model& model);
 
 std::string effect_toml(const Effect& effect, const Hardware& hardware);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

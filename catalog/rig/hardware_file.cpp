@@ -3,7 +3,7 @@
 #include "catalog/rig/hardware_tables.hpp"
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 HardwareFile read_hardware_file(const std::filesystem::path& path) {
   const TomlNode file = read_toml(path);
@@ -15,4 +15,4 @@ Hardware read_hardware(const std::filesystem::path& path) {
   return read_hardware_file(path).hardware;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -8,7 +8,7 @@
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 struct HardwareFile {
   Hardware hardware;
@@ -19,4 +19,4 @@ struct HardwareFile {
 HardwareFile read_hardware_file(const std::filesystem::path& path);
 Hardware read_hardware(const std::filesystem::path& path);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -9,7 +9,7 @@
 #include "core/mechanics.hpp"
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 template <typename Number>
@@ -154,4 +154,4 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

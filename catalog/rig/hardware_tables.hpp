@@ -8,7 +8,7 @@
 #include "catalog/rig/hardware_file.hpp"
 #include "catalog/toml_node.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 std::vector<std::string_view> hardware_table_names();
 
@@ -22,4 +22,4 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
 // table, so that the place is that of the table at fault.
 void validate_at(const TomlNode& table, const Hardware& hardware);
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -4,7 +4,7 @@
 
 #include "catalog/rig/hardware_tables.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 // fmt's shortest form reads back as the same number.
@@ -51,4 +51,4 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
          line("sheath_angle_relative", uncertainty.sheath_angle_relative);
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -5,7 +5,7 @@
 #include "catalog/rig/effect_tables.hpp"
 #include "catalog/rig/hardware_tables.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 namespace {
 
 Conditions read_conditions(const TomlNode& file) {
@@ -55,4 +55,4 @@ std::string model_toml(const Model& model, const std::vector<std::string>& comme
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -23,7 +23,7 @@
 #include "causes/model.hpp"
 #include "core/uncertainty_ranges.hpp"
 
-namespace reeve {
+namespace reeve::catalog {
 
 struct ModelFile {
   Model model;
@@ -37,4 +37,4 @@ ModelFile read_model_file(const std::filesystem::path& path);
 std::string model_toml(const Model& model, const std::vector<std::string>& comment_lines,
                        const UncertaintyRanges& uncertainty = {});
 
-}  // namespace reeve
+}  // namespace reeve::catalog

@@ -9,7 +9,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class BearingDrag final : public Cause {
@@ -38,4 +38,4 @@ const Cause& bearing_drag_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -6,7 +6,7 @@
 // (makers' catalogues quote 0.001 to 0.0018 for deep-groove ball bearings).
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class BearingFriction final : public Cause {
@@ -35,4 +35,4 @@ const Cause& bearing_friction_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

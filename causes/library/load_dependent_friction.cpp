@@ -13,7 +13,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class LoadDependentFriction final : public Cause {
@@ -44,4 +44,4 @@ const Cause& load_dependent_friction_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -8,7 +8,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class Pretension final : public Cause {
@@ -38,4 +38,4 @@ const Cause& pretension_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

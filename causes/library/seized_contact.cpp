@@ -6,7 +6,7 @@
 #include "causes/cause.hpp"
 #include "core/tension/seizure.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class SeizedContact final : public Cause {
@@ -45,4 +45,4 @@ const Cause& seized_contact_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

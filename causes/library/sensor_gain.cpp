@@ -6,7 +6,7 @@
 // mounting that bends them costs more.
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class SensorGain final : public Cause {
@@ -24,7 +24,7 @@ class SensorGain final : public Cause {
   }
   SubjectKind subject_kind() const override { return SubjectKind::channel; }
   std::string subject_name(const Subject& subject) const override {
-    return reeve::name(*subject.channel);
+    return core::name(*subject.channel);
   }
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     return is_channel(segment, effect.subject) ? effect.values[0] * tension_N : tension_N;
@@ -38,4 +38,4 @@ const Cause& sensor_gain_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -6,7 +6,7 @@
 // taken before each run.
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class SensorOffset final : public Cause {
@@ -22,7 +22,7 @@ class SensorOffset final : public Cause {
   }
   SubjectKind subject_kind() const override { return SubjectKind::channel; }
   std::string subject_name(const Subject& subject) const override {
-    return reeve::name(*subject.channel);
+    return core::name(*subject.channel);
   }
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     return is_channel(segment, effect.subject) ? tension_N + effect.values[0] : tension_N;
@@ -36,4 +36,4 @@ const Cause& sensor_offset_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -9,7 +9,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class SheathAngle final : public Cause {
@@ -64,4 +64,4 @@ const Cause& sheath_angle_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

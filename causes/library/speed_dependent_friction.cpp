@@ -11,7 +11,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class SpeedDependentFriction final : public Cause {
@@ -43,4 +43,4 @@ const Cause& speed_dependent_friction_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -11,7 +11,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class Temperature final : public Cause {
@@ -42,4 +42,4 @@ const Cause& temperature_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -6,7 +6,7 @@
 // supplement, section I; its own tension test ends at 0.09 instead of 0.18).
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class TubeFriction final : public Cause {
@@ -35,4 +35,4 @@ const Cause& tube_friction_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -10,7 +10,7 @@
 
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class Wear final : public Cause {
@@ -43,4 +43,4 @@ const Cause& wear_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

@@ -6,7 +6,7 @@
 // long as something closes.
 #include "causes/cause.hpp"
 
-namespace reeve {
+namespace reeve::causes {
 namespace {
 
 class WrongGrasp final : public Cause {
@@ -57,4 +57,4 @@ const Cause& wrong_grasp_cause() {
   return cause;
 }
 
-}  // namespace reeve
+}  // namespace reeve::causes

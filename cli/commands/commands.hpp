@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::cli {
 
 // What the process returns to the shell.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -95,4 +95,4 @@ void ElasticChain::solve(std::span<const ChainSegment> segments,
   }
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -20,7 +20,7 @@
 
 #include "core/tension/kinematics.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 struct ChainSegment {
   double length = 1;
@@ -58,4 +58,4 @@ class ElasticChain {
   std::vector<double> rest_;
 };
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -5,7 +5,7 @@
 
 #include "core/tension/split_kinematics.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 // Slips are sums of a few tens of terms of order one: what is smaller than this is rounding.
@@ -168,4 +168,4 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   if (blocked) stop_everything(motion);
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

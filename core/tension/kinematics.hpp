@@ -24,7 +24,7 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 
@@ -62,4 +62,4 @@ class Kinematics {
   std::vector<WeightedPoint> points_;
 };
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 template <typename T>
@@ -95,4 +95,4 @@ std::optional<std::size_t> find_contact(const Network& network, const std::strin
   return std::nullopt;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -13,7 +13,7 @@
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 // Segments and contacts are those of the original network in another order. A seized contact stays
 // in the array of contacts and belongs to no tendon.
@@ -32,4 +32,4 @@ TensionState restored(const SeizedNetwork& seized, const TensionState& state);
 std::string contact_name(const Network& network, std::size_t contact);
 std::optional<std::size_t> find_contact(const Network& network, const std::string& name);
 
-}  // namespace reeve
+}  // namespace reeve::core

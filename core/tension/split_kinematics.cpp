@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 constexpr double tight = 1e-9;
@@ -82,4 +82,4 @@ SplitClosing split_closing(const Network& network, const Mechanics& mechanics, G
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

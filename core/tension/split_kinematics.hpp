@@ -20,7 +20,7 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 struct SplitClosing {
   std::vector<double> closing;  // dl of fingers 1 … n
@@ -30,4 +30,4 @@ struct SplitClosing {
 
 SplitClosing split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp);
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::core {
 namespace {
 
 // Where a loop may be opened is decided by an inequality between rounded products.
@@ -119,4 +119,4 @@ TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp 
   return require_in_range(state);
 }
 
-}  // namespace reeve
+}  // namespace reeve::core

@@ -25,7 +25,7 @@
 #include "core/tension/elastic_chain.hpp"
 #include "core/tension/kinematics.hpp"
 
-namespace reeve {
+namespace reeve::core {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct TensionState {
@@ -67,4 +67,4 @@ const TensionState& require_in_range(const TensionState& state);
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
                       Direction direction = Direction::pull);
 
-}  // namespace reeve
+}  // namespace reeve::core

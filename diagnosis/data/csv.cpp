@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 [[noreturn]] void fail_too_large(const std::string& name) {
@@ -216,4 +216,4 @@ bool CsvReader::take_separator(std::size_t fields) {
   return true;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -19,7 +19,9 @@
 #include <string_view>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::diagnosis {
 
 struct CsvRow {
   std::size_t line = 0;  // where it begins, from 1
@@ -85,4 +87,4 @@ std::string one_line(std::string text);
 // The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high) {
   std::string number(text);
@@ -42,4 +42,4 @@ void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) 
                   comma_line_, point_line_));
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

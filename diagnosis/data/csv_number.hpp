@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <string_view>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::diagnosis {
 
 class CsvNumberReader {
  public:
@@ -23,4 +25,4 @@ class CsvNumberReader {
   std::size_t point_line_ = 0;
 };
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

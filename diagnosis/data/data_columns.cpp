@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -139,4 +139,4 @@ std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, D
   return std::nullopt;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

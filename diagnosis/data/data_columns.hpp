@@ -17,7 +17,7 @@
 #include "core/network.hpp"
 #include "diagnosis/data/csv.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 enum class DataRole : std::uint8_t {
   run,
@@ -46,4 +46,4 @@ std::vector<DataColumn> read_columns(const CsvReader& csv);
 
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

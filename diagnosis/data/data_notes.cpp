@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // All that two rows can share but the line and the run.
@@ -166,4 +166,4 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   return notes;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

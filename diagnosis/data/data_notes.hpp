@@ -7,7 +7,7 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // A motor-side segment may read this much more than the motor tension before it is noted: sensors
 // are calibrated to some per cent.
@@ -27,4 +27,4 @@ std::vector<std::size_t> repeated_readings(const MeasuredData& data);
 std::vector<DataNote> data_notes(const MeasuredData& data,
                                  const std::vector<CsvComment>& comments_below_the_header);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 Conditions conditions(const Reading& reading) {
@@ -83,4 +83,4 @@ Survey survey(const MeasuredData& data) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -10,7 +10,7 @@
 #include "causes/cause.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Cell {
   std::size_t reading = 0;  // in MeasuredData::readings
@@ -56,4 +56,4 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
 // Which causes the data could show.
 Survey survey(const MeasuredData& data);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -9,7 +9,7 @@
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // Runs by the routings they were measured on, each list in an order drawn by the seed; the longest
@@ -104,4 +104,4 @@ std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size
   return kept;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

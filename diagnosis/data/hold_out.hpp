@@ -11,7 +11,7 @@
 
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Split {
   std::vector<std::size_t> training;  // readings, ascending
@@ -27,4 +27,4 @@ Split split_by_run(const MeasuredData& data, double share, std::uint64_t seed);
 std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size_t> readings,
                                  std::size_t most);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

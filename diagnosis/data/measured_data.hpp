@@ -17,7 +17,7 @@
 #include "core/routing.hpp"
 #include "diagnosis/data/note.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // A column of tensions.
 struct Channel {
@@ -68,4 +68,4 @@ MeasuredData read_measured_data(const std::filesystem::path& path, const Routing
 MeasuredData parse_measured_data(std::string text, const std::string& name,
                                  const RoutingResolver& resolve);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

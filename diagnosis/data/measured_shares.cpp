@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // T1 … T2n of a reading over their sum; empty if one is missing, or if all are slack.
@@ -91,4 +91,4 @@ SharesOfData measured_shares(const MeasuredData& data) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

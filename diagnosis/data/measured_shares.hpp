@@ -11,7 +11,7 @@
 
 #include "diagnosis/data/measured_data.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct MeasuredShares {
   std::size_t routing = 0;  // in MeasuredData::routings
@@ -32,4 +32,4 @@ std::vector<std::size_t> strand_channels(const MeasuredData& data, const Measure
 
 SharesOfData measured_shares(const MeasuredData& data);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

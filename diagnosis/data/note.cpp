@@ -1,6 +1,6 @@
 #include "diagnosis/data/note.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 const char* name(NoteKind kind) {
   switch (kind) {
@@ -24,4 +24,4 @@ const char* name(NoteKind kind) {
   return "";
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::diagnosis {
 
 enum class NoteKind : std::uint8_t {
   duplicate,               // rows equal in all but their line
@@ -26,4 +28,4 @@ struct DataNote {
   std::vector<std::size_t> lines;  // ascending; empty if it is about the whole file
 };
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

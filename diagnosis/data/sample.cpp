@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "diagnosis/data/hold_out.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 void add_note(Sample& sample, std::string text, std::vector<std::size_t> lines = {}) {
@@ -68,4 +68,4 @@ Sample sample(const MeasuredData& data, double share, std::uint64_t seed) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

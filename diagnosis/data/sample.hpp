@@ -8,7 +8,7 @@
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/data/note.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // More readings than this say nothing more about which cause it is.
 inline constexpr std::size_t most_readings = 4000;
@@ -28,4 +28,4 @@ struct Sample {
 // `data` must outlive the sample.
 Sample sample(const MeasuredData& data, double share, std::uint64_t seed);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

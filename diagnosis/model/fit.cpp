@@ -5,7 +5,7 @@
 
 #include "numerics/minimise.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // A parameter that spans orders of magnitude is searched by its logarithm.
@@ -113,4 +113,4 @@ Model without(Model model, std::size_t effect) {
   return model;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -6,7 +6,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Fit {
   Model model;
@@ -37,4 +37,4 @@ struct Extended {
 Extended extended(const Model& model, const Effect& effect);
 Model without(Model model, std::size_t effect);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "diagnosis/model/sheath_angle.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 struct NoForecast {
@@ -152,4 +152,4 @@ Forecast forecast(const Dataset& dataset, const Model& model) {
   return std::get<Forecast>(std::move(result));
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -15,7 +15,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells
@@ -28,4 +28,4 @@ std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model)
 // Throws OutOfRange that names the line.
 Forecast forecast(const Dataset& dataset, const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -11,7 +11,7 @@
 #include "diagnosis/model/run_equations.hpp"
 #include "numerics/student_t.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -126,4 +126,4 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -21,7 +21,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct ParameterInterval {
   double low = 0;
@@ -32,4 +32,4 @@ struct ParameterInterval {
 std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& problem,
                                                                 const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

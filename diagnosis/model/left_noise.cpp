@@ -2,7 +2,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 Noise noise_left_by(const Dataset& dataset, const Model& model) {
   // In newton, and so sure that no reading is near what a sensor cannot read below.
@@ -13,4 +13,4 @@ Noise noise_left_by(const Dataset& dataset, const Model& model) {
                             static_cast<double>(parameter_count(model)));
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

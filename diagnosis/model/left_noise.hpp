@@ -4,8 +4,8 @@
 #include "causes/model.hpp"
 #include "diagnosis/model/noise.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 Noise noise_left_by(const Dataset& dataset, const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

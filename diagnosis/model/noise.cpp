@@ -9,7 +9,7 @@
 
 #include "numerics/minimise.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr double enough_noise_degrees = 30;
@@ -221,4 +221,4 @@ Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual
   return fit(dataset, samples, NoiseSource::residuals);
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -16,7 +16,7 @@
 
 #include "diagnosis/data/dataset.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 enum class NoiseSource : std::uint8_t { repeats, smoothing, repeats_and_smoothing, residuals };
 const char* name(NoiseSource source);
@@ -50,4 +50,4 @@ std::optional<Noise> noise_without_model(const Dataset& dataset);
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
                          double parameters);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -7,7 +7,7 @@
 
 #include "numerics/random.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // Of the length of a column: what is shorter after projection was rounding.
@@ -79,4 +79,4 @@ double p_value(double observed, const std::vector<double>& replicates) {
   return static_cast<double>(above + 1) / static_cast<double>(replicates.size() + 1);
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -15,7 +15,7 @@
 #include "diagnosis/model/problem.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // Of what the columns span; columns that others explain up to rounding add nothing.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
@@ -61,4 +61,4 @@ class NullModel {
 // Share of replicates, the data counted among them, whose statistic is at least the observed one.
 double p_value(double observed, const std::vector<double>& replicates);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

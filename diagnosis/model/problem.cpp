@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -130,4 +130,4 @@ std::size_t parameter_count(const Model& model) {
   return count;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

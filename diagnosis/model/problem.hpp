@@ -19,7 +19,7 @@
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/model/forecast.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Problem {
   const Dataset* dataset = nullptr;  // must outlive the problem
@@ -55,4 +55,4 @@ Eigen::MatrixXd sensitivities(const Problem& problem, const Model& model, const 
 
 std::size_t parameter_count(const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

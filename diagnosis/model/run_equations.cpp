@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 using Eigen::Index;
 
@@ -35,4 +35,4 @@ Eigen::VectorXd column_scale(const Eigen::MatrixXd& jacobian) {
   return lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 1.0; });
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -9,7 +9,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // A run with a smaller share of what is known of a direction says nothing about it: sensitivities
 // are differences of forecasts, and what rounding leaves of them is no knowledge.
@@ -29,4 +29,4 @@ std::vector<RunEquations> run_equations(const Problem& problem, const Eigen::Mat
 // zeros.
 Eigen::VectorXd column_scale(const Eigen::MatrixXd& jacobian);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

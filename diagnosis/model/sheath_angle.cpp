@@ -4,7 +4,7 @@
 
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // A sheath lies between a motor-side segment and one at the hand; the pulley of a P lies between
@@ -27,4 +27,4 @@ Hardware with_sheath_angle(Hardware hardware, double angle_rad) {
   return hardware;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -3,9 +3,9 @@
 
 #include "core/hardware.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // With this wrap angle at every sheath, over what the hardware says of a finger or a contact.
 Hardware with_sheath_angle(Hardware hardware, double angle_rad);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

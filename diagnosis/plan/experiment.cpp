@@ -10,7 +10,7 @@
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 enum class Factor : std::uint32_t {
@@ -184,4 +184,4 @@ Survey survey(const ExperimentPlan& plan) {
   return survey;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -22,7 +22,7 @@
 #include "core/grasp.hpp"
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // What a condition takes: a range, or the levels of a list if it has any.
 struct Levels {
@@ -71,4 +71,4 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
 // Which causes the experiment could show. Points into the plan.
 Survey survey(const ExperimentPlan& plan);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -10,7 +10,7 @@
 
 #include "causes/model_solver.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -291,4 +291,4 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
   return best;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -19,7 +19,7 @@
 #include "diagnosis/model/noise.hpp"
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // Readings of one kind that a plan counts on.
 inline constexpr int planned_readings = 10;
@@ -77,4 +77,4 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
                                                         const Problem& problem, const Model& model,
                                                         std::size_t effect);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 Finding finding_of(const DiagnosisResult& result, std::vector<std::string> named,
@@ -51,4 +51,4 @@ std::vector<FindingShare> finding_shares(const std::vector<PowerTrial>& trials) 
   return shares;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

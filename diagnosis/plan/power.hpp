@@ -10,7 +10,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "numerics/binomial.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // What a diagnosis comes to, for who knows the truth.
 enum class Finding : std::uint8_t {
@@ -45,4 +45,4 @@ struct FindingShare {
 // In the order of the findings.
 std::vector<FindingShare> finding_shares(const std::vector<PowerTrial>& trials);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -9,7 +9,7 @@
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // Tensions of one routing on the rig.
@@ -84,4 +84,4 @@ Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedN
   return simulation;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

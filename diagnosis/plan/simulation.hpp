@@ -14,7 +14,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/plan/experiment.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct AddedNoise {
   double relative = 0.02;
@@ -34,4 +34,4 @@ struct Simulation {
 Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedNoise& noise,
                     std::uint64_t seed);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -4,7 +4,7 @@
 
 #include "causes/library.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr int shapes_tried = 5;
@@ -52,4 +52,4 @@ std::string detail(const Effect& effect) {
   return "recorded " + to_text(*subject.recorded) + ", measured " + to_text(*subject.actual);
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -7,7 +7,7 @@
 #include "causes/cause.hpp"
 #include "causes/model.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct Candidate {
   Effect effect;  // at its nominal size, which changes nothing; without size, as it is
@@ -25,4 +25,4 @@ std::vector<std::vector<double>> shapes(const Candidate& candidate);
 // For a person: "recorded 1, measured 2" of wrong_grasp; otherwise empty.
 std::string detail(const Effect& effect);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -7,7 +7,7 @@
 #include "diagnosis/search/rivals.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr std::size_t most_contenders = 10;
@@ -240,4 +240,4 @@ std::optional<CauseSearchResult> search_causes(
   return Search(problem, nominal, candidates, options, workers, changed, stop).run();
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

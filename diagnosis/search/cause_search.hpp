@@ -16,7 +16,7 @@
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct CauseSearchOptions {
   double alpha = 0.02;          // of the first cause
@@ -44,4 +44,4 @@ std::optional<CauseSearchResult> search_causes(
     const CauseSearchOptions& options, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

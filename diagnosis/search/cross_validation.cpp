@@ -4,7 +4,7 @@
 
 #include "diagnosis/model/run_equations.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Eigen::MatrixXd;
@@ -70,4 +70,4 @@ double left_out_gain(const LeftOutMisfits& before, const LeftOutMisfits& after) 
   return gain;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

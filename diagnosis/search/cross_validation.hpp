@@ -13,7 +13,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // Σ of the squared residuals of each run, forecast from the others by a model that is fitted to the
 // problem; nothing where they cannot forecast it. In the order of run_equations.
@@ -24,4 +24,4 @@ LeftOutMisfits left_out_misfits(const Problem& problem, const Model& model);
 // no run to judge by.
 double left_out_gain(const LeftOutMisfits& before, const LeftOutMisfits& after);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

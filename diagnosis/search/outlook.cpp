@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 bool is_law_of_friction(const Candidate& candidate) {
@@ -32,7 +32,7 @@ Outlook::Outlook(const Problem& problem, const Model& model,
       candidates_(not_in(model, candidates)),
       at_(forecast(*problem.dataset, model)),
       projection_(problem, model, at_),
-      residuals_(projection_.taken_out(reeve::residuals(problem, at_))),
+      residuals_(projection_.taken_out(diagnosis::residuals(problem, at_))),
       screening_(problem, model, at_, projection_, candidates_, workers) {}
 
 std::vector<std::size_t> Outlook::contenders(std::size_t most, Laws laws) const {
@@ -66,4 +66,4 @@ std::size_t least_misfit(const std::vector<Fit>& fits) {
   return static_cast<std::size_t>(best - fits.begin());
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -10,7 +10,7 @@
 #include "diagnosis/search/screening.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 class Outlook {
  public:
@@ -50,4 +50,4 @@ class Outlook {
 // 0 if there are none.
 std::size_t least_misfit(const std::vector<Fit>& fits);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -4,7 +4,7 @@
 
 #include "diagnosis/search/outlook.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_t effect,
                           const std::vector<Candidate>& candidates, Workers& workers) {
@@ -45,4 +45,4 @@ Indistinguishable indistinguishable(const std::string& name, const Model& model,
   return group;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -11,7 +11,7 @@
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // Two causes whose best fits differ by less than this cannot be told apart: were the worse one
 // true, noise would favour the better one by as much in at most 1 of 400 data sets, however far
@@ -38,4 +38,4 @@ struct Indistinguishable {
 Indistinguishable indistinguishable(const std::string& name, const Model& model,
                                     const std::vector<Rival>& rivals);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -5,7 +5,7 @@
 
 #include "diagnosis/model/fit.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 double gain_from_misfits(double before, double after, double degrees_of_freedom) {
   constexpr double least_remainder = 1e-300;
@@ -92,4 +92,4 @@ std::vector<std::vector<double>> Screening::starts(std::size_t candidate,
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -19,7 +19,7 @@
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // n/2 ln of the ratio of misfits.
 double gain_from_misfits(double before, double after, double degrees_of_freedom);
@@ -57,4 +57,4 @@ class Screening {
   double degrees_;
 };
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

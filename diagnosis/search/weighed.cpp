@@ -5,7 +5,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 std::vector<WeighedModel> weighed_models(const Problem& problem, const Model& nominal,
                                          const Model& extended,
@@ -32,4 +32,4 @@ std::vector<WeighedModel> weighed_models(const Problem& problem, const Model& no
   return weighed;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -7,7 +7,7 @@
 
 #include "diagnosis/search/rivals.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct WeighedModel {
   std::vector<std::string> causes;
@@ -22,4 +22,4 @@ std::vector<WeighedModel> weighed_models(const Problem& problem, const Model& no
                                          const std::vector<std::string>& causes,
                                          const std::vector<std::vector<Rival>>& rivals);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

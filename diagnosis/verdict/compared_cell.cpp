@@ -7,7 +7,7 @@
 #include "diagnosis/model/forecast.hpp"
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // By reading and channel.
@@ -53,4 +53,4 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

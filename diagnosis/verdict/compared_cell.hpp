@@ -9,7 +9,7 @@
 #include "diagnosis/model/noise.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct ComparedCell {
   Cell cell;
@@ -29,4 +29,4 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
                                          const Model& after, const Noise& noise,
                                          const std::vector<LeftOutRun>& left_out);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -7,7 +7,7 @@
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr std::size_t draws = 1000;
@@ -95,4 +95,4 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -10,7 +10,7 @@
 
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct HeldOut {
   double rms_before_N = 0;
@@ -27,4 +27,4 @@ struct HeldOut {
 HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model& after,
                       std::uint64_t seed);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -5,7 +5,7 @@
 
 #include "diagnosis/model/fit.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 Model at_nominal(Model model) {
@@ -62,4 +62,4 @@ std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

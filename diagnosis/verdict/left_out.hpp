@@ -13,7 +13,7 @@
 #include "diagnosis/model/noise.hpp"
 #include "numerics/parallel.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // With more runs none of them matters much, and fitting so often takes long.
 inline constexpr std::size_t most_runs_left_out = 40;
@@ -32,4 +32,4 @@ std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
                                       const std::vector<std::size_t>& readings, const Model& model,
                                       const Noise& noise, Workers& workers);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

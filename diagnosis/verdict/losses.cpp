@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 constexpr double greatest_score = 3.5;
@@ -92,7 +92,7 @@ class LossTable {
     const Network& network = about.network;
     // Behind a seized contact the friction of the others does not add up from the motor on.
     if (!seized_contacts(model_, about.word, network).empty()) return;
-    const Mechanics mechanics = reeve::mechanics(network, effective_hardware(model_));
+    const Mechanics mechanics = core::mechanics(network, effective_hardware(model_));
     const Grasp recorded{held};
     const TensionState state =
         tensions(network, mechanics, actual_grasp(model_, about.word, recorded), direction);
@@ -190,4 +190,4 @@ std::vector<Loss> losses(const MeasuredData& data, const Model& extended,
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

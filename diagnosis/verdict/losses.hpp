@@ -18,7 +18,7 @@
 #include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 // With fewer stretches over the same contacts none of them can stand apart.
 inline constexpr std::size_t enough_stretches = 6;
@@ -44,4 +44,4 @@ struct Loss {
 std::vector<Loss> losses(const MeasuredData& data, const Model& extended,
                          const std::vector<ComparedCell>& cells);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

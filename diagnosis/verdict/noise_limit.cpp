@@ -4,7 +4,7 @@
 
 #include "numerics/chi_squared.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 NoiseLimit noise_limit(const Problem& held_out, const Model& before) {
   const Forecast at = forecast(*held_out.dataset, before);
@@ -19,4 +19,4 @@ NoiseLimit noise_limit(const Problem& held_out, const Model& before) {
   return limit;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

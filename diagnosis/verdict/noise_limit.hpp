@@ -15,7 +15,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct NoiseLimit {
   double log_likelihood_gain = 0;
@@ -26,4 +26,4 @@ struct NoiseLimit {
 
 NoiseLimit noise_limit(const Problem& held_out, const Model& before);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 std::vector<RunGain> run_gains(const Problem& held_out, const Model& before, const Model& after) {
   const Dataset& dataset = *held_out.dataset;
@@ -30,4 +30,4 @@ std::vector<RunGain> run_gains(const Problem& held_out, const Model& before, con
   return gains;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

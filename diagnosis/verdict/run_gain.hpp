@@ -8,7 +8,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct RunGain {
   std::size_t run = 0;  // in MeasuredData::runs
@@ -21,4 +21,4 @@ struct RunGain {
 // In the order in which the data name the runs.
 std::vector<RunGain> run_gains(const Problem& held_out, const Model& before, const Model& after);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -6,7 +6,7 @@
 
 #include "diagnosis/data/measured_shares.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 // A row's strands, T1 … T2n, if all are there.
@@ -113,4 +113,4 @@ ShareErrors share_errors(const MeasuredData& data, const std::vector<ComparedCel
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -13,7 +13,7 @@
 #include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct ShareError {
   std::size_t routing = 0;  // in MeasuredData::routings
@@ -40,4 +40,4 @@ double distance_to_shares(const std::vector<double>& tensions, const std::vector
 // The same of the shares of two lists of tensions.
 double share_distance(const std::vector<double>& a, const std::vector<double>& b);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Eigen::Index;
@@ -246,4 +246,4 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -15,7 +15,7 @@
 #include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct StructureTest {
   std::string about;  // "routing", "load", "order", …
@@ -42,4 +42,4 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
                                const Eigen::VectorXd& residuals, const NullModel& null_model,
                                Workers& workers);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -10,7 +10,7 @@
 #include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 namespace {
 
 using Place = std::pair<std::size_t, std::size_t>;  // reading and channel
@@ -107,4 +107,4 @@ std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model&
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

@@ -12,7 +12,7 @@
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/losses.hpp"
 
-namespace reeve {
+namespace reeve::diagnosis {
 
 struct WithoutApart {
   std::vector<Cell> left_out;
@@ -29,4 +29,4 @@ std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model&
                                           const std::vector<ComparedCell>& cells,
                                           const std::vector<Loss>& losses);
 
-}  // namespace reeve
+}  // namespace reeve::diagnosis

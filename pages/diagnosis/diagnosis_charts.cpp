@@ -9,7 +9,7 @@
 #include "reports/chart/chart_scale.hpp"
 #include "reports/chart/chart_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr double linear_to_N = 0.1;  // of the logarithmic scales: a slack strand reads 0
@@ -164,4 +164,4 @@ std::string thinned_text(const DiagnosisReport& report, std::size_t drawn) {
       drawn, all);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -7,7 +7,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // Measured over predicted tension, before and after, on the same scales.
 Figure compared_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks);
@@ -36,4 +36,4 @@ inline constexpr double row_px = 26;
 // Of a figure whose points may be a part of all.
 std::string thinned_text(const DiagnosisReport& report, std::size_t drawn);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -6,7 +6,7 @@
 
 #include "reports/diagnosis/diagnosis_words.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 using Causes = std::vector<std::string>;
@@ -84,4 +84,4 @@ std::vector<WeighedCauses> by_training_gain(std::vector<WeighedCauses> weighed) 
   return weighed;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

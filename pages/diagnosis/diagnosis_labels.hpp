@@ -7,7 +7,7 @@
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/json.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // "Simulated data. " before captions where they are; otherwise "".
 std::string simulated_label(const DiagnosisReport& report);
@@ -28,4 +28,4 @@ std::string standing(const DiagnosisResult& result, const std::vector<std::strin
 // The best first.
 std::vector<WeighedCauses> by_training_gain(std::vector<WeighedCauses> weighed);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -11,7 +11,7 @@
 #include "numerics/random.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr std::size_t most_unknown_columns = 9;
@@ -143,4 +143,4 @@ std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most) 
   return list;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

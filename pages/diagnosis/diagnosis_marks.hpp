@@ -9,7 +9,7 @@
 
 #include "reports/diagnosis/diagnosis_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct ReadingMark {
   const Reading* reading = nullptr;
@@ -46,4 +46,4 @@ MarkColumns mark_columns(const DiagnosisReport& report);
 // report.
 std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -14,7 +14,7 @@
 #include "reports/results/data_text.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // A page of some megabytes opens anywhere: so many marks in the main chart, and in each small one.
@@ -192,4 +192,4 @@ DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
   return {page_html(page), std::move(figures).files()};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

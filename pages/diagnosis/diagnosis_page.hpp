@@ -12,7 +12,7 @@
 #include "studies/shown_routing.hpp"
 #include "studies/tension_distributions.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct DiagnosisPage {
   std::string html;
@@ -31,4 +31,4 @@ struct DiagnosisPageInput {
 
 DiagnosisPage diagnosis_page(const DiagnosisPageInput& input);
 
-}  // namespace reeve
+}  // namespace reeve::pages

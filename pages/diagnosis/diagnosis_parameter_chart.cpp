@@ -6,7 +6,7 @@
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/chart/chart_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 std::string interval(const EstimatedParameter& parameter) {
@@ -68,4 +68,4 @@ Figure parameters_figure(const DiagnosisReport& report) {
           chart_svg(chart)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -10,7 +10,7 @@
 #include "reports/chart/chart_svg.hpp"
 #include "reports/chart/chart_ticks.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // In units of the noise: scales are linear up to here, and 95 % of noise lies within.
@@ -142,4 +142,4 @@ Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingM
           chart_svg(chart)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

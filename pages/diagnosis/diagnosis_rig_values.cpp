@@ -9,7 +9,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 Json expected_values(const PlannedMeasurement& planned) {
@@ -134,4 +134,4 @@ Json data_values(const DiagnosisPageInput& input) {
                         friction("sheath", hardware.sheath)})}};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

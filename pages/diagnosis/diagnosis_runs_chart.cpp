@@ -7,7 +7,7 @@
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/chart/chart_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr std::size_t most_runs = 40;
@@ -72,4 +72,4 @@ Figure runs_figure(const DiagnosisReport& report) {
   return {"held-out-runs", "Each held-out run by itself.", caption, chart_svg(chart)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -10,7 +10,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 Json sentences(const std::string& text) {
@@ -186,4 +186,4 @@ Json structure_values(const DiagnosisReport& report, const MarkColumns& columns)
           {"extended", !result.causes.empty()}};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -4,7 +4,7 @@
 #include "pages/diagnosis/diagnosis_marks.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // The answer: verdict, shape and sentences.
 Json answer_values(const DiagnosisReport& report);
@@ -21,4 +21,4 @@ Json next_values(const DiagnosisReport& report);
 // The data with their notes, the settings and what is beside the page.
 Json data_values(const DiagnosisPageInput& input);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -8,7 +8,7 @@
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/chart/chart_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr std::size_t most_models = 15;
@@ -124,4 +124,4 @@ Figure weighed_figure(const DiagnosisReport& report) {
   return {"weighed", "The causes, weighed.", weighed_caption(report), chart_svg(chart)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -9,7 +9,7 @@
 
 #include "pages/exploration/objective_title.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // Eight digits: enough to round as the rest of the page does, and half the bytes. A whole number
@@ -114,7 +114,7 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
 Json objectives_json(const std::vector<Objective>& shown) {
   Json list = Json::array();
   for (const Objective objective : shown) {
-    const ObjectiveRow& row = reeve::row(objective);
+    const ObjectiveRow& row = search::row(objective);
     list.push_back({{"name", row.name},
                     {"title", objective_title(row)},
                     {"unit", row.unit},
@@ -126,4 +126,4 @@ Json objectives_json(const std::vector<Objective>& shown) {
   return list;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

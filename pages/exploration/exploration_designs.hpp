@@ -11,7 +11,7 @@
 #include "reports/json.hpp"
 #include "reports/results/explore_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // What a design is here for, as the scripts count it.
 enum class Kind : std::uint8_t { listed, front, known, sample };
@@ -46,4 +46,4 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
 // null where there is none.
 Json objectives_json(const std::vector<Objective>& shown);
 
-}  // namespace reeve
+}  // namespace reeve::pages

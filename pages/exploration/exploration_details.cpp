@@ -11,7 +11,7 @@
 #include "pages/shell/compressed.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // More shares more lines; fewer is less to unpack for one design.
@@ -142,4 +142,4 @@ std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::
                        ids);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -13,7 +13,7 @@
 #include "reports/json.hpp"
 #include "reports/results/show_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // A design of this word, solved in each grasp of the exploration. Asked by many threads at once.
 using SolveDesign = std::function<ShownRouting(const std::string& word)>;
@@ -33,4 +33,4 @@ DesignDetails design_details(const std::vector<std::string>& words, const SolveD
 // Title and grasp above it; no legend.
 std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -16,7 +16,7 @@
 #include "reports/schematic/schematic_svg.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr std::size_t column_bytes = 2'000'000;
@@ -250,4 +250,4 @@ PageFiles exploration_page(const ExplorationView& view) {
   return {page_html(page(view, held, details, body)), std::move(figures)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

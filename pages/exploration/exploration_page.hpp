@@ -15,7 +15,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/results/explore_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 inline constexpr std::size_t page_bytes = 4'900'000;
 inline constexpr std::size_t usual_schematics = 170;
@@ -38,4 +38,4 @@ struct PageFiles {
 
 PageFiles exploration_page(const ExplorationView& view);
 
-}  // namespace reeve
+}  // namespace reeve::pages

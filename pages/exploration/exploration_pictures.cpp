@@ -11,7 +11,7 @@
 #include "reports/chart/chart_scale.hpp"
 #include "reports/chart/chart_svg.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // The many below the few.
@@ -274,4 +274,4 @@ ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
           chart.alt};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

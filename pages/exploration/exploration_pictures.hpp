@@ -9,7 +9,7 @@
 #include "pages/exploration/exploration_spots.hpp"
 #include "pages/shell/page.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // A plot, and what it shows in words.
 struct ExplorationPicture {
@@ -28,4 +28,4 @@ ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
 // Those that the ranking counts first; where it counts one, uniformity or efficiency joins it.
 TwoObjectives first_axes(const std::vector<Objective>& ranking);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -7,7 +7,7 @@
 
 #include "reports/chart/chart_scale.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // Shares of the way from the least to the greatest.
@@ -85,4 +85,4 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
   return line;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

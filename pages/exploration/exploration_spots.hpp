@@ -10,7 +10,7 @@
 #include "reports/shapes.hpp"
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 using TwoObjectives = std::array<Objective, 2>;
 
@@ -37,4 +37,4 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
 
 Point spot(const PageDesign& design, const TwoObjectives& axes);
 
-}  // namespace reeve
+}  // namespace reeve::pages

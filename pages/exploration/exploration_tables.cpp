@@ -12,7 +12,7 @@
 #include "pages/exploration/objective_title.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr std::size_t first_designs = 50;
@@ -33,7 +33,7 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
            {"word", design.ranked.design.word},
            {"cells", Json::array()}};
   for (const Objective objective : shown) {
-    row["cells"].push_back(cell(reeve::row(objective), design));
+    row["cells"].push_back(cell(search::row(objective), design));
   }
   if (design.distribution) {
     const RankDistribution& drawn = *design.distribution;
@@ -89,4 +89,4 @@ Json static_tables(const ExploreReport& report) {
   return json;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

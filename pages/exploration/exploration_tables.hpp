@@ -4,9 +4,9 @@
 #include "reports/json.hpp"
 #include "reports/results/explore_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // For exploration.mustache: the front and the first designs, and the best by each objective alone.
 Json static_tables(const ExploreReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::pages

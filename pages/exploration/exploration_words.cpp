@@ -13,7 +13,7 @@
 #include "reports/results/model_text.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 std::string plural(std::uint64_t count, const std::string& noun) {
@@ -338,4 +338,4 @@ std::string design_label(const ListedDesign& design) {
   return design.name.empty() ? word : design.name + " (" + word + ")";
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -7,7 +7,7 @@
 
 #include "reports/results/explore_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // How many were left to rank: evaluated, and no constraint rejected them.
 std::uint64_t ranked_designs(const ExploreReport& report);
@@ -36,4 +36,4 @@ std::vector<SingleBest> single_bests(const ExploreReport& report);
 // "TR7 (1-P-2-P-1)", or the word alone.
 std::string design_label(const ListedDesign& design);
 
-}  // namespace reeve
+}  // namespace reeve::pages

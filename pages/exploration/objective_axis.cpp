@@ -6,7 +6,7 @@
 
 #include "pages/exploration/objective_title.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 chart::Axis objective_axis(Objective objective) {
   const ObjectiveRow& about = row(objective);
@@ -21,4 +21,4 @@ chart::Axis objective_axis(Objective objective) {
   return axis;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

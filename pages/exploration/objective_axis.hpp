@@ -4,9 +4,9 @@
 #include "reports/chart/chart.hpp"
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // Named with its unit and which way is better; no longer than what the objective can be.
 chart::Axis objective_axis(Objective objective);
 
-}  // namespace reeve
+}  // namespace reeve::pages

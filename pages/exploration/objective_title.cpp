@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::pages {
 
 std::string objective_title(const ObjectiveRow& row) {
   std::string title = row.name;
@@ -18,4 +18,4 @@ std::string objective_titles(const std::vector<Objective>& objectives) {
   return titles;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -6,11 +6,11 @@
 
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // "uniformity mean"
 std::string objective_title(const ObjectiveRow& row);
 // "uniformity mean, efficiency mean"
 std::string objective_titles(const std::vector<Objective>& objectives);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -13,7 +13,7 @@
 #include "reports/results/data_text.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr const char* model_name = "model";
@@ -306,4 +306,4 @@ std::string distribution_notes(const TensionDistributions& distributions) {
   return render("distribution_notes.mustache", values);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -9,7 +9,7 @@
 #include "pages/shell/page.hpp"
 #include "studies/tension_distributions.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // One for each grasp: the first is "figure-9", others say their grasp too.
 std::vector<Figure> distribution_figures(const TensionDistributions& distributions);
@@ -17,4 +17,4 @@ std::vector<Figure> distribution_figures(const TensionDistributions& distributio
 // HTML: which published values the check finds at fault and why, what was left out of the data.
 std::string distribution_notes(const TensionDistributions& distributions);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -11,7 +11,7 @@
 #include "reports/sheet/text_table.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // The score first, where it orders.
@@ -139,4 +139,4 @@ Json ranking_answer(const RankReport& report, const Labels& labels) {
   return values;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -5,9 +5,9 @@
 #include "reports/json.hpp"
 #include "reports/results/rank_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // For the template ranking_answer.mustache. The report has details.
 Json ranking_answer(const RankReport& report, const Labels& labels);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -12,7 +12,7 @@
 #include "reports/chart/chart_svg.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // Beyond this only the front's points have their names beside them.
@@ -166,4 +166,4 @@ Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& 
           "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

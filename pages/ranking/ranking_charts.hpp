@@ -7,7 +7,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/results/rank_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // What the page calls each design, in their order: no two alike.
 using Labels = std::vector<std::string>;
@@ -23,4 +23,4 @@ Figure rank_figure(const RankReport& report, const Labels& labels);
 Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& labels,
                        std::size_t grasp, std::size_t most);
 
-}  // namespace reeve
+}  // namespace reeve::pages

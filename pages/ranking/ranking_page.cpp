@@ -15,7 +15,7 @@
 #include "reports/sheet/text_table.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // The page draws so many of the best; more would make it unwieldy. The rest is in the JSON.
@@ -179,4 +179,4 @@ RankingPage ranking_page(const RankReport& report, const std::string& command) {
   return RankingPageBuilder(report, command).build();
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -8,7 +8,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/results/rank_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct RankingPage {
   std::string html;
@@ -18,4 +18,4 @@ struct RankingPage {
 // The report has details. `command`: that which writes the page.
 RankingPage ranking_page(const RankReport& report, const std::string& command);
 
-}  // namespace reeve
+}  // namespace reeve::pages

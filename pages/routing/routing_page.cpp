@@ -9,7 +9,7 @@
 #include "reports/chart/chart_svg.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 const char* verb(Direction direction) {
@@ -90,4 +90,4 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
   return page;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

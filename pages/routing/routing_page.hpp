@@ -8,7 +8,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/results/show_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct RoutingPage {
   std::string html;
@@ -18,4 +18,4 @@ struct RoutingPage {
 // `command`: that which writes the page.
 RoutingPage routing_page(const ShownRouting& report, const std::string& command);
 
-}  // namespace reeve
+}  // namespace reeve::pages

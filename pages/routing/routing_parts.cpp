@@ -11,7 +11,7 @@
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 std::string title(const ShownRouting& report) {
@@ -131,10 +131,10 @@ HtmlTable objective_table(const ShownRouting& report) {
   Table table{{text_column("objective"), number_column("value"), text_column("unit"),
                text_column("meaning")},
               {}};
-  for (const ObjectiveRow& row : objective_table()) {
+  for (const ObjectiveRow& row : search::objective_table()) {
     table.add({objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -12,7 +12,7 @@
 #include "pages/shell/page.hpp"
 #include "reports/results/show_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // "no finger held", "finger 1 held", "fingers 1, 3 held"
 std::string grasp_words(Grasp grasp);
@@ -45,4 +45,4 @@ HtmlTable share_table(const ShownRouting& report);
 HtmlTable contact_table(const ShownRouting& report);
 HtmlTable objective_table(const ShownRouting& report);
 
-}  // namespace reeve
+}  // namespace reeve::pages

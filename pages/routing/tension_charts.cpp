@@ -8,7 +8,7 @@
 #include "pages/routing/routing_parts.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr double figure_width = 900;
@@ -70,4 +70,4 @@ chart::Chart tension_chart(const ShownRouting& report) {
   return tension_chart(panels);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -10,7 +10,7 @@
 #include "reports/chart/chart.hpp"
 #include "reports/results/show_report.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct TensionPanel {
   std::string title;  // no two alike
@@ -31,4 +31,4 @@ std::size_t columns(double panel_width, std::size_t panels);
 // The wish of a panel for its bars.
 double panel_width(std::size_t bars);
 
-}  // namespace reeve
+}  // namespace reeve::pages

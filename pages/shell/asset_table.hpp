@@ -5,11 +5,13 @@
 #include <map>
 #include <string_view>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::pages {
 
 const std::map<std::string_view, std::string_view>& asset_table();
 
 // Throws std::out_of_range.
 inline std::string_view asset(std::string_view name) { return asset_table().at(name); }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <new>
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 std::string base64(const std::string& bytes) {
@@ -39,4 +39,4 @@ std::string compressed(const std::string& text) {
   return base64(bytes);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -3,9 +3,11 @@
 
 #include <string>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::pages {
 
 // RFC 1950, in base 64. The same text gives the same bytes. Throws std::bad_alloc.
 std::string compressed(const std::string& text);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -6,7 +6,7 @@
 
 #include "reports/files.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 constexpr const char* list_name = ".reeve";
@@ -42,4 +42,4 @@ void write_figures(const std::filesystem::path& directory, const std::vector<Fig
   write_file(folder / list_name, names);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

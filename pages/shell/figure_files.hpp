@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::pages {
 
 struct FigureFile {
   std::string id;
@@ -17,4 +19,4 @@ struct FigureFile {
 // figures/.reeve. Throws InputError.
 void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -2,7 +2,7 @@
 
 #include "pages/shell/template.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 // Beyond this a cell's text goes into several lines.
@@ -38,4 +38,4 @@ std::string html(const HtmlTable& table) {
   return render("table.mustache", values);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

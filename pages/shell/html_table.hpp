@@ -5,7 +5,7 @@
 
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 struct HtmlTable {
   std::string id;
@@ -17,4 +17,4 @@ struct HtmlTable {
 // In a box that scrolls by itself where the window is narrow.
 std::string html(const HtmlTable& table);
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -7,7 +7,7 @@
 #include "pages/shell/template.hpp"
 #include "reports/files.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 Json values(const Figure& figure) {
@@ -55,4 +55,4 @@ std::string page_html(const Page& page) {
   return render("page.mustache", values);
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

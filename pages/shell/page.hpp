@@ -10,7 +10,7 @@
 
 #include "reports/json.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // A chart. Its id names the element and the file in figures/: letters, digits and '-'.
 struct Figure {
@@ -40,4 +40,4 @@ struct Page {
 
 std::string page_html(const Page& page);
 
-}  // namespace reeve
+}  // namespace reeve::pages

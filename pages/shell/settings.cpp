@@ -9,7 +9,7 @@
 #include "pages/shell/template.hpp"
 #include "reports/results/model_text.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
@@ -79,4 +79,4 @@ std::string settings_html(const Model& model, std::uint64_t unconverged, const G
                                       {"command", command}});
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

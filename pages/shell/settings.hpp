@@ -8,7 +8,7 @@
 #include "core/grasp.hpp"
 #include "pages/shell/html_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // Coefficients by kind of contact, then whatever differs at a finger or a contact, then lengths.
 HtmlTable hardware_table(const Hardware& hardware);
@@ -19,4 +19,4 @@ HtmlTable grasp_table(const GraspSet& grasps);
 std::string settings_html(const Model& model, std::uint64_t unconverged, const GraspSet& grasps,
                           const std::string& command, const std::string& more = "");
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -7,7 +7,7 @@
 
 #include "pages/shell/asset_table.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 namespace {
 
 using kainjow::mustache::data;
@@ -63,4 +63,4 @@ std::string script_json(const Json& json) {
   return safe;
 }
 
-}  // namespace reeve
+}  // namespace reeve::pages

@@ -9,7 +9,7 @@
 
 #include "reports/json.hpp"
 
-namespace reeve {
+namespace reeve::pages {
 
 // Throws std::out_of_range if there is no such template, std::runtime_error if it is malformed.
 std::string render(std::string_view name, const Json& values);
@@ -17,4 +17,4 @@ std::string render(std::string_view name, const Json& values);
 // JSON that can stand inside a script element: no text in it can close the element.
 std::string script_json(const Json& json);
 
-}  // namespace reeve
+}  // namespace reeve::pages

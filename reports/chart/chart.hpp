@@ -33,7 +33,7 @@
 
 #include "reports/shapes.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // Okabe and Ito's colours, which readers who are colour-blind tell apart; ink is the text's.
 enum class Colour : std::uint8_t { blue, orange, green, pink, sky, amber, ink, grey };
@@ -178,4 +178,4 @@ struct Chart {
   bool shared_x = false;  // one scale for all panels
 };
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

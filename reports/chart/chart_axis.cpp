@@ -5,7 +5,7 @@
 
 #include "reports/chart/chart_ticks.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double least_gap = 10;  // px between two texts
@@ -120,4 +120,4 @@ LaidAxis lay_categories(const Axis& axis, const Stretch& stretch) {
   return laid;
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -8,7 +8,7 @@
 #include "reports/chart/chart_extent.hpp"
 #include "reports/chart/chart_scale.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 inline constexpr double tick_size = 12;  // of the text
 inline constexpr double line_height = 15;
@@ -38,4 +38,4 @@ LaidAxis lay_numbers(const Axis& axis, const Extent& extent, const Stretch& stre
 // A tick for each category; the layout of their texts is somebody else's.
 LaidAxis lay_categories(const Axis& axis, const Stretch& stretch);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

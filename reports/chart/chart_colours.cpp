@@ -1,6 +1,6 @@
 #include "reports/chart/chart_colours.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 std::string colour_class(Colour colour) {
   return std::string(" reeve-") + colours[static_cast<std::size_t>(colour)].name;
@@ -11,4 +11,4 @@ std::string colour_attribute(Colour colour) {
   return std::string(" color=\"") + colours[static_cast<std::size_t>(colour)].on_white + "\"";
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

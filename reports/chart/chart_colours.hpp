@@ -7,7 +7,7 @@
 
 #include "reports/chart/chart.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct NamedColour {
   Colour colour;
@@ -30,4 +30,4 @@ std::string colour_class(Colour colour);
 // " color="#0072b2"", which `currentColor` then means; ink is what the picture has.
 std::string colour_attribute(Colour colour);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -8,7 +8,7 @@
 #include "reports/chart/chart_symbols.hpp"
 #include "reports/svg.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double bar_share = 0.8;  // of a category
@@ -277,4 +277,4 @@ std::string draw(const LaidLabel& label) {
   return leader + draw(label.text);
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

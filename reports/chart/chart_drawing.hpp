@@ -5,7 +5,7 @@
 
 #include "reports/chart/chart_layout.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // A group with one element for each mark.
 std::string draw(const Layer& layer, const LaidPanel& panel);
@@ -17,4 +17,4 @@ std::string draw(const ChartText& text);
 // Of a text that stands apart from its mark, the line to it too.
 std::string draw(const LaidLabel& label);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 bool both_drawn(double x, double y) { return can_be_drawn(x) && can_be_drawn(y); }
@@ -112,4 +112,4 @@ Inset inset(const Panel& panel, Along along, double length) {
 
 const Axis& axis(const Panel& panel, Along along) { return along == Along::x ? panel.x : panel.y; }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

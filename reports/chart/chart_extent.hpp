@@ -4,7 +4,7 @@
 #include "reports/chart/chart.hpp"
 #include "reports/chart/chart_scale.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // Over all marks of the panel that can be drawn, and the axis' own `reaches`; over both axes where
 // they have one scale. Categories are wide: half of one on both sides of its place.
@@ -24,4 +24,4 @@ Inset inset(const Panel& panel, Along along, double length);
 
 const Axis& axis(const Panel& panel, Along along);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

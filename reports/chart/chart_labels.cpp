@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double gap = 3;  // between a mark and its text, and between two texts
@@ -71,4 +71,4 @@ std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<WantedLab
   return placed;
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -10,7 +10,7 @@
 
 #include "reports/shapes.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct WantedLabel {
   Point at;           // of its mark
@@ -29,4 +29,4 @@ std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<WantedLab
                                                      const std::vector<Box>& marks,
                                                      const Box& frame);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -6,7 +6,7 @@
 #include "reports/chart/chart_extent.hpp"
 #include "reports/chart/chart_mark_labels.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double margin = 8;
@@ -158,4 +158,4 @@ Point place(const LaidPanel& panel, double x, double y) {
   return {place(panel.x.scale, x), place(panel.y.scale, y)};
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

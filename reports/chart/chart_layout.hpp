@@ -8,7 +8,7 @@
 #include "reports/chart/chart_legend.hpp"
 #include "reports/chart/chart_panel.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // The text of a mark, and the line from the mark to it where it stands apart.
 struct LaidLabel {
@@ -33,4 +33,4 @@ ChartLayout layout(const Chart& chart);
 // Where a spot of this panel lies.
 Point place(const LaidPanel& panel, double x, double y);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

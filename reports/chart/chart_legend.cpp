@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double symbol_width = 22;
@@ -51,4 +51,4 @@ std::vector<LegendEntry> legend(const Chart& chart, const Box& room) {
   return entries;
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -6,7 +6,7 @@
 #include "reports/chart/chart.hpp"
 #include "reports/chart/chart_text.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct LegendEntry {
   std::vector<const Layer*> layers;  // whose symbols lie over each other
@@ -18,4 +18,4 @@ struct LegendEntry {
 // pointers to the layers.
 std::vector<LegendEntry> legend(const Chart& chart, const Box& room);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -5,7 +5,7 @@
 
 #include "reports/chart/chart_labels.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double widest = 0.45;  // of the frame
@@ -81,4 +81,4 @@ std::vector<LaidLabel> mark_labels(const LaidPanel& panel) {
   return labels;
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -5,9 +5,9 @@
 
 #include "reports/chart/chart_layout.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // Of spots and rules that have one, as far as there is room; the panel lies where it will stay.
 std::vector<LaidLabel> mark_labels(const LaidPanel& panel);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -5,7 +5,7 @@
 
 #include "reports/chart/chart_extent.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double tick_length = 5;
@@ -189,4 +189,4 @@ Box bounds(const LaidPanel& panel) {
   return box;
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -8,7 +8,7 @@
 #include "reports/chart/chart_axis.hpp"
 #include "reports/chart/chart_text.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct LaidPanel {
   const Panel* panel = nullptr;
@@ -35,4 +35,4 @@ void shift(LaidPanel& panel, double dx, double dy);
 // Round the frame and all texts.
 Box bounds(const LaidPanel& panel);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

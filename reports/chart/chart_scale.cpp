@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 double bent(double value, double linear_to) {
@@ -43,4 +43,4 @@ void Extent::add(const Extent& other) {
   add(other.high);
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -8,7 +8,9 @@
 
 #include <limits>
 
-namespace reeve::chart {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports::chart {
 
 struct Scale {
   double low = 0;  // of the quantity; less than `high`
@@ -35,4 +37,4 @@ struct Extent {
   void add(const Extent& other);
 };
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -6,7 +6,7 @@
 #include "reports/chart/chart_layout.hpp"
 #include "reports/svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace chart {
 namespace {
 
@@ -86,4 +86,4 @@ std::string chart_svg(const chart::Chart& chart) {
       chart::content(laid));
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -11,8 +11,8 @@
 
 #include "reports/chart/chart.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string chart_svg(const chart::Chart& chart);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -4,7 +4,7 @@
 
 #include "reports/svg.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 // A closed line through places given as multiples of the size.
@@ -55,4 +55,4 @@ std::string symbol(Symbol kind, Point at, double size) {
          svg::number(size) + "\"";
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

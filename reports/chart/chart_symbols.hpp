@@ -6,9 +6,9 @@
 
 #include "reports/chart/chart.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 // The element of a symbol round a place, but for its end: "<circle … r="4"" or "<path d="…"".
 std::string symbol(Symbol kind, Point at, double size);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 double width_of(const ChartText& text) {
@@ -90,4 +90,4 @@ Box around(const Box& a, const Box& b) {
           std::max(a.bottom, b.bottom)};
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

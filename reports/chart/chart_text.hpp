@@ -6,7 +6,7 @@
 
 #include "reports/shapes.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct ChartText {
   DrawnText drawn;
@@ -38,4 +38,4 @@ void shift(ChartText& text, double dx, double dy);
 // The box round both.
 Box around(const Box& a, const Box& b);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double slack = 1e-9;  // of a step: what rounding may make of a multiple of it
@@ -109,4 +109,4 @@ std::string tick_text(double value, Format format) {
   return with_sign(fmt::format("{:.6g}", shown), format) + (format == Format::percent ? " %" : "");
 }
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -12,7 +12,7 @@
 #include "reports/chart/chart.hpp"
 #include "reports/chart/chart_scale.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 
 struct Ticks {
   std::vector<double> values;  // ascending
@@ -33,4 +33,4 @@ std::string tick_text(double value, double step, Format format);
 // With as many as the value itself needs.
 std::string tick_text(double value, Format format);
 
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -8,7 +8,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // Of what the causes were fitted to, where nothing was held out.
@@ -160,4 +160,4 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
   return "";
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -10,7 +10,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 const PublishedLine* line_of(const PublishedModel& model, std::size_t group) {
@@ -242,4 +242,4 @@ std::vector<std::string> published_sentences(const DiagnosisReport& report) {
   return sentences;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

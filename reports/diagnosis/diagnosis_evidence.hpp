@@ -6,7 +6,7 @@
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // "sheath, bearing, sheath"
 std::string contacts_text(const std::vector<ContactKind>& contacts);
@@ -25,4 +25,4 @@ std::vector<std::string> without_apart_sentences(const DiagnosisReport& report);
 std::vector<std::string> influence_sentences(const DiagnosisReport& report);
 std::vector<std::string> published_sentences(const DiagnosisReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 template <typename Value, typename ToJson>
@@ -286,4 +286,4 @@ std::string diagnosis_residuals_csv(const DiagnosisReport& report) {
   return csv;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

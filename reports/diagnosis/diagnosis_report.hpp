@@ -7,7 +7,7 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/diagnosis_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // What is wrong, which cause, how much better: a few lines.
 std::string diagnosis_answer(const DiagnosisReport& report);
@@ -20,4 +20,4 @@ std::string diagnosis_residuals_csv(const DiagnosisReport& report);
 std::string extended_model_toml(const DiagnosisReport& report,
                                 const UncertaintyRanges& uncertainty);
 
-}  // namespace reeve
+}  // namespace reeve::reports

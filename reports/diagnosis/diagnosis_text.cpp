@@ -8,7 +8,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // Of lists that can be long; the JSON has all.
@@ -231,4 +231,4 @@ Sheet diagnosis_sheet(const DiagnosisReport& report) {
   return sheet;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

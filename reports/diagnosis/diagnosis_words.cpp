@@ -9,7 +9,7 @@
 #include "core/notation.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 bool at_the_least(double p_value, std::size_t replicates) {
@@ -142,4 +142,4 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

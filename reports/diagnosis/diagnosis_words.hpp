@@ -5,7 +5,7 @@
 
 #include "reports/diagnosis/diagnosis_report.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // "TR3"; "" of what the catalogue does not have.
 std::string catalogue_name(const DiagnosisReport& report, const std::string& word);
@@ -39,4 +39,4 @@ std::string p_text(double p_value, std::size_t replicates);  // "p = 0.4", "p < 
 
 std::string capitalised(std::string text);
 
-}  // namespace reeve
+}  // namespace reeve::reports

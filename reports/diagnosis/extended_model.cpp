@@ -7,7 +7,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string extended_model_toml(const DiagnosisReport& report,
                                 const UncertaintyRanges& uncertainty) {
@@ -24,4 +24,4 @@ std::string extended_model_toml(const DiagnosisReport& report,
   return model_toml(result.model, lines, uncertainty);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

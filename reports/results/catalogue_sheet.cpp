@@ -2,7 +2,7 @@
 
 #include "reports/schematic/schematic_svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string catalogue_sheet(const std::vector<ShownEntry>& entries) {
   constexpr std::size_t in_a_row = 4;
@@ -14,4 +14,4 @@ std::string catalogue_sheet(const std::vector<ShownEntry>& entries) {
   return schematic_sheet(schematics, in_a_row, "Routings of the catalogue");
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 
 #include "core/tension/tension.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 struct ShownEntry {
   std::string title;
@@ -17,4 +17,4 @@ struct ShownEntry {
 
 std::string catalogue_sheet(const std::vector<ShownEntry>& entries);
 
-}  // namespace reeve
+}  // namespace reeve::reports

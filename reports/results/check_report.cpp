@@ -5,7 +5,7 @@
 #include "reports/json.hpp"
 #include "reports/results/check_words.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value); }
@@ -92,4 +92,4 @@ std::string check_json(const CheckReport& report) {
   return print(json);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -5,9 +5,9 @@
 #include "catalog/check.hpp"
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet check_sheet(const CheckReport& report);
 std::string check_json(const CheckReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 constexpr std::array indicator_names{"adaptability", "torsional balance", "reliability",
@@ -42,4 +42,4 @@ std::string quantity_text(const CheckedQuantity& quantity) {
   return "";
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -5,9 +5,9 @@
 
 #include "catalog/check.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // "T3", "share of T3, %", "reliability"
 std::string quantity_text(const CheckedQuantity& quantity);
 
-}  // namespace reeve
+}  // namespace reeve::reports

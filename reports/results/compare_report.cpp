@@ -11,7 +11,7 @@
 #include "reports/results/data_text.hpp"
 #include "reports/results/model_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 struct Grouping {
@@ -155,4 +155,4 @@ std::string residuals_csv(const CompareReport& report) {
   return csv;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,11 +6,11 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/comparison_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet compare_sheet(const CompareReport& report);
 std::string compare_json(const CompareReport& report);
 // One line for each reading and channel; a comment line at the top if the data are simulated.
 std::string residuals_csv(const CompareReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

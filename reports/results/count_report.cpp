@@ -2,7 +2,7 @@
 
 #include "reports/json.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet count_sheet(const RoutingCounts& counts) {
   Table table{{text_column("routings"), number_column("number")}, {}};
@@ -17,4 +17,4 @@ std::string count_json(const RoutingCounts& counts) {
       {{"all", counts.all}, {"actuated", counts.actuated}, {"one_tendon", counts.one_tendon}});
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

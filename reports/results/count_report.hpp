@@ -5,9 +5,9 @@
 #include "reports/sheet/sheet.hpp"
 #include "search/enumerate/counting.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet count_sheet(const RoutingCounts& counts);
 std::string count_json(const RoutingCounts& counts);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 std::string lines_text(const std::vector<std::size_t>& lines) {
@@ -46,4 +46,4 @@ void add_notes(Json& list, const std::vector<DataNote>& notes) {
   }
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -9,7 +9,7 @@
 #include "reports/json.hpp"
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 inline constexpr const char* simulated_text = "simulated: a comment line of the data says so";
 
@@ -27,4 +27,4 @@ Section notes_section(const std::vector<DataNote>& notes);
 // Appends to a list.
 void add_notes(Json& list, const std::vector<DataNote>& notes);
 
-}  // namespace reeve
+}  // namespace reeve::reports

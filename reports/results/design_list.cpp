@@ -8,7 +8,7 @@
 #include "reports/csv_field.hpp"
 #include "search/judge/shown_objectives.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 bool with_distributions(const std::vector<ListedDesign>& designs) {
@@ -151,4 +151,4 @@ Json to_json(const std::vector<BestDesigns>& best) {
   return json;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -10,7 +10,7 @@
 #include "search/judge/score.hpp"
 #include "studies/listed_design.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
 // objectives that the order asks for, and what the score is made of where it orders.
@@ -27,4 +27,4 @@ Json to_json(const ListedDesign& design);
 Json to_json(const std::vector<ListedDesign>& designs);
 Json to_json(const std::vector<BestDesigns>& best);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -2,7 +2,7 @@
 
 #include "reports/results/data_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 const char* word(FrictionKind kind) {
@@ -67,4 +67,4 @@ Json to_json(const SharedData& data) {
   return json;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

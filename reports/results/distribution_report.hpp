@@ -4,9 +4,9 @@
 #include "reports/json.hpp"
 #include "studies/tension_distributions.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Json to_json(const TensionDistribution& distribution);
 Json to_json(const SharedData& data);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 constexpr std::size_t shown_at_most = 10;
@@ -191,4 +191,4 @@ std::string explore_summary_json(const ExploreReport& report) {
   return print(json);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/exploration_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet explore_sheet(const ExploreReport& report);
 std::string explore_summary_json(const ExploreReport& report);
@@ -20,4 +20,4 @@ std::string rejection_text(const Rejection& rejection, const ExploreOptions& opt
 // Set in the files of an exploration that was stopped; otherwise "".
 std::string partial_note(const ExploreReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 Json subject_json(const Effect& effect) {
@@ -96,4 +96,4 @@ std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged
   return lines;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

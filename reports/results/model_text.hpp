@@ -8,7 +8,7 @@
 #include "reports/json.hpp"
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // `unconverged`: how many of the tension solves behind the results did not converge.
 //
@@ -18,4 +18,4 @@ Json model_json(const Model& model, std::uint64_t unconverged);
 // None for the plain friction model.
 std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 #include "reports/json.hpp"
 #include "reports/results/simulation_report.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 const char* meaning(Finding finding, bool hides_nothing) {
@@ -101,4 +101,4 @@ std::string power_json(const PowerReport& report) {
   return print(json);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

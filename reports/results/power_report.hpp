@@ -6,9 +6,9 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/simulation_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet power_sheet(const PowerReport& report);
 std::string power_json(const PowerReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/results/show_report.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 std::string name_of(const RankReport& report, const std::string& word) {
@@ -86,4 +86,4 @@ std::string rank_json(const RankReport& report) {
   return print(json);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,9 +6,9 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/ranking_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 Sheet rank_sheet(const RankReport& report);
 std::string rank_json(const RankReport& report);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -5,7 +5,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // "T1->a", "a->T1" or "no"
@@ -182,4 +182,4 @@ std::string show_svg(const ShownRouting& report, const ShownGrasp* shown) {
   return schematic_svg(schematic(report.network, title, view));
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

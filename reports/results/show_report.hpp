@@ -8,7 +8,7 @@
 #include "reports/sheet/sheet.hpp"
 #include "studies/shown_routing.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // A contact, "T1-a", and in each grasp whether the tendon slides there: "T1->a", "a->T1" or "no".
 struct ShownContact {
@@ -24,4 +24,4 @@ std::string show_json(const ShownRouting& report);
 // The routing's schematic: in one grasp, or without any its parts alone.
 std::string show_svg(const ShownRouting& report, const ShownGrasp* shown);
 
-}  // namespace reeve
+}  // namespace reeve::reports

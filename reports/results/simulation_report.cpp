@@ -9,7 +9,7 @@
 #include "reports/csv_field.hpp"
 #include "reports/json.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 using Buffer = fmt::memory_buffer;
@@ -51,7 +51,7 @@ void put_header(Buffer& out, const ExperimentPlan& plan) {
   if (plan.cycle) put(out, ",cycle");
   if (plan.temperature_C) put(out, ",temperature_C");
   for (const Segment& channel : plan.channels) {
-    const std::string name = reeve::name(channel);
+    const std::string name = core::name(channel);
     put(out, ",{}{}_N", channel.kind == SegmentKind::strand ? "" : "T", name);
   }
   put(out, "{}\n", plan.repeats > 1 ? ",repeat" : "");
@@ -101,4 +101,4 @@ std::string simulation_summary(const SimulationReport& report, const std::string
                      routings == 1 ? "" : "s", hidden_text(report.model));
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 
 #include "studies/simulation_study.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string simulation_csv(const SimulationReport& report);
 // What was written, in one line.
@@ -15,4 +15,4 @@ std::string simulation_summary(const SimulationReport& report, const std::string
 // "wear (change = -0.4, cycles = 300)" for each effect; "no cause" without any.
 std::string hidden_text(const Model& model);
 
-}  // namespace reeve
+}  // namespace reeve::reports

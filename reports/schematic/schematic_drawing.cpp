@@ -11,7 +11,7 @@
 #include "reports/sheet/text_table.hpp"
 #include "reports/svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 using namespace measures;
@@ -193,4 +193,4 @@ std::string draw(const Schematic& schematic) {
          draw(layout.legend);
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

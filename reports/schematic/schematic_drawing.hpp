@@ -5,9 +5,9 @@
 
 #include "reports/schematic/schematic_svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string draw(const Schematic& schematic);
 std::string draw(const Legend& legend);
 
-}  // namespace reeve
+}  // namespace reeve::reports

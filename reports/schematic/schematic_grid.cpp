@@ -5,7 +5,7 @@
 
 #include "reports/schematic/schematic_measures.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 using namespace measures;
@@ -54,7 +54,7 @@ double place_rows(const std::vector<Arc>& arcs, const SchematicPlan& plan,
     bool straight = true;
     for (const Arc& arc : arcs) {
       if (arc.row != row) continue;
-      const Turn turn = reeve::turn(arc, plan, grid);
+      const Turn turn = reports::turn(arc, plan, grid);
       radius = std::max(radius, turn.radius);
       straight = straight && grid.column[arc.left] == turn.centre - turn.radius &&
                  grid.column[arc.right] == turn.centre + turn.radius;
@@ -124,4 +124,4 @@ SchematicGrid grid(const Network& network, const SchematicPlan& plan, Grasp held
   return grid;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 #include "core/network.hpp"
 #include "reports/schematic/schematic_plan.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // A row of arcs: lines come in along the lane and turn round the centre.
 struct ArcRow {
@@ -48,4 +48,4 @@ struct Turn {
 };
 Turn turn(const Arc& arc, const SchematicPlan& plan, const SchematicGrid& grid);
 
-}  // namespace reeve
+}  // namespace reeve::reports

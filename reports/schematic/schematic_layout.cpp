@@ -9,7 +9,7 @@
 #include "reports/schematic/schematic_plan.hpp"
 #include "reports/schematic/schematic_text.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 using namespace measures;
@@ -50,7 +50,7 @@ class Layouter {
 
   void add_turns(const std::vector<Arc>& arcs, const std::vector<ArcRow>& rows) {
     for (const Arc& arc : arcs) {
-      const Turn turn = reeve::turn(arc, plan_, grid_);
+      const Turn turn = reports::turn(arc, plan_, grid_);
       const Contact& contact = net_.contacts[arc.contact];
       out_.contacts[arc.contact] = {
           contact.kind,  contact.place, {turn.centre, rows[arc.row].centre}, turn.radius, 1, 0, 1,
@@ -205,7 +205,7 @@ class Layouter {
            const std::vector<ArcRow>& rows) const {
     const auto arc =
         std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.contact == contact; });
-    const Turn turn = reeve::turn(*arc, plan_, grid_);
+    const Turn turn = reports::turn(*arc, plan_, grid_);
     const ArcRow& row = rows[arc->row];
     const double x = grid_.column[c];
     const double leg = turn.centre + (c == arc->left ? -turn.radius : turn.radius);
@@ -294,4 +294,4 @@ Box bounds(const DrawnEnd& end) {
           end.at.x + fixation_width / 2, end.at.y + std::max(0.0, deep)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

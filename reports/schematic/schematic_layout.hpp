@@ -17,7 +17,7 @@
 #include "core/network.hpp"
 #include "reports/shapes.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 struct DrawnSegment {
   std::string name;
@@ -101,4 +101,4 @@ Legend legend(const Box& room, bool with_tension);
 Box bounds(const DrawnContact& contact);
 Box bounds(const DrawnEnd& end);
 
-}  // namespace reeve
+}  // namespace reeve::reports

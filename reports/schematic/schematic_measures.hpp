@@ -3,7 +3,9 @@
 // Five fingers are 5 · 58 + 4 · 46 and margins: at 300 px wide their text is still 8 px high.
 #pragma once
 
-namespace reeve::measures {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports::measures {
 
 inline constexpr double margin = 16;
 inline constexpr double least_width = 290;
@@ -33,4 +35,4 @@ inline constexpr double label_height = 2 * line_height;
 inline constexpr double label_step = label_height + 3;  // to the next label below
 inline constexpr double label_gap = 7;                  // from a line to its label
 
-}  // namespace reeve::measures
+}  // namespace reeve::reports::measures

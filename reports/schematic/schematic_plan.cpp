@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 class Planner {
@@ -243,4 +243,4 @@ std::size_t rows(const std::vector<Arc>& arcs) {
   return count;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -17,7 +17,7 @@
 
 #include "core/network.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 inline constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
@@ -71,4 +71,4 @@ SchematicPlan plan(const Network& network);
 // Rows that these arcs take.
 std::size_t rows(const std::vector<Arc>& arcs);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -9,7 +9,7 @@
 #include "reports/sheet/text_table.hpp"
 #include "reports/svg.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 std::string description(const Schematic& schematic) {
@@ -99,4 +99,4 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
               content + draw(key));
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -11,7 +11,7 @@
 #include "core/tension/tension.hpp"
 #include "reports/schematic/schematic_layout.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // A routing in one grasp, solved.
 struct GraspView {
@@ -41,4 +41,4 @@ std::string schematic_legend(double width, const std::string& ids = "legend");
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,
                             const std::string& title, const std::string& ids = "sheet");
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 #include "reports/schematic/schematic_measures.hpp"
 #include "reports/svg.hpp"
 
-namespace reeve::symbols {
+namespace reeve::reports::symbols {
 namespace {
 
 using namespace svg;
@@ -168,4 +168,4 @@ std::string hand(const SchematicLayout& layout) {
   return path(outline, " class=\"reeve-hand\" fill=\"#f3efe8\"");
 }
 
-}  // namespace reeve::symbols
+}  // namespace reeve::reports::symbols

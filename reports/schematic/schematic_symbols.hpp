@@ -8,7 +8,7 @@
 
 #include "reports/schematic/schematic_layout.hpp"
 
-namespace reeve::symbols {
+namespace reeve::reports::symbols {
 
 // The half ring on which a tendon of that radius lies; `half` is half its width.
 std::string tube(const DrawnContact& turn, double half);
@@ -28,4 +28,4 @@ std::string straight_arrow(Point from, Point to);
 // The outlines of the palm and all fingers as one.
 std::string hand(const SchematicLayout& layout);
 
-}  // namespace reeve::symbols
+}  // namespace reeve::reports::symbols

@@ -7,7 +7,7 @@
 
 #include "reports/schematic/schematic_measures.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 using namespace measures;
 
@@ -122,4 +122,4 @@ Legend legend(const Box& room, bool with_tension) {
   return legend;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

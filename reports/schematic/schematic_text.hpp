@@ -5,7 +5,7 @@
 
 #include "reports/schematic/schematic_layout.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // Title and subtitle at the top; returns where the drawing may begin.
 double add_heading(const SchematicFrame& frame, SchematicLayout& layout);
@@ -16,4 +16,4 @@ void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& lay
 // Beside the arrow at the carriage: its place and size.
 DrawnText motor_text(const SchematicLayout& layout);
 
-}  // namespace reeve
+}  // namespace reeve::reports

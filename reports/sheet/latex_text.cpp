@@ -4,7 +4,7 @@
 
 #include "reports/sheet/sheet_latex.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 struct Replacement {
@@ -92,4 +92,4 @@ std::string latex_escaped(const std::string& text) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

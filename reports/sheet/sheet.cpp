@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-namespace reeve {
+namespace reeve::reports {
 
 TableColumn text_column(const std::string& heading) { return {heading, "", true}; }
 
@@ -36,4 +36,4 @@ std::string percent(double share) {
   return std::isfinite(share) ? fixed(100 * share, 1) + " %" : "-";
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
 
 struct TableColumn {
   std::string heading;
@@ -62,4 +64,4 @@ void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool cave
 std::string fixed(double value, int decimals = 3);
 std::string percent(double share);  // "72.1 %"; "-" if it is none
 
-}  // namespace reeve
+}  // namespace reeve::reports

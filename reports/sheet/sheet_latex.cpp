@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 std::string comment(const std::string& text) {
@@ -57,4 +57,4 @@ std::string latex(const Sheet& sheet) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,11 +6,11 @@
 
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string latex(const Sheet& sheet);
 
 // Text as LaTeX typesets it, with any engine.
 std::string latex_escaped(const std::string& text);
 
-}  // namespace reeve
+}  // namespace reeve::reports

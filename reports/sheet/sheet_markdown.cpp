@@ -5,7 +5,7 @@
 
 #include "reports/sheet/text_width.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
@@ -94,4 +94,4 @@ std::string markdown(const Sheet& sheet) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

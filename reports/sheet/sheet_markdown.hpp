@@ -5,8 +5,8 @@
 
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string markdown(const Sheet& sheet);
 
-}  // namespace reeve
+}  // namespace reeve::reports

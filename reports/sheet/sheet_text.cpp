@@ -4,7 +4,7 @@
 
 #include "reports/sheet/text_width.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // What is indented, or an entry of a list, goes on below its own beginning.
@@ -50,4 +50,4 @@ std::string text(const Sheet& sheet, const Look& look) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,8 +6,8 @@
 #include "reports/sheet/sheet.hpp"
 #include "reports/sheet/text_table.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 std::string text(const Sheet& sheet, const Look& look = {});
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -5,7 +5,7 @@
 
 #include "reports/sheet/text_width.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 // A text is not made narrower than this to save a column from the next part.
@@ -110,4 +110,4 @@ FittedTable fit(const Table& table, std::size_t width) {
   return fitted;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 inline constexpr std::size_t column_gap = 2;
 
@@ -25,4 +25,4 @@ FittedTable fit(const Table& table, std::size_t width);
 // The widths of a table's columns such that it is no wider than that: texts shrink first.
 std::vector<std::size_t> shrunk_widths(const Table& table, std::size_t width);
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -7,7 +7,7 @@
 #include "reports/sheet/table_fit.hpp"
 #include "reports/sheet/text_width.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 Ink ink_of(Tint tint) {
@@ -83,4 +83,4 @@ std::string text(const Table& table, const Look& look) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

@@ -6,7 +6,7 @@
 
 #include "reports/sheet/sheet.hpp"
 
-namespace reeve {
+namespace reeve::reports {
 
 // Where text is shown. By default no window limits it and nothing can show colour: a file, a pipe.
 struct Look {
@@ -23,4 +23,4 @@ enum class Ink : std::uint8_t { plain, strong, good, notable, bad };
 // The line with the codes for its ink around it, if the look has colour.
 std::string inked(const std::string& line, Ink ink, const Look& look);
 
-}  // namespace reeve
+}  // namespace reeve::reports

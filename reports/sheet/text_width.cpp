@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::reports {
 namespace {
 
 bool continues_a_code_point(char c) { return (c & '\xC0') == '\x80'; }
@@ -75,4 +75,4 @@ std::vector<std::string> wrap_words(const std::string& text, std::size_t width) 
   return lines.take();
 }
 
-}  // namespace reeve
+}  // namespace reeve::reports

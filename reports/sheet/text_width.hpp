@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
 
 std::size_t text_width(const std::string& text);
 
@@ -16,4 +18,4 @@ std::string padded(const std::string& text, std::size_t width, bool is_text);
 // '-', '+' or '_', as routings and names can be read, or else anywhere. Width 0 breaks nothing.
 std::vector<std::string> wrap_words(const std::string& text, std::size_t width);
 
-}  // namespace reeve
+}  // namespace reeve::reports

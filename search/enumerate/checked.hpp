@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 __extension__ using Wide = unsigned __int128;
 
@@ -46,4 +46,4 @@ inline std::uint64_t multichoose(std::uint64_t n, std::uint64_t k) {
   return n == 0 ? 0 : binomial(n + k - 1, k);
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

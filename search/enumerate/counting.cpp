@@ -5,7 +5,7 @@
 
 #include "search/enumerate/checked.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 struct Choices {
@@ -114,4 +114,4 @@ RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity i
           tendon_sets(actuated, fingers, identity).back(), actuated.back()};
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

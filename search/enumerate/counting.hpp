@@ -18,7 +18,7 @@
 #include "core/canonical.hpp"
 #include "search/enumerate/parts.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // Tendons by number of fingers: [k] for k = 1 … fingers; [0] is 0.
 using TendonCounts = std::vector<std::uint64_t>;
@@ -38,4 +38,4 @@ struct RoutingCounts {
 
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity);
 
-}  // namespace reeve
+}  // namespace reeve::search

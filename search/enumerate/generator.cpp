@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "search/enumerate/checked.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 RoutingGenerator::RoutingGenerator(GeneratorOptions options) : options_(std::move(options)) {
   validate(options_.parts);
@@ -207,4 +207,4 @@ ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n) {
   return {cut(i - 1), cut(i)};
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

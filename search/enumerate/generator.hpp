@@ -21,7 +21,7 @@
 #include "search/enumerate/parts.hpp"
 #include "search/enumerate/shape_cursor.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct GeneratorOptions {
   PartSet parts = full_parts();
@@ -79,4 +79,4 @@ struct ShardRange {
 // The i-th of n parts of 0 … total, i from 1: all parts together are exactly the whole.
 ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -4,7 +4,7 @@
 
 #include "core/canonical.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 std::uint64_t bit(int finger) { return std::uint64_t{1} << (finger - 1); }
@@ -73,4 +73,4 @@ bool Numbering::admits(const Routing& routing, const Place& place) const {
   return !place.ends_tendon || is_canonical(tendon);
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -6,7 +6,7 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // Numberings of a sequence of tendons' fingers, up to the tendons' symmetries.
 class Numbering {
@@ -30,4 +30,4 @@ class Numbering {
   std::uint64_t used_ = 0;
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

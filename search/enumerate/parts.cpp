@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 template <typename Kind>
@@ -95,4 +95,4 @@ PartSet passive_parts(const PartSet& parts) {
   return passive;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -6,7 +6,7 @@
 
 #include "core/routing.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // Each list is sorted and without repeats.
 struct PartSet {
@@ -33,4 +33,4 @@ std::string ends_text(const PartSet& parts);
 // The parts that do not hang on the carriage: tendons made of them alone are not actuated.
 PartSet passive_parts(const PartSet& parts);
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -4,7 +4,7 @@
 
 #include "core/canonical.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 // The next token of the same sort that the parts allow; false, and the first one, behind the last.
@@ -64,4 +64,4 @@ bool ShapeCursor::next(const PartSet& parts) {
   return settle(parts);
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -6,7 +6,7 @@
 #include "core/routing.hpp"
 #include "search/enumerate/parts.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // Tendon shapes through a given number of fingers in canonical order: open ones, then loops.
 class ShapeCursor {
@@ -29,4 +29,4 @@ class ShapeCursor {
   std::uint64_t index_ = 0;
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 // Thinning out costs more than filling, so it waits until a good part is new.
@@ -125,4 +125,4 @@ Archive::Content Archive::content() {
   return content;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -15,7 +15,7 @@
 #include "search/judge/ranking.hpp"
 #include "search/judge/sweep_counter.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 class Archive {
  public:
@@ -57,4 +57,4 @@ class Archive {
   Goodness corner_;        // `keep` guards dominate whatever is worse than this in everything
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

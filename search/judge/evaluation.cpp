@@ -5,7 +5,7 @@
 
 #include "core/notation.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 Extent extent_for(const std::vector<Objective>& objectives, const Score& score) {
   const auto any_of_terms = [](const Score& terms, auto is_wanted) {
@@ -86,4 +86,4 @@ ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const Extent& 
   return values;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

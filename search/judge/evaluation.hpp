@@ -17,7 +17,7 @@
 #include "search/judge/objectives.hpp"
 #include "search/judge/score.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // What is worked out besides the pull and what follows from it at no cost; objectives that need
 // what is left out stay at 0.
@@ -66,4 +66,4 @@ class DesignEvaluator {
   DesignOutcome outcome_;
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

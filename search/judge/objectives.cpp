@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 using Grasps = std::vector<GraspOutcome>;
@@ -190,4 +190,4 @@ Constraint parse_constraint(const std::string& text) {
   return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -11,7 +11,7 @@
 #include "core/indicators.hpp"
 #include "core/performance.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 enum class Objective : std::uint8_t {
   uniformity_mean,
@@ -108,4 +108,4 @@ struct Constraint {
 
 Constraint parse_constraint(const std::string& text);
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -8,7 +8,7 @@
 
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct Order {
   std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
@@ -22,4 +22,4 @@ struct Order {
       : objectives(chosen), by_score(score) {}
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

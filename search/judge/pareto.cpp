@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 // Rows are compared in chunks that fit a few registers.
@@ -114,4 +114,4 @@ std::vector<int> fronts(const GoodnessMatrix& matrix) {
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -12,7 +12,7 @@
 
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // Never on the heap: there are few objectives.
 using Goodness = Eigen::Array<double, Eigen::Dynamic, 1, 0, objective_count, 1>;
@@ -33,4 +33,4 @@ Eigen::Index count_dominators(const GoodnessMatrix& matrix, Eigen::Index rows,
 // The front of each row, from 1.
 std::vector<int> fronts(const GoodnessMatrix& matrix);
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -6,7 +6,7 @@
 
 #include "search/judge/pareto.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 double part_total(const ObjectiveValues& values) {
@@ -75,4 +75,4 @@ std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& rank
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

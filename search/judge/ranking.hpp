@@ -12,7 +12,7 @@
 
 #include "search/judge/order.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct Design {
   std::string word;
@@ -49,4 +49,4 @@ struct BestDesigns {
 std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
                                            std::size_t named);
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 constexpr double greatest_weight = 1e6;
@@ -77,4 +77,4 @@ std::string to_text(const Score& score) {
   return text;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -11,7 +11,7 @@
 
 #include "search/judge/objectives.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct ScoreTerm {
   Objective objective{};
@@ -34,4 +34,4 @@ Score parse_score(const std::string& text);
 // "adaptability=2,reliability=1": as it is read.
 std::string to_text(const Score& score);
 
-}  // namespace reeve
+}  // namespace reeve::search

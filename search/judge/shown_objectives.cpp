@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 bool is_chosen(Objective objective, const Order& order) {
@@ -28,4 +28,4 @@ std::vector<Objective> shown_objectives(const Order& order, const Score& score) 
   return shown;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

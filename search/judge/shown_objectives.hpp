@@ -7,11 +7,11 @@
 #include "search/judge/order.hpp"
 #include "search/judge/score.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 // In the order of their table.
 std::vector<Objective> shown_objectives(const Order& order, const Score& score);
 
 bool is_shown(Objective objective, const Order& order, const Score& score);
 
-}  // namespace reeve
+}  // namespace reeve::search

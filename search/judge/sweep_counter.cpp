@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-namespace reeve {
+namespace reeve::search {
 
 SweepCounter::SweepCounter(std::vector<double> values) : falling_(std::move(values)) {
   std::sort(falling_.begin(), falling_.end(), std::greater<>());
@@ -27,4 +27,4 @@ Eigen::Index SweepCounter::not_less(double value) const {
   return sum;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

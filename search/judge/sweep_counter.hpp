@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace reeve {
+#include "numerics/floors.hpp"
+
+namespace reeve::search {
 
 class SweepCounter {
  public:
@@ -26,4 +28,4 @@ class SweepCounter {
   std::vector<Eigen::Index> sums_;  // a Fenwick tree over the ranks (P. Fenwick, 1994)
 };
 
-}  // namespace reeve
+}  // namespace reeve::search

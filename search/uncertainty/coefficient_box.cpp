@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 Interval around(double value, double relative) {
@@ -35,4 +35,4 @@ Model at_point(const Model& nominal, const std::vector<double>& point) {
   return {at_point(nominal.hardware, point), nominal.effects, nominal.conditions};
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -16,7 +16,7 @@
 #include "core/uncertainty_ranges.hpp"
 #include "numerics/minimise.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 using CoefficientBox = std::array<Interval, 4>;
 
@@ -26,4 +26,4 @@ CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges&
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point);
 Model at_point(const Model& nominal, const std::vector<double>& point);
 
-}  // namespace reeve
+}  // namespace reeve::search

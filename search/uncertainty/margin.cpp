@@ -6,7 +6,7 @@
 #include "search/judge/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 double product(const Routing& routing, const Model& model, const GraspSet& grasps) {
@@ -45,4 +45,4 @@ std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& rank
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -17,7 +17,7 @@
 #include "search/explore.hpp"
 #include "search/judge/ranking.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct Margin {
   std::string challenger;  // word of the other design
@@ -40,4 +40,4 @@ std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& rank
                                            const MarginOptions& options,
                                            const Supervision& supervision = {});
 
-}  // namespace reeve
+}  // namespace reeve::search

@@ -13,7 +13,7 @@
 #include "search/judge/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
-namespace reeve {
+namespace reeve::search {
 namespace {
 
 // The ranks of the designs, in their order, for one draw of the model.
@@ -108,4 +108,4 @@ std::optional<std::vector<RankDistribution>> rank_distributions(const std::vecto
   return result;
 }
 
-}  // namespace reeve
+}  // namespace reeve::search

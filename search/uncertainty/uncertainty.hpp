@@ -15,7 +15,7 @@
 #include "search/explore.hpp"
 #include "search/judge/ranking.hpp"
 
-namespace reeve {
+namespace reeve::search {
 
 struct UncertaintyOptions {
   Model nominal;
@@ -48,4 +48,4 @@ std::optional<std::vector<RankDistribution>> rank_distributions(
     const std::vector<Design>& designs, const UncertaintyOptions& options,
     const Supervision& supervision = {});
 
-}  // namespace reeve
+}  // namespace reeve::search

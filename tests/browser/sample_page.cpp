@@ -16,6 +16,7 @@
 #include "reports/files.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/svg.hpp"
+#include "tests/support/all_floors.hpp"
 
 namespace reeve {
 namespace {

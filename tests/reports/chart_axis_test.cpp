@@ -9,7 +9,7 @@
 
 #include "numerics/random.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 std::vector<std::string> texts(const LaidAxis& axis) {
@@ -114,4 +114,4 @@ TEST(ChartAxis, GivesEachCategoryTheSameRoom) {
 }
 
 }  // namespace
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -6,7 +6,7 @@
 
 #include "numerics/random.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 const Box frame{0, 0, 300, 200};
@@ -82,4 +82,4 @@ TEST(ChartLabels, NeverLieOverEachOtherNorBeyondTheFrame) {
 }
 
 }  // namespace
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

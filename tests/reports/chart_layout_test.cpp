@@ -12,7 +12,7 @@
 
 #include "numerics/random.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -315,4 +315,4 @@ TEST(ChartLegend, NamesASeriesOnceWithAllItsSymbols) {
 }
 
 }  // namespace
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

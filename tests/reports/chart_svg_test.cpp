@@ -12,7 +12,7 @@
 #include "reports/chart/chart_layout.hpp"
 #include "tests/support/svg.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 using testing::count;
@@ -177,4 +177,4 @@ TEST(ChartSvg, HasTheSameBytesEachTime) {
 }
 
 }  // namespace
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -10,7 +10,7 @@
 
 #include "numerics/random.hpp"
 
-namespace reeve::chart {
+namespace reeve::reports::chart {
 namespace {
 
 std::vector<std::string> texts(double low, double high, std::size_t most, bool whole = false,
@@ -91,4 +91,4 @@ TEST(TickText, HasTheDecimalsOfTheStep) {
 }
 
 }  // namespace
-}  // namespace reeve::chart
+}  // namespace reeve::reports::chart

@@ -1,7 +1,5 @@
 // What a user of the installed library writes: TR7 with finger 1 held. Fails if it comes out wrong.
-#include <reeve/core/notation.hpp>
-#include <reeve/core/performance.hpp>
-#include <reeve/core/version.hpp>
+#include <reeve/core/reeve.hpp>
 
 #include <cmath>
 #include <iostream>
