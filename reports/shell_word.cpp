@@ -6,9 +6,9 @@
 namespace reeve::reports {
 namespace {
 
-// What no shell takes for anything else, wherever it stands in a word; '~', '=' and '#' can be.
+// What no shell takes for anything else, wherever it stands in a word; '~' and '#' can be.
 bool is_plain(char c) {
-  constexpr std::string_view marks = "_-+./,:@%";
+  constexpr std::string_view marks = "_-+./,:@%=";
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          marks.find(c) != std::string_view::npos;
 }
@@ -16,7 +16,10 @@ bool is_plain(char c) {
 }  // namespace
 
 std::string shell_word(const std::string& text) {
-  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  // At its beginning '=' asks some shells for the path of a command.
+  const bool plain =
+      !text.empty() && text.front() != '=' && std::all_of(text.begin(), text.end(), is_plain);
+  if (plain) return text;
   std::string quoted = "'";
   for (const char c : text) {
     if (c == '\'') {

@@ -18,6 +18,7 @@
 #include "reports/files.hpp"
 #include "reports/results/power_report.hpp"
 #include "reports/results/simulation_report.hpp"
+#include "reports/shell_word.hpp"
 #include "studies/simulation_study.hpp"
 
 namespace reeve::cli {
@@ -53,22 +54,12 @@ std::vector<Given> options_in_order(const CLI::App& command) {
   return given;
 }
 
-std::string quoted(const std::string& text) {
-  const bool plain = !text.empty() && text.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-+./:,=") == std::string::npos;
-  if (plain) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 // But for the file, so that the same data have the same bytes wherever they are written.
 std::string command_text(const SimulateFlags& flags) {
   std::string text = "reeve simulate";
   for (const Given& given : options_in_order(*flags.command)) {
     if (given.option == flags.out_given) continue;
-    text += " --" + given.option->get_lnames().front() + " " + quoted(given.value);
+    text += " --" + given.option->get_lnames().front() + " " + shell_word(given.value);
   }
   return text;
 }

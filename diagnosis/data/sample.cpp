@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/data/hold_out.hpp"
+#include "diagnosis/data/run_split.hpp"
 
 namespace reeve::diagnosis {
 namespace {

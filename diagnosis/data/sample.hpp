@@ -24,7 +24,7 @@ struct Sample {
   std::vector<DataNote> notes;  // those on the data first
 };
 
-// `share` of the runs is held out (hold_out.hpp). Throws InputError if no row can be compared.
+// `share` of the runs is held out (run_split.hpp). Throws InputError if no row can be compared.
 // `data` must outlive the sample.
 Sample sample(const MeasuredData& data, double share, std::uint64_t seed);
 

@@ -184,6 +184,7 @@ double Noise::deviation(double tension_N) const {
 
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N) {
+  // So far out chance brings less than one reading in a million.
   constexpr double far = 5;
   Eigen::VectorXd result(expected_N.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 
 double rectified(double reading_N, double deviation_N) {
-  constexpr double far = 4;
+  constexpr double far = 4;  // what is cut off there is below 1e-5 of the noise
   const double z = reading_N / deviation_N;
   if (z > far) return reading_N;
   const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);

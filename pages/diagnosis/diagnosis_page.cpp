@@ -6,6 +6,7 @@
 
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
+#include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/ranking/distribution_figure.hpp"
 #include "pages/shell/html_table.hpp"
@@ -64,16 +65,7 @@ std::string schematic_of(const ShownRouting& next, const DiagnosisReport& report
 
 Json ranking_values(const std::optional<CatalogueRanking>& ranking) {
   if (!ranking) return nullptr;
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < ranking->after.size(); ++i) {
-    const auto was = std::find(ranking->before.begin(), ranking->before.end(), ranking->after[i]);
-    rows.push_back({{"rank", i + 1},
-                    {"before", i < ranking->before.size() ? ranking->before[i] : ""},
-                    {"after", ranking->after[i]},
-                    {"was", was - ranking->before.begin() + 1},
-                    {"moved", was - ranking->before.begin() != static_cast<std::ptrdiff_t>(i)}});
-  }
-  return {{"changes", ranking->changes()}, {"rows", rows}};
+  return {{"changes", ranking->changes()}, {"table", ranking_table(*ranking)}};
 }
 
 void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& figures) {

@@ -1,9 +1,8 @@
 // Of the page's values those about the rig: what to measure next, the data, the settings.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/notation.hpp"
+#include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -11,17 +10,6 @@
 
 namespace reeve::pages {
 namespace {
-
-Json expected_values(const PlannedMeasurement& planned) {
-  Json list = Json::array();
-  for (const ExpectedReading& reading : planned.expected) {
-    list.push_back({{"channel", reading.segment},
-                    {"expected", fmt::format("{:.3g}", reading.expected_N)},
-                    {"other", fmt::format("{:.3g}", reading.other_N)},
-                    {"deviation", fmt::format("{:.2g}", reading.deviation_N)}});
-  }
-  return list;
-}
 
 // Header and one row, the measured cells empty.
 std::string rows_to_record(const PlannedMeasurement& planned) {
@@ -45,25 +33,6 @@ std::string rows_to_record(const PlannedMeasurement& planned) {
   return header + "\n" + row + "\n";
 }
 
-Json notes(const DiagnosisResult& result) {
-  Json list = Json::array();
-  for (const DataNote& note : result.notes) {
-    constexpr std::size_t most = 12;
-    const std::size_t shown = std::min(note.lines.size(), most);
-    std::string lines =
-        fmt::format("{}", fmt::join(note.lines.begin(),
-                                    note.lines.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-    if (shown < note.lines.size()) lines += ", …";
-    std::string kind = name(note.kind);
-    std::replace(kind.begin(), kind.end(), '_', ' ');
-    list.push_back({{"kind", kind},
-                    {"text", note.text},
-                    {"count", note.lines.empty() ? "–" : std::to_string(note.lines.size())},
-                    {"lines", note.lines.empty() ? "the whole file" : lines}});
-  }
-  return list;
-}
-
 const char* source_text(NoiseSource source) {
   switch (source) {
     case NoiseSource::repeats:
@@ -78,30 +47,16 @@ const char* source_text(NoiseSource source) {
   return "";
 }
 
-Json friction(const char* part, const ContactLaw& law) {
-  return {{"part", part},
-          {"mu", fmt::format("{:.4g}", law.mu)},
-          {"angle", fmt::format("{:.4g}", law.angle_rad)}};
-}
-
 }  // namespace
 
 Json next_values(const DiagnosisReport& report) {
   const std::optional<PlannedMeasurement>& next = report.result.next_measurement;
   if (!next) return nullptr;
-  const bool separates = next->parameter.empty() && !report.result.indistinguishable.empty();
-  Json values{{"measurement", measurement_text(*next, report)},
-              {"why", next->why},
-              {"readings", planned_readings},
-              {"separates", separates},
-              {"expected", expected_values(*next)},
-              {"has_expected", !next->expected.empty()},
-              {"rows", rows_to_record(*next)}};
-  if (separates) {
-    values["first"] = report.result.indistinguishable.front()[0];
-    values["second"] = report.result.indistinguishable.front()[1];
-  }
-  return values;
+  return {{"measurement", measurement_text(*next, report)},
+          {"why", next->why},
+          {"readings", planned_readings},
+          {"expected", expected_table(report.result)},
+          {"rows", rows_to_record(*next)}};
 }
 
 Json data_values(const DiagnosisPageInput& input) {
@@ -109,7 +64,6 @@ Json data_values(const DiagnosisPageInput& input) {
   const DiagnosisResult& result = report.result;
   const Noise& noise = result.noise;
   const DiagnosisSettings& settings = report.settings;
-  const Hardware& hardware = report.hardware;
   return {{"file", report.data.file},
           {"simulated", report.data.simulated},
           {"rows", plural(result.rows, "reading")},
@@ -121,17 +75,14 @@ Json data_values(const DiagnosisPageInput& input) {
                                 newton(noise.absolute_N))},
           {"noise_source", source_text(noise.source)},
           {"noise_degrees", fmt::format("{:.0f}", noise.degrees_of_freedom)},
-          {"notes", notes(result)},
-          {"has_notes", !result.notes.empty()},
+          {"notes", notes_table(result)},
           {"command", input.command},
           {"alpha", fmt::format("{:g}", settings.alpha)},
           {"hold_out", percent_text(settings.hold_out)},
           {"seed", settings.seed},
           {"replicates", settings.replicates},
           {"explore", report.with_generated},
-          {"friction",
-           Json::array({friction("tube", hardware.tube), friction("bearing", hardware.bearing),
-                        friction("sheath", hardware.sheath)})}};
+          {"friction", friction_table(report.hardware)}};
 }
 
 }  // namespace reeve::pages

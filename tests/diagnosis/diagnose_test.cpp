@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/data/hold_out.hpp"
+#include "diagnosis/data/run_split.hpp"
 #include "diagnosis/model/left_noise.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/data/hold_out.hpp"
+#include "diagnosis/data/run_split.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,206 @@
+#include "pages/diagnosis/diagnosis_tables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pages/diagnosis/diagnosis_labels.hpp"
+#include "pages/shell/html_table.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/results/data_text.hpp"
+
+namespace reeve::pages {
+namespace {
+
+constexpr const char* none = "–";
+
+std::string written(HtmlTable table) { return table.table.rows.empty() ? "" : html(table); }
+
+std::string interval_of(const EstimatedParameter& parameter) {
+  return estimate(parameter, parameter.low) + " to " + estimate(parameter, parameter.high);
+}
+
+std::string literature_of(const EstimatedParameter& parameter) {
+  const std::optional<Range>& range = parameter.literature;
+  return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : none;
+}
+
+void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
+  table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
+             percent_text(held_out.reduction),
+             percent_text(held_out.low) + " to " + percent_text(held_out.high),
+             gain_number(held_out.log_likelihood_gain),
+             gain_interval(held_out.gain_low, held_out.gain_high),
+             gain_number(held_out.expected_gain)});
+}
+
+std::string weighed_caption(const DiagnosisResult& result) {
+  const std::string caption = "Gain in log-likelihood over the model as it stands";
+  const std::optional<NoiseLimit>& limit = result.noise_limit;
+  if (!limit) return caption;
+  return caption + fmt::format("; as good as noise allows on the held-out runs: {} ({}), rms {}",
+                               gain_number(limit->log_likelihood_gain),
+                               gain_interval(limit->low, limit->high), newton(limit->rms_N));
+}
+
+std::string lines_text(const std::vector<std::size_t>& lines) {
+  constexpr std::size_t most = 12;
+  if (lines.empty()) return "the whole file";
+  const std::size_t shown = std::min(lines.size(), most);
+  const auto end = lines.begin() + static_cast<std::ptrdiff_t>(shown);
+  return fmt::format("{}{}", fmt::join(lines.begin(), end, ", "),
+                     shown < lines.size() ? ", …" : "");
+}
+
+}  // namespace
+
+std::string gain_number(double gain) {
+  return fmt::format("{:.{}f}", gain, std::abs(gain) < 99.95 ? 1 : 0);
+}
+
+std::string gain_interval(double low, double high) {
+  return gain_number(low) + " to " + gain_number(high);
+}
+
+bool separates_causes(const DiagnosisResult& result) {
+  return result.next_measurement && result.next_measurement->parameter.empty() &&
+         !result.indistinguishable.empty();
+}
+
+std::string sizes_table(const DiagnosisResult& result) {
+  Table table{{text_column("cause"), text_column("parameter"), number_column("estimate"),
+               number_column("95 % interval"), number_column("nominal"),
+               number_column("literature"), text_column("unit")},
+              {}};
+  for (const NamedCause& cause : result.causes) {
+    for (const EstimatedParameter& parameter : cause.parameters) {
+      table.add({cause.name, parameter.name, estimate(parameter, parameter.value),
+                 interval_of(parameter),
+                 parameter.nominal ? estimate(parameter, *parameter.nominal) : none,
+                 literature_of(parameter), parameter.unit});
+    }
+  }
+  return written({"named-causes", "Sizes, with 95 % intervals", std::move(table)});
+}
+
+std::string weighed_table(const DiagnosisResult& result) {
+  Table table{{text_column("model"), text_column("stands as"), number_column("training runs"),
+               number_column("held-out runs"), number_column("95 % interval"),
+               number_column("rms held out")},
+              {}};
+  for (const WeighedCauses& model : by_training_gain(result.weighed)) {
+    const std::string place = standing(result, model.causes);
+    const std::optional<HeldOut>& held_out = model.held_out;
+    table.add({(place == "named" ? "◆ " : "") + joined_causes(model.causes), place,
+               gain_number(model.gain),
+               held_out ? gain_number(held_out->log_likelihood_gain) : none,
+               held_out ? gain_interval(held_out->gain_low, held_out->gain_high) : none,
+               held_out ? newton(held_out->rms_after_N) : none});
+  }
+  return written({"weighed-models", weighed_caption(result), std::move(table), true});
+}
+
+std::string gains_table(const DiagnosisResult& result) {
+  Table table{
+      {text_column("with"), number_column("rms before"), number_column("rms after"),
+       number_column("reduction"), number_column("interval"), number_column("log-likelihood gain"),
+       number_column("interval"), number_column("expected, if right")},
+      {}};
+  for (const NamedCause& cause : result.causes) {
+    if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
+  }
+  if (result.held_out && result.causes.size() > 1) {
+    add_gain(table, "all together", *result.held_out);
+  }
+  return written({"gains",
+                  fmt::format("On {} that no fit has seen, each cause over all others; intervals "
+                              "are of 95 %",
+                              plural(result.held_out_runs, "run")),
+                  std::move(table)});
+}
+
+std::string structure_table(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  Table table{{text_column("residuals follow"), number_column("deviations from chance"),
+               number_column("p of this alone")},
+              {}};
+  for (const StructureFinding& finding : result.structure) {
+    table.add({finding.about, fmt::format("{:.1f}", finding.statistic),
+               fmt::format("{:.2g}", finding.p_value)});
+  }
+  return written({"structure",
+                  fmt::format("What the residuals could still follow{}, tested on the training "
+                              "runs ({} for all together)",
+                              result.causes.empty() ? "" : " after the model is extended",
+                              p_text(result.structure_p_value, report.settings.replicates)),
+                  std::move(table), true});
+}
+
+std::string expected_table(const DiagnosisResult& result) {
+  const bool separates = separates_causes(result);
+  std::string caption = "What the sensors should read there, N";
+  Table table{{text_column("sensor")}, {}};
+  if (separates) {
+    const std::vector<std::string>& names = result.indistinguishable.front();
+    caption += fmt::format(": if it is {}, and if it is {}", names[0], names[1]);
+    for (int i = 0; i < 2; ++i) {
+      table.columns.push_back(number_column(names[static_cast<std::size_t>(i)]));
+    }
+  } else {
+    table.columns.push_back(number_column("extended model"));
+  }
+  table.columns.push_back(number_column("noise, sd"));
+  for (const ExpectedReading& reading : result.next_measurement->expected) {
+    std::vector<std::string> cells{reading.segment, fmt::format("{:.3g}", reading.expected_N)};
+    if (separates) cells.push_back(fmt::format("{:.3g}", reading.other_N));
+    cells.push_back(fmt::format("{:.2g}", reading.deviation_N));
+    table.add(std::move(cells));
+  }
+  return written({"expected", caption, std::move(table)});
+}
+
+std::string ranking_table(const CatalogueRanking& ranking) {
+  Table table{{number_column("rank"), text_column("before"), text_column("after")}, {}};
+  for (std::size_t i = 0; i < ranking.after.size(); ++i) {
+    const auto was = std::find(ranking.before.begin(), ranking.before.end(), ranking.after[i]) -
+                     ranking.before.begin();
+    const bool moved = was != static_cast<std::ptrdiff_t>(i);
+    table.add({std::to_string(i + 1), i < ranking.before.size() ? ranking.before[i] : "",
+               moved ? fmt::format("{} (was {})", ranking.after[i], was + 1) : ranking.after[i]},
+              moved ? Tint::notable : Tint::none);
+  }
+  return written({"ranks", "Rank of the catalogue's routings", std::move(table)});
+}
+
+std::string notes_table(const DiagnosisResult& result) {
+  Table table{
+      {text_column("what"), text_column("note"), number_column("lines"), text_column("which")}, {}};
+  for (const DataNote& note : result.notes) {
+    std::string kind = name(note.kind);
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    table.add({kind, note.text, note.lines.empty() ? none : std::to_string(note.lines.size()),
+               lines_text(note.lines)});
+  }
+  return written(
+      {"notes", "What looks wrong or was left out; nothing was mended", std::move(table)});
+}
+
+std::string friction_table(const Hardware& hardware) {
+  Table table{{text_column("part"), number_column("friction coefficient"),
+               number_column("wrap angle", "rad")},
+              {}};
+  const auto add = [&](const char* part, const ContactLaw& law) {
+    table.add({part, fmt::format("{:.4g}", law.mu), fmt::format("{:.4g}", law.angle_rad)});
+  };
+  add("tube", hardware.tube);
+  add("bearing", hardware.bearing);
+  add("sheath", hardware.sheath);
+  return written({"friction",
+                  "The model as it stands: friction by kind of part; diagnosis.json has what "
+                  "differs at single fingers and contacts",
+                  std::move(table)});
+}
+
+}  // namespace reeve::pages

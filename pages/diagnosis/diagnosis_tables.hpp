@@ -1,0 +1,28 @@
+// The tables of a diagnosis' page, as HTML; "" of those that have no row.
+#pragma once
+
+#include <string>
+
+#include "pages/diagnosis/diagnosis_page.hpp"
+
+namespace reeve::pages {
+
+// A log-likelihood: below a hundred to a tenth, which is where it decides anything.
+std::string gain_number(double gain);
+std::string gain_interval(double low, double high);
+
+std::string sizes_table(const DiagnosisResult& result);
+// Every model that was weighed, the named one marked in words and by its sign.
+std::string weighed_table(const DiagnosisResult& result);
+std::string gains_table(const DiagnosisResult& result);
+std::string structure_table(const DiagnosisReport& report);
+// What the sensors should read in the next measurement, under each of what it separates.
+std::string expected_table(const DiagnosisResult& result);
+std::string ranking_table(const CatalogueRanking& ranking);
+std::string notes_table(const DiagnosisResult& result);
+std::string friction_table(const Hardware& hardware);
+
+// Whether the next measurement is to tell two causes apart.
+bool separates_causes(const DiagnosisResult& result);
+
+}  // namespace reeve::pages
