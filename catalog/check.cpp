@@ -183,7 +183,7 @@ CheckItem EntryCheck::equation_balance(const ReversedContactFault& fault) const 
 
 CheckItem EntryCheck::idle_fault(std::size_t fault) const {
   const Fault& listed = entry_.faults[fault];
-  CheckItem item = catalog::idle_fault(fault, name(listed), entry_.file, listed.at);
+  CheckItem item = catalog::idle_fault(fault, fault_name(listed), entry_.file, listed.at);
   item.source = entry_.table ? entry_.table->source : entry_.lines.front().source;
   return item;
 }
@@ -206,7 +206,7 @@ void EntryCheck::run() {
 
 }  // namespace
 
-const char* name(CheckStatus status) {
+const char* status_name(CheckStatus status) {
   if (status == CheckStatus::agrees) return "agrees";
   return status == CheckStatus::explained ? "explained" : "differs";
 }

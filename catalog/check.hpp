@@ -24,7 +24,7 @@ namespace reeve::catalog {
 
 enum class CheckStatus : std::uint8_t { agrees, explained, differs };
 
-const char* name(CheckStatus status);
+const char* status_name(CheckStatus status);
 
 enum class CheckedKind : std::uint8_t {
   strand_tension,

@@ -124,7 +124,7 @@ std::vector<Losses> read_losses(const TomlNode& node, std::size_t count,
 std::vector<std::string> motor_side_names(const Routing& routing) {
   std::vector<std::string> names;
   for (const Segment& segment : expand(routing).segments) {
-    if (segment.kind == SegmentKind::motor_side) names.push_back(name(segment));
+    if (segment.kind == SegmentKind::motor_side) names.push_back(segment_name(segment));
   }
   return names;
 }
@@ -256,7 +256,7 @@ PrintedNumber read_printed_number(const TomlNode& node) {
   return *number;
 }
 
-const char* name(const Fault& fault) {
+const char* fault_name(const Fault& fault) {
   constexpr const char* names[] = {"factor", "repeats", "proportional", "reversed_contact"};
   return names[fault.what.index()];
 }

@@ -162,7 +162,7 @@ Publication read_publication(const TomlNode& file) {
 
 }  // namespace
 
-const char* name(const IndicatorFault& fault) {
+const char* fault_name(const IndicatorFault& fault) {
   constexpr const char* names[] = {"slides_to_hand", "exchanged"};
   return names[fault.what.index()];
 }

@@ -58,7 +58,7 @@ struct IndicatorFault {
   TomlPosition at;  // in the publication's file
 };
 
-const char* name(const IndicatorFault& fault);
+const char* fault_name(const IndicatorFault& fault);
 
 struct IndicatorTable {
   std::string source;

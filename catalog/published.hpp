@@ -83,7 +83,7 @@ struct Fault {
   TomlPosition at;  // in the entry's file
 };
 
-const char* name(const Fault& fault);
+const char* fault_name(const Fault& fault);
 
 // A slip that changes no number.
 struct Misprint {

@@ -34,7 +34,7 @@ double exponent_with_force(double phi, double high_N, double force_N) {
   return std::log(high_N / kept);
 }
 
-std::string name(const Effect& effect) {
+std::string effect_name(const Effect& effect) {
   const std::string subject = effect.cause->subject_name(effect.subject);
   return subject.empty() ? effect.cause->name() : effect.cause->name() + ("[" + subject + "]");
 }

@@ -144,7 +144,7 @@ struct Effect {
 };
 
 // "sensor_gain[T3]"
-std::string name(const Effect& effect);
+std::string effect_name(const Effect& effect);
 
 // Whether two effects say how large, or which, one and the same thing is.
 bool is_about_the_same(const Effect& a, const Effect& b);

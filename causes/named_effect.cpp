@@ -15,7 +15,7 @@ namespace reeve::causes {
 namespace {
 
 std::string name_of(const Cause& cause, const Subject& subject) {
-  return name(Effect{&cause, subject, {}});
+  return effect_name(Effect{&cause, subject, {}});
 }
 
 const Cause& cause_of(const std::string& name) {

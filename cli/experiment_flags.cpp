@@ -129,7 +129,7 @@ std::vector<Segment> read_channels(const std::string& text,
           text, item));
     }
     if (std::count_if(channels.begin(), channels.end(),
-                      [&](const Segment& s) { return name(s) == item; }) > 1) {
+                      [&](const Segment& s) { return segment_name(s) == item; }) > 1) {
       throw InputError(fmt::format("--channels '{}': '{}' is given twice", text, item));
     }
   }

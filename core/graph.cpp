@@ -40,7 +40,7 @@ void require_actuated(const NetworkGraph& graph, const std::string& word) {
       throw InputError(fmt::format(
           "routing '{}': the tendon with {} is not actuated: it has no M and no P, so the motor "
           "cannot pull it",
-          word, name(graph[i])));
+          word, segment_name(graph[i])));
     }
   }
 }
@@ -74,19 +74,20 @@ const char* line_style(ContactKind kind) {
 std::string place_label(const Contact& contact) {
   switch (contact.place) {
     case ContactPlace::tip:
-      return fmt::format("tip {} ({})", contact.finger, name(contact.kind));
+      return fmt::format("tip {} ({})", contact.finger, contact_kind_name(contact.kind));
     case ContactPlace::carriage:
       return "movable pulley";
     case ContactPlace::hand_join:
     case ContactPlace::sheath:
-      return name(contact.kind);
+      return contact_kind_name(contact.kind);
   }
   return "";
 }
 
 std::string segment_attributes(const Segment& segment, double tension, bool with_tension) {
-  const std::string label =
-      with_tension ? fmt::format("{}\\n{:.3f}", name(segment), tension) : name(segment);
+  const std::string label = with_tension
+                                ? fmt::format("{}\\n{:.3f}", segment_name(segment), tension)
+                                : segment_name(segment);
   return fmt::format("[label=\"{}\", shape={}]", label, shape(segment.kind));
 }
 

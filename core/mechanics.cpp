@@ -120,8 +120,8 @@ const Mechanics& require_in_range(const Network& network, const Mechanics& mecha
       if (phi <= max_exponent) continue;
       const auto [left, right] = ends_of(tendon, k);
       throw OutOfRange(fmt::format("hardware: {}-{}: mu * angle = {}: expected at most {}",
-                                   name(network.segments[left]), name(network.segments[right]), phi,
-                                   max_exponent));
+                                   segment_name(network.segments[left]),
+                                   segment_name(network.segments[right]), phi, max_exponent));
     }
   }
   return mechanics;

@@ -133,7 +133,7 @@ Network expand(const Routing& routing) {
   return network;
 }
 
-std::string name(const Segment& segment) {
+std::string segment_name(const Segment& segment) {
   switch (segment.kind) {
     case SegmentKind::strand:
       return "T" + std::to_string(segment.number);
@@ -145,7 +145,7 @@ std::string name(const Segment& segment) {
   return {};
 }
 
-const char* name(ContactKind kind) {
+const char* contact_kind_name(ContactKind kind) {
   switch (kind) {
     case ContactKind::tube:
       return "tube";

@@ -84,9 +84,9 @@ inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
 std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted);
 
 // T1, a, h1.
-std::string name(const Segment& segment);
+std::string segment_name(const Segment& segment);
 // The reverse. Throws InputError on what is no such name.
 Segment parse_segment(const std::string& name);
-const char* name(ContactKind kind);
+const char* contact_kind_name(ContactKind kind);
 
 }  // namespace reeve::core

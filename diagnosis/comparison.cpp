@@ -182,7 +182,9 @@ class Comparer {
 
 }  // namespace
 
-const char* name(Quantity quantity) { return quantity == Quantity::tension ? "tension" : "share"; }
+const char* quantity_name(Quantity quantity) {
+  return quantity == Quantity::tension ? "tension" : "share";
+}
 
 Comparison compare(const MeasuredData& data, const Model& model) {
   return Comparer(data, model).run();

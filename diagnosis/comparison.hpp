@@ -23,7 +23,7 @@ enum class Quantity : std::uint8_t {
   tension,  // N
   share,    // of the measured strands' sum, 1
 };
-const char* name(Quantity quantity);
+const char* quantity_name(Quantity quantity);
 
 struct ComparedValue {
   std::size_t reading = 0;  // in MeasuredData::readings

@@ -125,7 +125,7 @@ class Diagnosis {
     for (const AcceptedCause& accepted : found->accepted) {
       NamedCause cause;
       cause.effect = accepted.effect;
-      cause.name = name(accepted.effect);
+      cause.name = effect_name(accepted.effect);
       cause.p_value = accepted.p_value;
       result_.causes.push_back(std::move(cause));
     }
@@ -303,7 +303,7 @@ class Diagnosis {
 
 }  // namespace
 
-const char* name(Verdict verdict) {
+const char* verdict_name(Verdict verdict) {
   switch (verdict) {
     case Verdict::none:
       return "none";

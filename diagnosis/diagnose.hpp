@@ -53,7 +53,7 @@ struct DiagnoseOptions : DiagnosisSettings {
 
 // too_few: readings, to look for anything.
 enum class Verdict : std::uint8_t { none, cause, unexplained, indistinguishable, too_few };
-const char* name(Verdict verdict);
+const char* verdict_name(Verdict verdict);
 
 struct EstimatedParameter {
   std::string name;

@@ -133,7 +133,7 @@ class IndicatorCheck {
     for (std::size_t i = 0; i < table_.faults.size(); ++i) {
       const IndicatorFault& fault = table_.faults[i];
       if (fault_holds_[i]) continue;
-      items_.push_back(idle_fault(i, name(fault), publication_.file, fault.at));
+      items_.push_back(idle_fault(i, fault_name(fault), publication_.file, fault.at));
       items_.back().source = source();
     }
     return std::move(items_);

@@ -24,7 +24,7 @@ std::optional<PowerReport> power_study(SimulationReport experiment, std::size_t 
   PowerReport report;
   report.experiment = experiment;
   std::vector<std::string> hidden;
-  for (const Effect& effect : experiment.model.effects) hidden.push_back(name(effect));
+  for (const Effect& effect : experiment.model.effects) hidden.push_back(effect_name(effect));
   const Supervision diagnosing = supervision.during("diagnosing");
   DiagnoseOptions options;
   options.stage = [&](const char*) { return supervision.stopped(); };

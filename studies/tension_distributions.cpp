@@ -215,7 +215,8 @@ TensionDistribution Distributions::at(const FrictionCase& which, Grasp grasp) {
   result.tube_mu = hardware.tube.mu;
   result.sheath_mu = hardware.sheath.mu;
   for (const Effect& effect : which.model.effects) {
-    if (!is_coefficient_of_tubes_or_sheaths(effect)) result.other_effects.push_back(name(effect));
+    if (!is_coefficient_of_tubes_or_sheaths(effect))
+      result.other_effects.push_back(effect_name(effect));
   }
   result.sensors_differ = reaches(which.model, Reach::reading);
   result.grasp = grasp;

@@ -39,7 +39,7 @@ std::vector<Outcome> run_all(const std::vector<Trial>& trials, const Options& op
   Workers(options.threads).for_each_block(trials.size(), 1, [&](const IndexBlock& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       outcomes[i] = run(trials[i], diagnosis);
-      fmt::print(stderr, "\r{} {} of {}", name(trials[i].part), ++done, trials.size());
+      fmt::print(stderr, "\r{} {} of {}", part_name(trials[i].part), ++done, trials.size());
     }
   });
   fmt::print(stderr, "\n");
@@ -50,7 +50,8 @@ void save_missed(const std::vector<Outcome>& outcomes, const Options& options) {
   std::filesystem::create_directories(options.save);
   for (const Outcome& outcome : outcomes) {
     if (as_it_should_be(outcome)) continue;
-    const std::string file = fmt::format("{}_{}.csv", name(outcome.trial.part), outcome.trial.seed);
+    const std::string file =
+        fmt::format("{}_{}.csv", part_name(outcome.trial.part), outcome.trial.seed);
     std::ofstream(options.save / file) << outcome.csv;
   }
 }
@@ -82,7 +83,7 @@ int run_main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   bool found = false;
   for (const Part part : all_parts()) {
-    if (options.part != "all" && options.part != name(part)) continue;
+    if (options.part != "all" && options.part != part_name(part)) continue;
     found = true;
     run_part(part, options);
   }

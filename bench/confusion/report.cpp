@@ -100,7 +100,7 @@ bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding
 
 std::string verdicts(const std::vector<const Outcome*>& outcomes) {
   std::map<std::string, std::size_t> counts;
-  for (const Outcome* outcome : outcomes) ++counts[name(outcome->finding.verdict)];
+  for (const Outcome* outcome : outcomes) ++counts[verdict_name(outcome->finding.verdict)];
   std::string out = "- verdicts:";
   for (const auto& [verdict, count] : counts) out += fmt::format(" {} {},", verdict, count);
   out.back() = '\n';
@@ -195,7 +195,8 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
 }
 
 std::string found_text(const Finding& finding) {
-  std::string out = fmt::format("{}: {}", name(finding.verdict), fmt::join(finding.named, ", "));
+  std::string out =
+      fmt::format("{}: {}", verdict_name(finding.verdict), fmt::join(finding.named, ", "));
   for (const auto& group : finding.indistinguishable) {
     out += fmt::format(" [{}]", fmt::join(group, " ~ "));
   }
@@ -239,7 +240,7 @@ std::string report(Part part, const std::vector<Outcome>& outcomes, double visib
   return fmt::format(
              "## {}\n\n{} data sets, {} with a visible effect (log-likelihood ratio of the truth "
              "above {}). Right/wrong/abstained (invisible):\n\n",
-             name(part), outcomes.size(), seen.size(), visible) +
+             part_name(part), outcomes.size(), seen.size(), visible) +
          matrix(outcomes, visible) + rates(part, seen) + verdicts(seen) + "\n";
 }
 
@@ -247,7 +248,7 @@ std::string misses(const std::vector<Outcome>& outcomes, double visible) {
   std::string out;
   for (const Outcome& outcome : outcomes) {
     if (as_it_should_be(outcome) || !is_visible(outcome, visible)) continue;
-    out += fmt::format("- {} {} ({}), ratio {:.0f}: {} -> {}", name(outcome.trial.part),
+    out += fmt::format("- {} {} ({}), ratio {:.0f}: {} -> {}", part_name(outcome.trial.part),
                        outcome.trial.seed, outcome.trial.column(), outcome.oracle,
                        fmt::join(outcome.planted, " + "), found_text(outcome.finding));
     if (outcome.with_more) out += "; then " + found_text(*outcome.with_more);

@@ -109,8 +109,8 @@ std::vector<FoundInterval> intervals_of(const Planted& planted, const DiagnosisR
       for (std::size_t i = 0; i < count; ++i) {
         const auto& [parameter, truth] = hidden.parameters[i];
         const EstimatedParameter& estimate = found.parameters[i];
-        intervals.push_back({std::string(testing::name(hidden.kind)) + "." + parameter, truth,
-                             estimate.value, estimate.low, estimate.high});
+        intervals.push_back({std::string(testing::planted_name(hidden.kind)) + "." + parameter,
+                             truth, estimate.value, estimate.low, estimate.high});
       }
     }
   }
@@ -170,7 +170,7 @@ void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Out
 
 }  // namespace
 
-const char* name(Part part) {
+const char* part_name(Part part) {
   constexpr std::array names{"single", "null", "pairs", "unknown", "alias", "coverage", "leakage"};
   return names[static_cast<std::size_t>(part)];
 }
@@ -182,11 +182,11 @@ const std::vector<Part>& all_parts() {
 }
 
 std::string Trial::kind() const {
-  if (part == Part::alias) return testing::name(alias);
+  if (part == Part::alias) return testing::alias_name(alias);
   if (plan.effects.empty()) return "nothing";
   std::string kinds;
   for (const EffectKind kind : plan.effects) {
-    kinds += (kinds.empty() ? "" : " + ") + std::string(testing::name(kind));
+    kinds += (kinds.empty() ? "" : " + ") + std::string(testing::planted_name(kind));
   }
   return kinds;
 }
@@ -194,7 +194,7 @@ std::string Trial::kind() const {
 std::string Trial::column() const {
   const std::string noise = plan.noise.relative < 0.02 ? "1 %" : "3 %";
   const bool sized = !plan.effects.empty();
-  return (sized ? std::string(testing::name(plan.size)) + ", " : "") + noise;
+  return (sized ? std::string(testing::size_name(plan.size)) + ", " : "") + noise;
 }
 
 std::vector<Trial> trials_of(Part part, std::size_t sets, std::uint64_t seed) {

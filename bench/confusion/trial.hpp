@@ -13,7 +13,7 @@
 namespace reeve::bench {
 
 enum class Part : std::uint8_t { single, null, pairs, unknown, alias, coverage, leakage };
-const char* name(Part part);
+const char* part_name(Part part);
 const std::vector<Part>& all_parts();
 
 struct Trial {

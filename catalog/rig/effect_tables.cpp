@@ -109,8 +109,8 @@ double read_parameter(const TomlNode& table, const Parameter& parameter) {
 void require_new(const TomlNode& table, const Effect& effect, const Model& model) {
   for (const Effect& other : model.effects) {
     if (!is_about_the_same(effect, other)) continue;
-    table.fail_at_key(
-        fmt::format("{}: {} is given twice: expected each effect once", table.name, name(effect)));
+    table.fail_at_key(fmt::format("{}: {} is given twice: expected each effect once", table.name,
+                                  effect_name(effect)));
   }
 }
 
@@ -145,7 +145,7 @@ std::string effect_toml(const Effect& effect, const Hardware& hardware) {
   const Subject& subject = effect.subject;
   const SubjectKind kind = effect.cause->subject_kind();
   std::string text = "\n[[effect]]\n" + line("cause", effect.cause->name());
-  if (kind == SubjectKind::channel) text += line("channel", name(*subject.channel));
+  if (kind == SubjectKind::channel) text += line("channel", segment_name(*subject.channel));
   if (kind == SubjectKind::finger) text += fmt::format("finger = {}\n", subject.finger);
   if (kind == SubjectKind::grasp || kind == SubjectKind::contact) {
     text += line("routing", subject.routing);

@@ -24,7 +24,7 @@ class SensorGain final : public Cause {
   }
   SubjectKind subject_kind() const override { return SubjectKind::channel; }
   std::string subject_name(const Subject& subject) const override {
-    return core::name(*subject.channel);
+    return segment_name(*subject.channel);
   }
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     return is_channel(segment, effect.subject) ? effect.values[0] * tension_N : tension_N;

@@ -100,7 +100,7 @@ std::vector<NamedEffect> read_causes(const SimulateFlags& flags, const Catalogue
 
 // A wrong grasp can be hidden once for each grasp recorded.
 bool same(const Effect& a, const Effect& b) {
-  return name(a) == name(b) && a.subject.recorded == b.subject.recorded;
+  return effect_name(a) == effect_name(b) && a.subject.recorded == b.subject.recorded;
 }
 
 Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,

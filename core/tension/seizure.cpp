@@ -83,7 +83,7 @@ std::string contact_name(const Network& network, std::size_t contact) {
       continue;
     }
     const auto [left, right] = ends_of(tendon, contact - tendon.first_contact);
-    return name(network.segments[left]) + "-" + name(network.segments[right]);
+    return segment_name(network.segments[left]) + "-" + segment_name(network.segments[right]);
   }
   return {};
 }

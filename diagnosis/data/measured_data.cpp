@@ -54,7 +54,7 @@ std::string segment_names(const Network& network) {
   constexpr std::size_t most = 20;
   std::string list;
   for (std::size_t i = 0; i < network.segments.size() && i < most; ++i) {
-    list += (list.empty() ? "" : ", ") + core::name(network.segments[i]);
+    list += (list.empty() ? "" : ", ") + segment_name(network.segments[i]);
   }
   return network.segments.size() > most ? list + ", …" : list;
 }
@@ -71,7 +71,7 @@ class DataReader {
         held_column_(find_column(columns_, DataRole::held)) {
     for (const DataColumn& column : columns_) {
       if (column.role == DataRole::tension) {
-        data_.channels.push_back({core::name(column.segment), column.segment});
+        data_.channels.push_back({segment_name(column.segment), column.segment});
       }
       if (column.role == DataRole::covariate) data_.covariates.push_back(column.name);
     }

@@ -2,7 +2,7 @@
 
 namespace reeve::diagnosis {
 
-const char* name(NoteKind kind) {
+const char* note_kind_name(NoteKind kind) {
   switch (kind) {
     case NoteKind::duplicate:
       return "duplicate";

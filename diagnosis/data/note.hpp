@@ -20,7 +20,7 @@ enum class NoteKind : std::uint8_t {
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
 };
-const char* name(NoteKind kind);
+const char* note_kind_name(NoteKind kind);
 
 struct DataNote {
   NoteKind kind = NoteKind::duplicate;

@@ -91,7 +91,7 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
 bool same_effect(const Effect& a, const Effect& b) {
   const Subject& x = a.subject;
   const Subject& y = b.subject;
-  return a.cause == b.cause && name(a) == name(b) && x.recorded == y.recorded &&
+  return a.cause == b.cause && effect_name(a) == effect_name(b) && x.recorded == y.recorded &&
          x.actual == y.actual;
 }
 

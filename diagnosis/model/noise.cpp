@@ -164,7 +164,7 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<c
 
 }  // namespace
 
-const char* name(NoiseSource source) {
+const char* noise_source_name(NoiseSource source) {
   switch (source) {
     case NoiseSource::repeats:
       return "repeats";

@@ -19,7 +19,7 @@
 namespace reeve::diagnosis {
 
 enum class NoiseSource : std::uint8_t { repeats, smoothing, repeats_and_smoothing, residuals };
-const char* name(NoiseSource source);
+const char* noise_source_name(NoiseSource source);
 
 struct Noise {
   double relative = 0;    // of the reading, 1

@@ -101,7 +101,8 @@ void require_channels(const ExperimentPlan& plan) {
         plan.routings.begin(), plan.routings.end(),
         [&](const PlannedRouting& routing) { return find_segment(routing.network, channel); });
     if (!found) {
-      throw InputError(fmt::format("channels: '{}': no routing has that segment", name(channel)));
+      throw InputError(
+          fmt::format("channels: '{}': no routing has that segment", segment_name(channel)));
     }
   }
   for (const PlannedRouting& routing : plan.routings) {

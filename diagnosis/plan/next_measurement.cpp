@@ -131,7 +131,7 @@ class Reader {
   }
 
   std::string segment(Index i) const {
-    return name(network_.segments[segments_[static_cast<std::size_t>(i)]]);
+    return segment_name(network_.segments[segments_[static_cast<std::size_t>(i)]]);
   }
 
  private:
@@ -287,7 +287,8 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
   best->why = fmt::format(
       "it says most about {} of {}: {} readings are expected to narrow what "
       "noise leaves open of it by {:.0f} %",
-      best->parameter, name(named), planned_readings, 100 * (1 - best->width_expected / now));
+      best->parameter, effect_name(named), planned_readings,
+      100 * (1 - best->width_expected / now));
   return best;
 }
 

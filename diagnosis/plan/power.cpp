@@ -25,7 +25,7 @@ Finding finding_of(const DiagnosisResult& result, std::vector<std::string> named
 
 }  // namespace
 
-const char* name(Finding finding) {
+const char* finding_name(Finding finding) {
   constexpr std::array names{"found", "wrong", "none", "unexplained", "indistinguishable"};
   return names[static_cast<std::size_t>(finding)];
 }

@@ -22,7 +22,7 @@ enum class Finding : std::uint8_t {
 };
 inline constexpr std::array findings{Finding::found, Finding::wrong, Finding::none,
                                      Finding::unexplained, Finding::indistinguishable};
-const char* name(Finding finding);
+const char* finding_name(Finding finding);
 
 // One simulated experiment.
 struct PowerTrial {

@@ -23,7 +23,7 @@ std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware
       for (const Parameter& parameter : candidate.parameters) {
         candidate.effect.values.push_back(nominal_or_middle(parameter));
       }
-      candidate.name = name(candidate.effect);
+      candidate.name = effect_name(candidate.effect);
       result.push_back(std::move(candidate));
     }
   }

@@ -16,7 +16,7 @@ std::vector<Candidate> not_in(const Model& model, const std::vector<Candidate>& 
   for (const Candidate& candidate : candidates) {
     const bool taken =
         std::any_of(model.effects.begin(), model.effects.end(),
-                    [&](const Effect& effect) { return name(effect) == candidate.name; });
+                    [&](const Effect& effect) { return effect_name(effect) == candidate.name; });
     if (!taken) result.push_back(candidate);
   }
   return result;

@@ -9,7 +9,7 @@ namespace reeve::diagnosis {
 std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_t effect,
                           const std::vector<Candidate>& candidates, Workers& workers) {
   constexpr std::size_t most = 10;
-  const std::string accepted = name(model.effects[effect]);
+  const std::string accepted = effect_name(model.effects[effect]);
   std::vector<Candidate> others;
   for (const Candidate& candidate : candidates) {
     if (candidate.name != accepted) others.push_back(candidate);

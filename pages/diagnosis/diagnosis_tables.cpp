@@ -178,7 +178,7 @@ std::string notes_table(const DiagnosisResult& result) {
   Table table{
       {text_column("what"), text_column("note"), number_column("lines"), text_column("which")}, {}};
   for (const DataNote& note : result.notes) {
-    std::string kind = name(note.kind);
+    std::string kind = note_kind_name(note.kind);
     std::replace(kind.begin(), kind.end(), '_', ' ');
     table.add({kind, note.text, note.lines.empty() ? none : std::to_string(note.lines.size()),
                lines_text(note.lines)});

@@ -65,7 +65,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 Json answer_values(const DiagnosisReport& report) {
   const VerdictLabel label = verdict_label(report.result);
-  return {{"verdict", name(report.result.verdict)},
+  return {{"verdict", verdict_name(report.result.verdict)},
           {"words", label.words},
           {"shape_" + label.shape, true},
           {"sentences", sentences(diagnosis_answer(report))}};

@@ -46,7 +46,7 @@ std::set<std::string> known_words(const ExploreReport& report) {
 
 }  // namespace
 
-const char* name(Kind kind) {
+const char* design_kind_name(Kind kind) {
   constexpr std::array<const char*, kind_count> names{"listed", "on the front", "known routing",
                                                       "random sample"};
   return names[static_cast<std::size_t>(kind)];

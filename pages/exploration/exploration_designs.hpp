@@ -18,7 +18,7 @@ enum class Kind : std::uint8_t { listed, front, known, sample };
 inline constexpr std::size_t kind_count = 4;
 
 // "listed", "on the front", "known routing", "random sample"
-const char* name(Kind kind);
+const char* design_kind_name(Kind kind);
 
 struct PageDesign {
   Kind kind = Kind::listed;

@@ -72,7 +72,7 @@ Json grasp_json(const ShownRouting& report, std::size_t grasp, Lines& lines) {
 Json design_json(const ShownRouting& report, Lines& lines) {
   Json json{{"segments", Json::array()}, {"strands", Json::array()}};
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
-    json["segments"].push_back(name(report.network.segments[i]));
+    json["segments"].push_back(segment_name(report.network.segments[i]));
     if (report.network.segments[i].kind == SegmentKind::strand) json["strands"].push_back(i);
   }
   json["grasps"] = Json::array();

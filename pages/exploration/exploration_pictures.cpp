@@ -42,7 +42,7 @@ std::vector<chart::Layer> keys(const std::array<Marks, kind_count>& marks,
   std::vector<chart::Layer> layers;
   for (auto kind = drawing_order.rbegin(); kind != drawing_order.rend(); ++kind) {
     if (is_empty(marks[static_cast<std::size_t>(*kind)])) continue;
-    layers.push_back({name(*kind), style(*kind), Marks{}});
+    layers.push_back({design_kind_name(*kind), style(*kind), Marks{}});
   }
   return layers;
 }
@@ -53,7 +53,7 @@ std::string label(const PageDesign& design) {
 
 std::string title(const PageDesign& design, const TwoObjectives& axes, std::size_t count) {
   std::string text = label(design) + "\n";
-  text += design.rank > 0 ? fmt::format("rank {}", design.rank) : name(design.kind);
+  text += design.rank > 0 ? fmt::format("rank {}", design.rank) : design_kind_name(design.kind);
   for (const Objective objective : axes) {
     text += fmt::format("\n{} {:.4g}", objective_title(row(objective)),
                         value(design.values, objective));
@@ -119,7 +119,8 @@ std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
   std::vector<chart::Layer> layers = keys<chart::Points>(points, point_style);
   for (const Kind kind : drawing_order) {
     chart::Points& some = points[static_cast<std::size_t>(kind)];
-    if (!some.spots.empty()) layers.push_back({name(kind), point_style(kind), std::move(some)});
+    if (!some.spots.empty())
+      layers.push_back({design_kind_name(kind), point_style(kind), std::move(some)});
   }
   return layers;
 }
@@ -212,7 +213,8 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
   panel.layers = keys<chart::Paths>(paths, line_style);
   for (const Kind kind : drawing_order) {
     chart::Paths& some = paths[static_cast<std::size_t>(kind)];
-    if (!some.paths.empty()) panel.layers.push_back({name(kind), line_style(kind), some});
+    if (!some.paths.empty())
+      panel.layers.push_back({design_kind_name(kind), line_style(kind), some});
   }
   chart::Style ink;
   ink.colour = chart::Colour::ink;

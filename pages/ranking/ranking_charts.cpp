@@ -156,7 +156,7 @@ Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& 
     panels.push_back({labels[i], &routings[i].network, &state});
     alt += " " + labels[i] + ":";
     for (const auto& [segment, tension] : strands(routings[i].network, state)) {
-      alt += " " + name(segment) + " " + fixed(tension);
+      alt += " " + segment_name(segment) + " " + fixed(tension);
     }
     alt += ".";
   }

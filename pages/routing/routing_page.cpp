@@ -21,7 +21,7 @@ Figure tension_figure(const ShownRouting& report) {
   for (const ShownGrasp& shown : report.grasps) {
     alt += " " + grasp_words(shown.grasp) + ":";
     for (const auto& [segment, tension] : strands(report.network, shown.state)) {
-      alt += " " + name(segment) + " " + fixed(tension);
+      alt += " " + segment_name(segment) + " " + fixed(tension);
     }
     alt += ".";
   }

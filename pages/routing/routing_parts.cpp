@@ -83,7 +83,7 @@ FigureFile schematic_file(const std::string& id, const ShownRouting& report,
 HtmlTable tension_table(const ShownRouting& report) {
   Table table{{text_column("grasp")}, {}};
   for (const Segment& segment : report.network.segments) {
-    table.columns.push_back(number_column(name(segment)));
+    table.columns.push_back(number_column(segment_name(segment)));
   }
   for (const char* figure : {"uniformity", "efficiency", "force transmission"}) {
     table.columns.push_back(number_column(figure));
@@ -103,7 +103,7 @@ HtmlTable tension_table(const ShownRouting& report) {
 HtmlTable share_table(const ShownRouting& report) {
   Table table{{text_column("grasp")}, {}};
   for (const auto& [segment, tension] : strands(report.network, report.grasps.front().state)) {
-    table.columns.push_back(number_column(name(segment)));
+    table.columns.push_back(number_column(segment_name(segment)));
   }
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{heading(shown)};

@@ -20,7 +20,7 @@ std::vector<chart::Layer> layers(const std::vector<std::pair<Segment, double>>& 
   for (std::size_t i = 0; i < tensions.size(); ++i) {
     const auto& [segment, tension] = tensions[i];
     bars[segment.finger].bars.push_back(
-        {static_cast<double>(i), tension, name(segment) + ": " + fixed(tension), ""});
+        {static_cast<double>(i), tension, segment_name(segment) + ": " + fixed(tension), ""});
   }
   std::vector<chart::Layer> result;
   for (const auto& [finger, of_finger] : bars) {
@@ -48,7 +48,8 @@ chart::Chart tension_chart(const std::vector<TensionPanel>& panels) {
     const auto tensions = strands(*given.network, *given.state);
     chart::Panel panel;
     panel.title = given.title;
-    for (const auto& [segment, tension] : tensions) panel.x.categories.push_back(name(segment));
+    for (const auto& [segment, tension] : tensions)
+      panel.x.categories.push_back(segment_name(segment));
     panel.x.grid = false;
     panel.y.title = "tension over motor tension";
     panel.y.least = 0;

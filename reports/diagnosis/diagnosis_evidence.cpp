@@ -26,8 +26,8 @@ std::string published_heading(const PublishedModel& model) {
 std::string factor(double loss) { return fixed(std::exp(-loss), 3); }
 
 std::string stretch_text(const DiagnosisReport& report, const Loss& loss) {
-  return fmt::format("{}, {} to {}", routing_name(report, loss.routing), name(loss.high),
-                     name(loss.low));
+  return fmt::format("{}, {} to {}", routing_name(report, loss.routing), segment_name(loss.high),
+                     segment_name(loss.low));
 }
 
 const NamedCause* find_cause(const DiagnosisReport& report, std::string_view name) {
@@ -42,7 +42,7 @@ const NamedCause* find_cause(const DiagnosisReport& report, std::string_view nam
 std::string contacts_text(const std::vector<ContactKind>& contacts) {
   std::string text;
   for (const ContactKind kind : contacts)
-    text += (text.empty() ? "" : ", ") + std::string(name(kind));
+    text += (text.empty() ? "" : ", ") + std::string(contact_kind_name(kind));
   return text;
 }
 
@@ -94,8 +94,8 @@ Table loss_table(const DiagnosisReport& report) {
     std::vector<std::string> cells{routing_name(report, loss.routing),
                                    to_text(loss.grasp),
                                    direction_field(loss.direction),
-                                   name(loss.high),
-                                   name(loss.low),
+                                   segment_name(loss.high),
+                                   segment_name(loss.low),
                                    contacts_text(loss.over),
                                    std::to_string(loss.rows),
                                    factor(loss.measured),
@@ -143,7 +143,7 @@ std::string cell_text(const DiagnosisReport& report, const Cell& cell) {
 
 std::string refitted_text(const WithoutApart& without, const NamedCause& cause) {
   for (std::size_t e = 0; e < without.model.effects.size(); ++e) {
-    if (name(without.model.effects[e]) != cause.name) continue;
+    if (effect_name(without.model.effects[e]) != cause.name) continue;
     NamedCause refitted = cause;
     for (std::size_t p = 0; p < refitted.parameters.size(); ++p) {
       EstimatedParameter& parameter = refitted.parameters[p];
@@ -192,7 +192,7 @@ std::vector<std::string> influence_sentences(const DiagnosisReport& report) {
       for (const LeftOutRun& run : report.result.left_out) {
         double value = parameter.value;
         for (const Effect& effect : run.model.effects) {
-          if (name(effect) == cause.name) value = effect.values[p];
+          if (effect_name(effect) == cause.name) value = effect.values[p];
         }
         low = farthest == nullptr ? value : std::min(low, value);
         high = farthest == nullptr ? value : std::max(high, value);

@@ -83,7 +83,7 @@ Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& 
 Json noise_json(const Noise& noise) {
   return {{"relative", noise.relative},
           {"absolute_N", noise.absolute_N},
-          {"source", name(noise.source)},
+          {"source", noise_source_name(noise.source)},
           {"degrees_of_freedom", noise.degrees_of_freedom}};
 }
 
@@ -99,7 +99,7 @@ void add_findings(Json& json, const DiagnosisReport& report) {
   const auto planned = [&](const PlannedMeasurement& measurement) {
     return measurement_json(measurement, report);
   };
-  json["verdict"] = name(result.verdict);
+  json["verdict"] = verdict_name(result.verdict);
   json["causes"] = list(result.causes, cause_json);
   json["indistinguishable"] = result.indistinguishable;
   json["separating_measurement"] = value_or_null(result.separating_measurement, planned);
@@ -142,7 +142,7 @@ Json effects_json(const Model& model) {
     for (std::size_t p = 0; p < parameters.size(); ++p) {
       values[parameters[p].name] = number(effect.values[p]);
     }
-    return Json{{"name", name(effect)}, {"parameters", values}};
+    return Json{{"name", effect_name(effect)}, {"parameters", values}};
   });
 }
 
@@ -150,9 +150,9 @@ Json loss_json(const Loss& loss, const MeasuredData& data) {
   return {{"routing", data.routings[loss.routing].word},
           {"held", held_fingers(loss.grasp)},
           {"direction", direction_field(loss.direction)},
-          {"from", name(loss.high)},
-          {"to", name(loss.low)},
-          {"over", list(loss.over, [](ContactKind kind) { return Json(name(kind)); })},
+          {"from", segment_name(loss.high)},
+          {"to", segment_name(loss.low)},
+          {"over", list(loss.over, [](ContactKind kind) { return Json(contact_kind_name(kind)); })},
           {"rows", loss.rows},
           {"measured", number(loss.measured)},
           {"deviation", number(loss.deviation)},
@@ -190,8 +190,8 @@ Json published_json(const PublishedModel& model, const std::vector<Loss>& losses
                                        {"equations_error", number(line.equations)}};
                          })},
           {"other_losses", list(model.losses, [&](const PublishedLoss& loss) {
-             return Json{{"from", name(losses[loss.loss].high)},
-                         {"to", name(losses[loss.loss].low)},
+             return Json{{"from", segment_name(losses[loss.loss].high)},
+                         {"to", segment_name(losses[loss.loss].low)},
                          {"loss", loss.loss},
                          {"printed", number(loss.printed)},
                          {"equations", number(loss.equations)},

@@ -54,7 +54,7 @@ Sheet check_sheet(const CheckReport& report) {
               {}};
   for (const CheckItem& item : report.items) {
     table.add({item.routing.empty() ? "-" : item.routing, item.source, quantity_text(item.quantity),
-               published_text(item), number_text(item.computed), name(item.status)},
+               published_text(item), number_text(item.computed), status_name(item.status)},
               tint(item.status));
   }
   Sheet sheet{{{"", table, {}}}};
@@ -77,7 +77,7 @@ std::string check_json(const CheckReport& report) {
                               {"quantity", quantity_text(item.quantity)},
                               {"published", number(item.published)},
                               {"computed", number(item.computed)},
-                              {"status", name(item.status)},
+                              {"status", status_name(item.status)},
                               {"reason", text_or_null(item.reason)}});
   }
   json["misprints"] = Json::array();

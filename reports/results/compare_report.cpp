@@ -149,8 +149,8 @@ std::string residuals_csv(const CompareReport& report) {
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
                        held_field(reading.grasp), direction_field(reading.direction),
-                       data.channels[value.channel].name, name(value.quantity), value.measured,
-                       value.predicted, value.residual());
+                       data.channels[value.channel].name, quantity_name(value.quantity),
+                       value.measured, value.predicted, value.residual());
   }
   return csv;
 }

@@ -42,7 +42,8 @@ Section notes_section(const std::vector<DataNote>& notes) {
 
 void add_notes(Json& list, const std::vector<DataNote>& notes) {
   for (const DataNote& note : notes) {
-    list.push_back({{"kind", name(note.kind)}, {"text", note.text}, {"lines", note.lines}});
+    list.push_back(
+        {{"kind", note_kind_name(note.kind)}, {"text", note.text}, {"lines", note.lines}});
   }
 }
 

@@ -13,7 +13,7 @@ Json subject_json(const Effect& effect) {
     case SubjectKind::rig:
       return Json::object();
     case SubjectKind::channel:
-      return {{"channel", name(*subject.channel)}};
+      return {{"channel", segment_name(*subject.channel)}};
     case SubjectKind::finger:
       return {{"finger", subject.finger}};
     case SubjectKind::grasp:
@@ -44,7 +44,7 @@ std::string effect_text(const Effect& effect, const Hardware& hardware) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     values += fmt::format("{}{} {:.4g}", i > 0 ? ", " : "", parameters[i].name, effect.values[i]);
   }
-  return name(effect) + (values.empty() ? "" : " (" + values + ")");
+  return effect_name(effect) + (values.empty() ? "" : " (" + values + ")");
 }
 
 std::string list(const Model& model, bool in_designs) {

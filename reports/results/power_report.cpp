@@ -43,8 +43,8 @@ Section others_section(const PowerReport& report) {
     if (trial.finding == Finding::found) continue;
     if (++others > most) continue;
     ++listed;
-    section.lines.push_back(
-        {fmt::format("  seed {}: {}: {}", trial.seed, name(trial.finding), named_text(trial))});
+    section.lines.push_back({fmt::format("  seed {}: {}: {}", trial.seed,
+                                         finding_name(trial.finding), named_text(trial))});
   }
   if (others > listed) section.lines.push_back({fmt::format("  … {} more", others - listed)});
   return section;
@@ -63,7 +63,8 @@ Sheet power_sheet(const PowerReport& report) {
               {}};
   for (const FindingShare& share : finding_shares(report.trials)) {
     if (hides_nothing && share.finding == Finding::none) continue;
-    table.add({name(share.finding), std::to_string(share.count), fmt::format("{:.3f}", share.share),
+    table.add({finding_name(share.finding), std::to_string(share.count),
+               fmt::format("{:.3f}", share.share),
                fmt::format("{:.3f} to {:.3f}", share.interval.low, share.interval.high),
                meaning(share.finding, hides_nothing)});
   }
@@ -78,18 +79,18 @@ std::string power_json(const PowerReport& report) {
   json["hidden"] = Json::array();
   for (const Effect& effect : experiment.model.effects) {
     json["hidden"].push_back(
-        {{"cause", name(effect)}, {"size", size_text(effect, experiment.model.hardware)}});
+        {{"cause", effect_name(effect)}, {"size", size_text(effect, experiment.model.hardware)}});
   }
   for (const FindingShare& share : finding_shares(report.trials)) {
-    json["findings"][name(share.finding)] = {{"count", share.count},
-                                             {"share", share.share},
-                                             {"low", share.interval.low},
-                                             {"high", share.interval.high}};
+    json["findings"][finding_name(share.finding)] = {{"count", share.count},
+                                                     {"share", share.share},
+                                                     {"low", share.interval.low},
+                                                     {"high", share.interval.high}};
   }
   json["trials"] = Json::array();
   for (const PowerTrial& trial : report.trials) {
     json["trials"].push_back({{"seed", trial.seed},
-                              {"finding", name(trial.finding)},
+                              {"finding", finding_name(trial.finding)},
                               {"causes", trial.named},
                               {"indistinguishable", trial.indistinguishable}});
   }

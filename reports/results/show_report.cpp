@@ -10,8 +10,8 @@ namespace {
 
 // "T1->a", "a->T1" or "no"
 std::string sliding(const Network& network, const ContactEnds& ends, double slip) {
-  const std::string left = name(network.segments[ends.left]);
-  const std::string right = name(network.segments[ends.right]);
+  const std::string left = segment_name(network.segments[ends.left]);
+  const std::string right = segment_name(network.segments[ends.right]);
   if (slip == 0) return "no";
   return slip > 0 ? left + "->" + right : right + "->" + left;
 }
@@ -30,16 +30,17 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   json["tensions"] = Json::object();
   json["shares"] = Json::object();
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    json["tensions"][name(network.segments[i])] = number(shown.state.tension[i]);
+    json["tensions"][segment_name(network.segments[i])] = number(shown.state.tension[i]);
     if (network.segments[i].kind != SegmentKind::strand) continue;
-    json["shares"][name(network.segments[i])] =
+    json["shares"][segment_name(network.segments[i])] =
         number(shown.state.tension[i] / shown.performance.force_transmission);
   }
   json["contacts"] = Json::array();
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
     json["contacts"].push_back(
-        {{"between", {name(network.segments[ends.left]), name(network.segments[ends.right])}},
-         {"kind", name(network.contacts[contact].kind)},
+        {{"between",
+          {segment_name(network.segments[ends.left]), segment_name(network.segments[ends.right])}},
+         {"kind", contact_kind_name(network.contacts[contact].kind)},
          {"slides", sliding(network, ends, shown.state.slip[contact])}});
   });
   json["uniformity"] = number(shown.performance.uniformity);
@@ -48,7 +49,9 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   return json;
 }
 
-const char* name(Direction direction) { return direction == Direction::pull ? "pull" : "release"; }
+const char* direction_name(Direction direction) {
+  return direction == Direction::pull ? "pull" : "release";
+}
 
 std::string heading(const ShownRouting& report) {
   std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
@@ -69,7 +72,7 @@ std::string held_text(const ShownGrasp& shown) {
 Table tension_table(const ShownRouting& report) {
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : report.network.segments) {
-    table.columns.push_back(number_column(name(segment), "N/N"));
+    table.columns.push_back(number_column(segment_name(segment), "N/N"));
   }
   for (const char* figure : {"uniformity", "efficiency", "force"}) {
     table.columns.push_back(number_column(figure));
@@ -90,7 +93,7 @@ Table share_table(const ShownRouting& report) {
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    table.columns.push_back(number_column(name(segment), "%"));
+    table.columns.push_back(number_column(segment_name(segment), "%"));
   }
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{held_text(shown)};
@@ -133,10 +136,10 @@ std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
   const Network& network = report.network;
   std::vector<ShownContact> contacts;
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
-    contacts.push_back(
-        {name(network.segments[ends.left]) + "-" + name(network.segments[ends.right]),
-         name(network.contacts[contact].kind),
-         {}});
+    contacts.push_back({segment_name(network.segments[ends.left]) + "-" +
+                            segment_name(network.segments[ends.right]),
+                        contact_kind_name(network.contacts[contact].kind),
+                        {}});
     for (const ShownGrasp& shown : report.grasps) {
       contacts.back().slides.push_back(sliding(network, ends, shown.state.slip[contact]));
     }
@@ -163,7 +166,7 @@ Json to_json(const ShownRouting& report) {
   Json json{{"routing", report.word},
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
-            {"direction", name(report.direction)}};
+            {"direction", direction_name(report.direction)}};
   json["grasps"] = Json::array();
   for (const ShownGrasp& shown : report.grasps) {
     json["grasps"].push_back(grasp_json(report.network, shown));

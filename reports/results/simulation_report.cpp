@@ -21,7 +21,7 @@ void put(Buffer& out, fmt::format_string<Values...> format, Values&&... values) 
 
 std::string hidden_effect_text(const Effect& effect, const Hardware& hardware) {
   const std::string size = size_text(effect, hardware);
-  return size.empty() ? name(effect) : fmt::format("{} ({})", name(effect), size);
+  return size.empty() ? effect_name(effect) : fmt::format("{} ({})", effect_name(effect), size);
 }
 
 void put_comments(Buffer& out, const SimulationReport& report) {
@@ -51,7 +51,7 @@ void put_header(Buffer& out, const ExperimentPlan& plan) {
   if (plan.cycle) put(out, ",cycle");
   if (plan.temperature_C) put(out, ",temperature_C");
   for (const Segment& channel : plan.channels) {
-    const std::string name = core::name(channel);
+    const std::string name = segment_name(channel);
     put(out, ",{}{}_N", channel.kind == SegmentKind::strand ? "" : "T", name);
   }
   put(out, "{}\n", plan.repeats > 1 ? ",repeat" : "");

@@ -108,7 +108,7 @@ class Layouter {
 
   void add_segment(std::size_t i) {
     DrawnSegment& drawn = out_.segments[i];
-    drawn.name = name(net_.segments[i]);
+    drawn.name = segment_name(net_.segments[i]);
     drawn.tendon = plan_.segments[i].tendon;
     switch (net_.segments[i].kind) {
       case SegmentKind::strand:

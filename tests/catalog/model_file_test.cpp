@@ -36,7 +36,7 @@ std::string error_in_effect(const std::string& keys) {
 void expect_same(const Subject& a, const Subject& b) {
   ASSERT_EQ(a.channel.has_value(), b.channel.has_value());
   if (a.channel) {
-    EXPECT_EQ(name(*a.channel), name(*b.channel));
+    EXPECT_EQ(segment_name(*a.channel), segment_name(*b.channel));
   }
   EXPECT_EQ(a.finger, b.finger);
   EXPECT_EQ(a.routing, b.routing);
@@ -79,7 +79,7 @@ void expect_same(const Model& a, const Model& b) {
   }
   ASSERT_EQ(a.effects.size(), b.effects.size());
   for (std::size_t i = 0; i < a.effects.size(); ++i) {
-    SCOPED_TRACE(name(a.effects[i]));
+    SCOPED_TRACE(effect_name(a.effects[i]));
     EXPECT_EQ(a.effects[i].cause, b.effects[i].cause);
     EXPECT_EQ(a.effects[i].values, b.effects[i].values);
     expect_same(a.effects[i].subject, b.effects[i].subject);
@@ -178,8 +178,8 @@ TEST(ModelFile, OfTheExampleHasWhatItSays) {
   const ModelFile file = read_model_file(std::string(REEVE_CATALOG_DIR) + "/model/example.toml");
   EXPECT_EQ(file.model.hardware.sheath.mu, 0.15);
   ASSERT_EQ(file.model.effects.size(), 5U);
-  EXPECT_EQ(name(file.model.effects[2]), "sheath_angle[2]");
-  EXPECT_EQ(name(file.model.effects[3]), "seized_contact[M-1-P-2-M,T1-T2]");
+  EXPECT_EQ(effect_name(file.model.effects[2]), "sheath_angle[2]");
+  EXPECT_EQ(effect_name(file.model.effects[3]), "seized_contact[M-1-P-2-M,T1-T2]");
 }
 
 TEST(BadModelFile, NamesThePlaceOfABadEffect) {

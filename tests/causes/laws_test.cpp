@@ -124,8 +124,8 @@ TEST(LawsOfConditions, SpareBearings) {
     Model model = model_with({law});
     model.conditions = {10, 100, 1000, 45};
     const Solved s = solved(model, "M-1b-B-2b-F");
-    EXPECT_NEAR(s["T4"] / s["T1"], std::exp(-3 * bearing), 1e-12) << name(law);
-    EXPECT_GT(std::abs(s["T1"] / std::exp(-sheath) - 1), 0.1) << name(law);
+    EXPECT_NEAR(s["T4"] / s["T1"], std::exp(-3 * bearing), 1e-12) << effect_name(law);
+    EXPECT_GT(std::abs(s["T1"] / std::exp(-sheath) - 1), 0.1) << effect_name(law);
   }
 }
 

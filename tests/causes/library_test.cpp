@@ -129,9 +129,9 @@ TEST(CauseLibrary, ChangesNothingAtTheNominalValue) {
         effect.values[0] = *cause->parameters(trial.hardware)[0].nominal;
         add_effect(model, effect);
         const Solved s = testing::solved(model, trial.routing, trial.grasp, trial.direction);
-        EXPECT_EQ(s.state.tension, expected.state.tension) << name(effect);
+        EXPECT_EQ(s.state.tension, expected.state.tension) << effect_name(effect);
         for (const Segment& segment : trial.network.segments) {
-          EXPECT_EQ(reading(model, segment, 3.25), 3.25) << name(effect);
+          EXPECT_EQ(reading(model, segment, 3.25), 3.25) << effect_name(effect);
         }
         ++compared;
       }

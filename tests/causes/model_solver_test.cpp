@@ -94,8 +94,8 @@ void for_each_contact(const Network& network, Visit visit) {
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const auto [left, right] = ends_of(tendon, k);
-      visit(tendon.first_contact + k,
-            ContactName{name(network.segments[left]), name(network.segments[right])});
+      visit(tendon.first_contact + k, ContactName{segment_name(network.segments[left]),
+                                                  segment_name(network.segments[right])});
     }
   }
 }
@@ -108,7 +108,7 @@ ReferenceHardware reference_hardware(const Trial& trial, const Mechanics& m,
   };
   std::map<std::string, double> length;
   for (std::size_t i = 0; i < m.length.size(); ++i) {
-    length[name(trial.network.segments[i])] = m.length[i];
+    length[segment_name(trial.network.segments[i])] = m.length[i];
   }
   hardware.length_override = [length](const std::string& segment, double) {
     return length.at(segment);

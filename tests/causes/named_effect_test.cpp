@@ -43,9 +43,9 @@ TEST_F(NamedEffects, AreReadForEveryCauseAndSubjectOfTheLibrary) {
       if (subject.recorded) {
         settings = {{"recorded", to_text(*subject.recorded)}, {"actual", to_text(*subject.actual)}};
       }
-      const std::string expected = name(Effect{cause, subject, {}});
+      const std::string expected = effect_name(Effect{cause, subject, {}});
       const Effect found = effect(expected, settings);
-      EXPECT_EQ(name(found), expected);
+      EXPECT_EQ(effect_name(found), expected);
       EXPECT_EQ(found.subject.recorded, subject.recorded);
       EXPECT_EQ(found.subject.actual, subject.actual);
       EXPECT_EQ(found.values.size(), cause->parameters(hardware_).size());

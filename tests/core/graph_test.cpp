@@ -33,7 +33,7 @@ TEST(Graph, HasAVertexForEachSegmentAndAnEdgeForEachContact) {
   ASSERT_EQ(boost::num_vertices(g), net.segments.size());
   EXPECT_EQ(boost::num_edges(g), net.contacts.size());
   for (std::size_t i = 0; i < net.segments.size(); ++i) {
-    EXPECT_EQ(name(g[i]), name(net.segments[i]));
+    EXPECT_EQ(segment_name(g[i]), segment_name(net.segments[i]));
   }
 }
 
@@ -81,7 +81,8 @@ TEST(Dot, HoldsEverySegmentAndEveryContactOnce) {
   const Network net = network_of("M-1-T-2b-P-T-B-3-F+4-P-4");
   const std::string dot = to_dot(net, "title");
   for (const Segment& segment : net.segments) {
-    EXPECT_EQ(lines_with(dot, "[label=\"" + name(segment) + "\"").size(), 1U) << name(segment);
+    EXPECT_EQ(lines_with(dot, "[label=\"" + segment_name(segment) + "\"").size(), 1U)
+        << segment_name(segment);
   }
   EXPECT_EQ(lines_with(dot, "--").size(), net.contacts.size());
   for (const TendonSpan& tendon : net.tendons) {

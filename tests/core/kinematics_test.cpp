@@ -183,7 +183,7 @@ void expect_conserved(const Network& network, const TendonSpan& tendon, const Mo
     const double out = ends ? 0 : moved.slip[tendon.first_contact + i];
     const double in = begins ? 0 : moved.slip[tendon.first_contact + before];
     EXPECT_NEAR(moved.imposed[tendon.first_segment + i] + out - in, 0, 1e-9)
-        << name(network.segments[tendon.first_segment + i]);
+        << segment_name(network.segments[tendon.first_segment + i]);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 // "a |sheath 1| T1 |tip 1 tube| T2"; behind a loop's last contact stands its first segment again.
 std::string to_text(const Contact& contact) {
   const std::string finger = contact.finger == 0 ? "" : " " + std::to_string(contact.finger);
-  const std::string kind = std::string(" ") + name(contact.kind);
+  const std::string kind = std::string(" ") + contact_kind_name(contact.kind);
   switch (contact.place) {
     case ContactPlace::tip:
       return " |tip" + finger + kind + "| ";
@@ -27,10 +27,10 @@ std::string to_text(const Contact& contact) {
 }
 
 std::string to_text(const Network& network, const TendonSpan& tendon) {
-  std::string text = name(network.segments[tendon.first_segment]);
+  std::string text = segment_name(network.segments[tendon.first_segment]);
   for (std::size_t k = 0; k < tendon.contacts; ++k) {
     text += to_text(network.contacts[tendon.first_contact + k]);
-    text += name(network.segments[ends_of(tendon, k).right]);
+    text += segment_name(network.segments[ends_of(tendon, k).right]);
   }
   return text;
 }
@@ -125,20 +125,20 @@ TEST(Network, RebuildingForgetsTheRoutingBefore) {
   EXPECT_EQ(network.contacts.size(), 2U);
   EXPECT_EQ(network.tendons.size(), 1U);
   EXPECT_EQ(network.fingers, 1);
-  EXPECT_EQ(name(network.segments[0]), "a");
+  EXPECT_EQ(segment_name(network.segments[0]), "a");
 }
 
 TEST(Network, LettersGoOnAfterZ) {
-  EXPECT_EQ(name(Segment{SegmentKind::motor_side, 26, 0}), "z");
-  EXPECT_EQ(name(Segment{SegmentKind::motor_side, 27, 0}), "aa");
-  EXPECT_EQ(name(Segment{SegmentKind::motor_side, 52, 0}), "az");
-  EXPECT_EQ(name(Segment{SegmentKind::motor_side, 702, 0}), "zz");
-  EXPECT_EQ(name(Segment{SegmentKind::motor_side, 703, 0}), "aaa");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::motor_side, 26, 0}), "z");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::motor_side, 27, 0}), "aa");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::motor_side, 52, 0}), "az");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::motor_side, 702, 0}), "zz");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::motor_side, 703, 0}), "aaa");
 }
 
 TEST(Network, NamesOfStrandsAndHandStretches) {
-  EXPECT_EQ(name(Segment{SegmentKind::strand, 4, 2}), "T4");
-  EXPECT_EQ(name(Segment{SegmentKind::hand, 12, 0}), "h12");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::strand, 4, 2}), "T4");
+  EXPECT_EQ(segment_name(Segment{SegmentKind::hand, 12, 0}), "h12");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Seized {
 
   double operator[](const std::string& segment) const {
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
-      if (name(network.segments[i]) == segment) return state.tension[i];
+      if (segment_name(network.segments[i]) == segment) return state.tension[i];
     }
     ADD_FAILURE() << "no segment " << segment;
     return 0;

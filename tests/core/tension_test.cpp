@@ -29,7 +29,7 @@ class Solved {
 
   double operator[](const std::string& segment) const {
     for (std::size_t i = 0; i < network_.segments.size(); ++i) {
-      if (name(network_.segments[i]) == segment) return state_.tension[i];
+      if (segment_name(network_.segments[i]) == segment) return state_.tension[i];
     }
     throw std::logic_error("no segment " + segment);
   }

@@ -15,7 +15,7 @@ TEST(CauseSearch, AcceptsEachCauseThatTheDataHaveAndFitsIt) {
   Bench bench({1, 0.4});
   const CauseSearchResult result = found(bench, Causes{&on_T1, &on_T2, &on_T3});
   ASSERT_EQ(names(result), (Names{"on_T1", "on_T2"}));
-  EXPECT_EQ(name(result.accepted[0].effect), "on_T1");
+  EXPECT_EQ(effect_name(result.accepted[0].effect), "on_T1");
   ASSERT_EQ(result.model.effects.size(), 2U);
   // Means of 30 readings.
   const double sd = bench_noise_N / std::sqrt(30);

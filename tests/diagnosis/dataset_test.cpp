@@ -21,7 +21,7 @@ TEST(Dataset, HasACellForEveryMeasuredTensionByRow) {
   EXPECT_EQ(dataset.rows[1].last, 4U);
   EXPECT_EQ(dataset.cells[3].measured_N, 19);
   EXPECT_EQ(dataset.cells[3].channel, 2U);
-  EXPECT_EQ(name(data.routings[0].network.segments[dataset.cells[3].segment]), "a");
+  EXPECT_EQ(segment_name(data.routings[0].network.segments[dataset.cells[3].segment]), "a");
   EXPECT_EQ(dataset.rows[1].conditions.motor_tension_N, 20);
 }
 

@@ -73,7 +73,7 @@ TEST(Extended, PutsAnEffectInItsPlaceAndTakesItOutAgain) {
   EXPECT_EQ(place(both.model, tubes.effects[0]), 0U);
   const Model left = without(both.model, 0);
   ASSERT_EQ(left.effects.size(), 1U);
-  EXPECT_EQ(name(left.effects[0]), "sheath_friction");
+  EXPECT_EQ(effect_name(left.effects[0]), "sheath_friction");
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ inline CauseSearchResult found(Bench& bench, const Causes& causes,
 
 inline Names names(const CauseSearchResult& result) {
   Names names;
-  for (const AcceptedCause& accepted : result.accepted) names.push_back(name(accepted.effect));
+  for (const AcceptedCause& accepted : result.accepted)
+    names.push_back(effect_name(accepted.effect));
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -37,8 +37,8 @@ TEST(Losses, AreTheExponentsBetweenNeighbouringSensors) {
       read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-P-2-F,1," + tr4 + "\n");
   const auto found = losses(data, Model{}, compared(data));
   ASSERT_EQ(found.size(), 3U);
-  EXPECT_EQ(name(found[0].high), "T1");
-  EXPECT_EQ(name(found[0].low), "T2");
+  EXPECT_EQ(segment_name(found[0].high), "T1");
+  EXPECT_EQ(segment_name(found[0].low), "T2");
   EXPECT_NEAR(found[0].measured, tube_loss, 1e-12);
   EXPECT_NEAR(found[1].measured, 2 * sheath_loss + bearing, 1e-12);
   EXPECT_NEAR(found[1].before, 2 * found[1].measured, 1e-12);
@@ -56,8 +56,8 @@ TEST(Losses, LeaveOutContactsWhoseFrictionIsNotUsedUp) {
       "run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,1-P-2-P-1,1,25,25,25,25\n1,TR3,1,20,30,30,20\n");
   const auto found = losses(data, Model{}, compared(data));
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(name(found[0].high) + name(found[0].low), "T2T1");
-  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T3T4");
+  EXPECT_EQ(segment_name(found[0].high) + segment_name(found[0].low), "T2T1");
+  EXPECT_EQ(segment_name(found[1].high) + segment_name(found[1].low), "T3T4");
 }
 
 TEST(Losses, SkipWhatIsNotMeasuredBetween) {
@@ -65,7 +65,7 @@ TEST(Losses, SkipWhatIsNotMeasuredBetween) {
       read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-T-2-F,1,40,,20,10\n");
   const auto found = losses(data, Model{}, compared(data));
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(name(found[0].high) + name(found[0].low), "T1T3");
+  EXPECT_EQ(segment_name(found[0].high) + segment_name(found[0].low), "T1T3");
   EXPECT_NEAR(found[0].measured, std::log(2.0), 1e-12);
   EXPECT_EQ(found[0].over.size(), 2U);
 }
@@ -111,8 +111,8 @@ TEST(Losses, NameTheContactsFromTheHigherTensionOn) {
       "1,M-1-P-2-F,1,release,5,10,40\n");
   const auto found = losses(data, Model{}, compared(data));
   ASSERT_EQ(found.size(), 4U);
-  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T2T4");
-  EXPECT_EQ(name(found[3].high) + name(found[3].low), "T4T2");
+  EXPECT_EQ(segment_name(found[1].high) + segment_name(found[1].low), "T2T4");
+  EXPECT_EQ(segment_name(found[3].high) + segment_name(found[3].low), "T4T2");
   const auto reversed = std::vector<ContactKind>(found[3].over.rbegin(), found[3].over.rend());
   EXPECT_EQ(found[1].over, reversed);
   EXPECT_EQ(found[3].over.front(), ContactKind::tube);
@@ -131,7 +131,7 @@ TEST(Losses, AreMeansOverTheRowsOfAGraspAndDirection) {
   EXPECT_NEAR(found[0].deviation, 0.01, 1e-12);
   EXPECT_EQ(found[1].rows, 1U);
   EXPECT_EQ(found[1].direction, Direction::release);
-  EXPECT_EQ(name(found[1].high) + name(found[1].low), "T2T1");
+  EXPECT_EQ(segment_name(found[1].high) + segment_name(found[1].low), "T2T1");
 }
 
 TEST(Losses, LeaveOutRowsWithATensionThatMayBeNone) {
@@ -244,7 +244,7 @@ TEST(Losses, LeaveOutContactsThatHoldWithLess) {
   const auto found = losses(data, Model{}, compared(data));
   EXPECT_FALSE(found.empty());
   for (const Loss& loss : found) {
-    EXPECT_FALSE(name(loss.high) == "T4" || name(loss.low) == "T4");
+    EXPECT_FALSE(segment_name(loss.high) == "T4" || segment_name(loss.low) == "T4");
   }
 }
 
@@ -264,7 +264,7 @@ TEST(Losses, AreComparedWithThoseOverTheSameContacts) {
   const auto found = losses(data, Model{}, cells);
   ASSERT_EQ(found.size(), 9U);
   EXPECT_NEAR(found[7].measured - found[7].after, std::log(2.0), 1e-9);
-  for (const Loss& loss : found) EXPECT_FALSE(loss.stands_apart) << name(loss.high);
+  for (const Loss& loss : found) EXPECT_FALSE(loss.stands_apart) << segment_name(loss.high);
 }
 
 }  // namespace

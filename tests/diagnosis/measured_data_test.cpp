@@ -82,8 +82,8 @@ TEST(MeasuredData, MayComeWithSemicolonsAndDecimalCommas) {
 TEST(MeasuredData, OfABenchHaveItsStretchAtTheHand) {
   const MeasuredData data = read_data("run,routing,Ta_N,Th1_N\nA,M-F,10,4\n");
   const MeasuredRouting& bench = data.routings[0];
-  EXPECT_EQ(name(bench.network.segments[*bench.segments[0]]), "a");
-  EXPECT_EQ(name(bench.network.segments[*bench.segments[1]]), "h1");
+  EXPECT_EQ(segment_name(bench.network.segments[*bench.segments[0]]), "a");
+  EXPECT_EQ(segment_name(bench.network.segments[*bench.segments[1]]), "h1");
 }
 
 TEST(MeasuredData, AreSimulatedIfACommentSaysSo) {

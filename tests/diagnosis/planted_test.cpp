@@ -55,7 +55,7 @@ TEST_P(PlantedCauses, AreNamedAndNothingElseIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, PlantedCauses, ::testing::ValuesIn(library_effects()),
-                         [](const auto& kind) { return std::string(name(kind.param)); });
+                         [](const auto& kind) { return std::string(planted_name(kind.param)); });
 
 class PlantedUnknowns : public ::testing::TestWithParam<EffectKind> {};
 
@@ -64,7 +64,7 @@ TEST_P(PlantedUnknowns, AreUnexplained) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effects()),
-                         [](const auto& kind) { return std::string(name(kind.param)); });
+                         [](const auto& kind) { return std::string(planted_name(kind.param)); });
 
 TEST(PlantedNothing, IsNothingFound) {
   for (const std::uint64_t seed : {53, 54, 55, 56}) {

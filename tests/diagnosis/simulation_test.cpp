@@ -62,7 +62,7 @@ TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
     const TensionState& state =
         solver.solve(wrong ? hold({1}) : reading.grasp, reading.direction, reading.conditions);
     for (std::size_t c = 0; c < plan.channels.size(); ++c) {
-      const double gain = name(plan.channels[c]) == "T3" ? 1.5 : 1;
+      const double gain = segment_name(plan.channels[c]) == "T3" ? 1.5 : 1;
       const double expected = gain * reading.conditions.motor_tension_N *
                               state.tension[*find_segment(routing.network, plan.channels[c])];
       EXPECT_NEAR(*simulation.tension_N[i][c], expected, 1e-12 * expected);

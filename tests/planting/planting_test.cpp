@@ -54,7 +54,7 @@ TEST(Planting, EveryEffectCanBeReadAsMeasuredData) {
       const MeasuredData data = parse(planted.csv);
       EXPECT_TRUE(data.simulated);
       EXPECT_EQ(data.readings.size(), planted.experiment.rows.size());
-      EXPECT_TRUE(planted.causes.front().name.starts_with(name(kind)));
+      EXPECT_TRUE(planted.causes.front().name.starts_with(planted_name(kind)));
       EXPECT_NEAR(planted.causes.front().log_likelihood_ratio, planted.log_likelihood_ratio, 1e-9);
     }
   }
@@ -105,8 +105,8 @@ TEST(Planting, LargeEffectsAreSeenByTheOracle) {
         EffectKind::bending_stiffness, EffectKind::crosstalk, EffectKind::wave}) {
     const double small = plant_one(kind, EffectSize::small, 4).log_likelihood_ratio;
     const double large = plant_one(kind, EffectSize::large, 4).log_likelihood_ratio;
-    EXPECT_GT(large, small) << name(kind);
-    EXPECT_GT(large, 20) << name(kind);
+    EXPECT_GT(large, small) << planted_name(kind);
+    EXPECT_GT(large, 20) << planted_name(kind);
   }
 }
 

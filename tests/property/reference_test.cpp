@@ -29,7 +29,7 @@ std::map<ContactName, double> exponents_by_name(const Network& network, const Me
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const auto [left, right] = ends_of(tendon, k);
-      phi[{name(network.segments[left]), name(network.segments[right])}] =
+      phi[{segment_name(network.segments[left]), segment_name(network.segments[right])}] =
           m.phi[tendon.first_contact + k];
     }
   }
@@ -39,7 +39,7 @@ std::map<ContactName, double> exponents_by_name(const Network& network, const Me
 std::map<std::string, double> lengths_by_name(const Network& network, const Mechanics& m) {
   std::map<std::string, double> length;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    length[name(network.segments[i])] = m.length[i];
+    length[segment_name(network.segments[i])] = m.length[i];
   }
   return length;
 }
@@ -74,7 +74,7 @@ void expect_tensions(const Network& network, const TensionState& state,
                      const ReferenceResult& expected) {
   ASSERT_EQ(expected.tension.size(), network.segments.size());
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const std::string segment = name(network.segments[i]);
+    const std::string segment = segment_name(network.segments[i]);
     const double tension = expected.tension.at(segment);
     EXPECT_NEAR(state.tension[i], tension, 1e-6 * tension) << segment;
   }
@@ -104,7 +104,8 @@ void expect_slips(const Network& network, const Mechanics& m, const TensionState
     if (!one_circulation_is_least(tendon, m, state.slip)) continue;
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const auto [left, right] = ends_of(tendon, k);
-      const ContactName contact{name(network.segments[left]), name(network.segments[right])};
+      const ContactName contact{segment_name(network.segments[left]),
+                                segment_name(network.segments[right])};
       EXPECT_NEAR(state.slip[tendon.first_contact + k], slip.at(contact), 1e-9)
           << contact.first << "-" << contact.second;
     }

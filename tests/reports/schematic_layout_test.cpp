@@ -208,7 +208,7 @@ void expect_each_segment_once(const Network& network, const SchematicLayout& lay
   ASSERT_EQ(layout.contacts.size(), network.contacts.size());
   std::size_t open = 0;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    EXPECT_EQ(layout.segments[i].name, name(network.segments[i]));
+    EXPECT_EQ(layout.segments[i].name, segment_name(network.segments[i]));
   }
   for (const TendonSpan& tendon : network.tendons) {
     open += tendon.closed ? 0 : 2;

@@ -53,8 +53,10 @@ TEST(SchematicSvg, DrawsEverySegmentOnceAndAnArrowWhereItSlides) {
     const Drawn drawn(to_word(trial.routing), trial.grasp, trial.direction);
     expect_well_formed(drawn.svg);
     for (const Segment& segment : drawn.network.segments) {
-      EXPECT_EQ(count(drawn.svg, "data-segment=\"" + name(segment) + "\""), 1U) << name(segment);
-      EXPECT_EQ(count(drawn.svg, ">" + name(segment) + "</tspan>"), 1U) << name(segment);
+      EXPECT_EQ(count(drawn.svg, "data-segment=\"" + segment_name(segment) + "\""), 1U)
+          << segment_name(segment);
+      EXPECT_EQ(count(drawn.svg, ">" + segment_name(segment) + "</tspan>"), 1U)
+          << segment_name(segment);
     }
     const auto sliding = static_cast<std::size_t>(std::count_if(
         drawn.state.slip.begin(), drawn.state.slip.end(), [](double s) { return s != 0; }));
@@ -69,14 +71,14 @@ TEST(SchematicSvg, DrawsMoreTensionAsAWiderLine) {
     ASSERT_EQ(width.size(), drawn.network.segments.size());
     for (std::size_t i = 0; i < drawn.network.segments.size(); ++i) {
       for (std::size_t k = 0; k < drawn.network.segments.size(); ++k) {
-        const double one = width.at(name(drawn.network.segments[i]));
-        const double other = width.at(name(drawn.network.segments[k]));
+        const double one = width.at(segment_name(drawn.network.segments[i]));
+        const double other = width.at(segment_name(drawn.network.segments[k]));
         if (drawn.state.tension[i] > drawn.state.tension[k]) {
           EXPECT_GE(one, other);
         }
       }
-      EXPECT_GT(width.at(name(drawn.network.segments[i])), 1);
-      EXPECT_LE(width.at(name(drawn.network.segments[i])), 7);
+      EXPECT_GT(width.at(segment_name(drawn.network.segments[i])), 1);
+      EXPECT_LE(width.at(segment_name(drawn.network.segments[i])), 7);
     }
   }
 }

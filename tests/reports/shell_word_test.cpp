@@ -15,6 +15,8 @@ TEST(ShellWord, LeavesPlainTextAlone) {
     EXPECT_EQ(shell_word(text), text);
   }
   EXPECT_EQ(shell_word("sheaths<=2"), "'sheaths<=2'");
+  EXPECT_EQ(shell_word("exponent=0.15"), "exponent=0.15");
+  EXPECT_EQ(shell_word("=ls"), "'=ls'");
   EXPECT_EQ(shell_word("it's"), R"('it'\''s')");
 }
 

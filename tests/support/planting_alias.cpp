@@ -169,7 +169,7 @@ AliasPlan plan_of(AliasKind kind, Dice& dice) {
 
 }  // namespace
 
-const char* name(AliasKind kind) {
+const char* alias_name(AliasKind kind) {
   constexpr std::array names{"speed_or_temperature", "temperature_or_wear",
                              "sheath_friction_or_angle", "gain_or_offset", "tube_friction_or_gain"};
   return names[static_cast<std::size_t>(kind)];

@@ -24,7 +24,7 @@ enum class AliasKind : std::uint8_t {
   // One tube, pull only, read behind it: T2 = T1 e^{-phi} is a gain of T2.
   tube_friction_or_gain,
 };
-const char* name(AliasKind kind);
+const char* alias_name(AliasKind kind);
 const std::vector<AliasKind>& alias_kinds();
 
 struct PlantedAlias {

@@ -20,7 +20,7 @@ double pick(const Sizes& sizes, EffectSize size) { return sizes[static_cast<std:
 // Effects that are one number of nature or of the sensors.
 template <typename Number>
 PlantedEffect number(EffectKind kind, const char* parameter, double value, Number where) {
-  return {kind, name(kind), {{parameter, value}}, [where, value](Truth& truth) {
+  return {kind, planted_name(kind), {{parameter, value}}, [where, value](Truth& truth) {
             where(truth) = value;
           }};
 }
@@ -157,7 +157,7 @@ PlantedEffect draw_drawn(EffectKind kind, EffectSize size, const Experiment& exp
 
 }  // namespace
 
-const char* name(EffectKind kind) {
+const char* planted_name(EffectKind kind) {
   constexpr std::array names{"tube_friction",
                              "sheath_friction",
                              "bearing_friction",
@@ -179,7 +179,7 @@ const char* name(EffectKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-const char* name(EffectSize size) {
+const char* size_name(EffectSize size) {
   constexpr std::array names{"small", "medium", "large"};
   return names[static_cast<std::size_t>(size)];
 }

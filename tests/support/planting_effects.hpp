@@ -34,12 +34,12 @@ enum class EffectKind : std::uint8_t {
   drift,      // readings grow with the order of rows, by 1 + d order / rows
   wave,       // and swing with it, by 1 + A sin(2 pi order / period)
 };
-const char* name(EffectKind kind);
+const char* planted_name(EffectKind kind);
 const std::vector<EffectKind>& library_effects();
 const std::vector<EffectKind>& unknown_effects();
 
 enum class EffectSize : std::uint8_t { small, medium, large };
-const char* name(EffectSize size);
+const char* size_name(EffectSize size);
 
 // What the sensors make of the tensions. On one channel the order is pretension, crosstalk, gain,
 // offset, then drift and wave.

@@ -126,7 +126,8 @@ ContactHardware random_contact_hardware(Dice& dice, const Network& network) {
   const int contacts = static_cast<int>(tendon.contacts);
   const auto k = static_cast<std::size_t>(dice.integer(0, contacts - 1));
   const auto [left, right] = ends_of(tendon, k);
-  ContactHardware contact{name(network.segments[left]), name(network.segments[right]), {}, {}};
+  ContactHardware contact{
+      segment_name(network.segments[left]), segment_name(network.segments[right]), {}, {}};
   if (dice.chance(0.5)) std::swap(contact.segment, contact.other_segment);
   if (dice.chance(0.7)) contact.mu = random_mu(dice);
   if (dice.chance(0.7)) contact.angle_rad = dice.real(0, 6);
