@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* none = "–";
 
-std::string written(HtmlTable table) { return table.table.rows.empty() ? "" : html(table); }
+std::string written(const HtmlTable& table) { return table.table.rows.empty() ? "" : html(table); }
 
 std::string interval_of(const EstimatedParameter& parameter) {
   return estimate(parameter, parameter.low) + " to " + estimate(parameter, parameter.high);
@@ -37,7 +37,7 @@ void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
 }
 
 std::string weighed_caption(const DiagnosisResult& result) {
-  const std::string caption = "Gain in log-likelihood over the model as it stands";
+  std::string caption = "Gain in log-likelihood over the model as it stands";
   const std::optional<NoiseLimit>& limit = result.noise_limit;
   if (!limit) return caption;
   return caption + fmt::format("; as good as noise allows on the held-out runs: {} ({}), rms {}",
