@@ -25,6 +25,7 @@ namespace {
 // a smaller chance than the first name.
 constexpr double further_share_of_alpha = 0.5;
 constexpr double structure_share_of_alpha = 0.25;
+// A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
 // Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
 // they say nothing: what they know of it may all stand in one run.

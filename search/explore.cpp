@@ -17,9 +17,11 @@
 namespace reeve::search {
 namespace {
 
+// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
+// Ctrl-C; a grain is some tenths of a millisecond.
 constexpr std::size_t batch_size = 16384;
 constexpr std::size_t grain = 64;
-constexpr std::size_t named_as_best = 10;
+constexpr std::size_t named_as_best = 10;  // a line of a page
 
 // What became of one routing of a batch.
 struct Slot {

@@ -6,6 +6,8 @@
 namespace reeve::core {
 namespace {
 
+// Per unit of carriage travel: fingers that give up more than this beyond it leave a piece slack.
+// Sweeps end where rounding does, and in any case.
 constexpr double tight = 1e-9;
 constexpr double converged = 1e-15;
 constexpr int most_sweeps = 10000;

@@ -12,6 +12,7 @@
 namespace reeve::diagnosis {
 namespace {
 
+// The standard deviation is then known to 13 %.
 constexpr double enough_noise_degrees = 30;
 constexpr double floor_share = 1e-3;  // of the median reading
 

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double normal_quantile = 1.959963984540054;
+constexpr double normal_quantile = 1.959963984540054;  // of 95 %, both sides
 // Of which a separation must be worth at least this, or it would never decide.
 constexpr double least_log_likelihood = 0.5;
 // A reading beyond so many times whatever the rig has shown or the motor pulls is no advice:

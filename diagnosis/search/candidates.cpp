@@ -7,6 +7,7 @@
 namespace reeve::diagnosis {
 namespace {
 
+// Of a law whose shape no first order tells: starts across its range.
 constexpr int shapes_tried = 5;
 
 double nominal_or_middle(const Parameter& parameter) {

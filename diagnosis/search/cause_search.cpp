@@ -10,6 +10,8 @@
 namespace reeve::diagnosis {
 namespace {
 
+// A full fit takes some hundred forecasts: how many causes get one in a step, and how many whenever
+// an accepted cause defends its place.
 constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
 constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
@@ -153,7 +155,7 @@ class Search {
   }
 
   void defend() {
-    constexpr int rounds = 3;
+    constexpr int rounds = 3;  // two causes can take each other's places in turn
     for (int round = 0; round < rounds; ++round) {
       bool changed = false;
       for (std::size_t a = 0; a < result_.accepted.size() && result_.accepted.size() > 1; ++a) {

@@ -8,7 +8,7 @@ namespace reeve::diagnosis {
 
 std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_t effect,
                           const std::vector<Candidate>& candidates, Workers& workers) {
-  constexpr std::size_t most = 10;
+  constexpr std::size_t most = 10;  // those that the screening puts first; a fit each
   const std::string accepted = effect_name(model.effects[effect]);
   std::vector<Candidate> others;
   for (const Candidate& candidate : candidates) {

@@ -11,6 +11,7 @@ namespace reeve::diagnosis {
 namespace {
 
 constexpr std::size_t draws = 1000;
+// Of fewer there are too few different samples: three runs have ten.
 constexpr std::size_t enough_held_out_runs = 5;
 
 // What one unit of resampling contributes.

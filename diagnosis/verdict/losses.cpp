@@ -122,7 +122,7 @@ class LossTable {
 
  private:
   static bool is_taut(const ComparedCell& cell) {
-    constexpr double sure = 3;
+    constexpr double sure = 3;  // deviations; the logarithm of less is mostly noise
     return cell.cell.measured_N > sure * cell.deviation_N && cell.before_N > 0 && cell.after_N > 0;
   }
 

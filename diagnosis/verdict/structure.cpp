@@ -16,8 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// What is looked at in every replicate has to be cheap, whatever the file.
 constexpr std::size_t most_groups = 200;
 constexpr std::size_t most_frequencies = 150;
+// Of fewer readings a mean of its own says nothing that a residual does not.
 constexpr std::size_t least_group = 3;
 
 // What a relative change of every reading would be, in units of the noise.
@@ -104,7 +106,7 @@ class Tests {
       column += 2;
     }
     // Groups of many cells are told apart by their relative residual alone.
-    constexpr std::size_t few = 12;
+    constexpr std::size_t few = 12;  // two columns for each would be too much to project
     if (found.size() > few) {
       for (Index c = 0; c < column / 2; ++c) columns.col(c) = MatrixXd(columns.col(2 * c));
       columns.conservativeResize(Eigen::NoChange, column / 2);
