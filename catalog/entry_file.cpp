@@ -155,8 +155,9 @@ FactorFault read_factor(const TomlNode& node, int strands) {
 ReversedContactFault read_reversed_contact(const TomlNode& node, const CatalogueEntry& entry,
                                            int strands) {
   node.allow_only({"kind", "source", "strand", "segment", "printed_higher"});
-  if (!entry.closed_form)
+  if (!entry.closed_form) {
     node.fail_at_key({.what = "a reversed contact needs a [closed_form] beside it"});
+  }
   ReversedContactFault fault;
   fault.source = node.require("source", "where the equation stands").text();
   fault.strand = node.require("strand", "the strand at the sheath").integer(1, strands);
@@ -191,8 +192,9 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   if (text == "factor") return {read_factor(node, strands), node.key_at};
   if (text == "repeats") return {RepeatsFault{read_other_routing(node)}, node.key_at};
   if (text == "proportional") {
-    if (!entry.table)
+    if (!entry.table) {
       node.fail_at_key({.what = "a proportional fault needs a [table] that it is about"});
+    }
     return {ProportionalFault{read_other_routing(node)}, node.key_at};
   }
   kind.fail_expected("factor, repeats, proportional or reversed_contact");

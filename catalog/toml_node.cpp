@@ -24,7 +24,7 @@ constexpr std::size_t max_file_size = std::size_t{1} << 20;
 constexpr std::size_t max_line_length = 4096;
 constexpr int max_depth = 8;
 
-// Whatever stands in the file.
+// A message has one line, whatever stands in the file.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');

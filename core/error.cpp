@@ -8,7 +8,7 @@ namespace {
 std::string thing(const InputFault& fault) {
   if (!fault.value) return fault.what;
   if (fault.form == InputForm::equals) return fault.what + " = " + *fault.value;
-  const std::string quoted = "'" + *fault.value + "'";
+  std::string quoted = "'" + *fault.value + "'";
   if (fault.what.empty()) return quoted;
   return fault.what + (fault.form == InputForm::cell ? " = " : " ") + quoted;
 }
