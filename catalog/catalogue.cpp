@@ -81,11 +81,14 @@ void require_references(const Catalogue& catalogue) {
       if (wanted == nullptr) continue;
       const CatalogueEntry* other = catalogue.find_name(*wanted);
       if (other != nullptr && other != &entry && has_counterpart(entry, *other)) continue;
-      throw InputError(fmt::format(
-          "{}:{}:{}: fault.routing = \"{}\": expected another routing in the catalogue, with {}",
-          entry.file, fault.at.line, fault.at.column, *wanted,
-          entry.table ? "a [table] of as many strands"
-                      : "[[lines]] of as many strands in the same figure"));
+      throw InputError(
+          {.where = fmt::format("{}:{}:{}", entry.file, fault.at.line, fault.at.column),
+           .what = "fault.routing",
+           .value = fmt::format("\"{}\"", *wanted),
+           .expected = fmt::format("another routing in the catalogue, with {}",
+                                   entry.table ? "a [table] of as many strands"
+                                               : "[[lines]] of as many strands in the same figure"),
+           .form = InputForm::equals});
     }
   }
 }

@@ -38,12 +38,13 @@ std::vector<std::string> lying_in(const std::filesystem::path& catalogue,
     }
   }
   if (error) {
-    throw InputError(
-        fmt::format("catalogue {}: cannot be read: {}", catalogue.string(), error.message()));
+    throw InputError({.where = fmt::format("catalogue {}", catalogue.string()),
+                      .what = fmt::format("cannot be read: {}", error.message())});
   }
   if (paths.empty() && folder.empty()) {
-    throw InputError(fmt::format("catalogue {}: has no file *.toml: expected one for each routing",
-                                 catalogue.string()));
+    throw InputError({.where = fmt::format("catalogue {}", catalogue.string()),
+                      .what = "has no file *.toml",
+                      .expected = "one for each routing"});
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -78,7 +79,7 @@ CatalogueFile CatalogueFiles::find(const std::string& path) const {
   if (!folder_.empty()) return {(folder_ / path).string(), std::nullopt};
   const auto found = embedded_catalogue().find(path);
   if (found == embedded_catalogue().end()) {
-    throw InputError(fmt::format("{}: is not in the built-in catalogue", path));
+    throw InputError({.where = path, .what = "is not in the built-in catalogue"});
   }
   return {"catalog/" + path, std::string(found->second)};
 }

@@ -45,7 +45,7 @@ Routing read_word(const TomlNode& node) {
   try {
     routing = parse_routing(node.text());
   } catch (const InputError& error) {
-    node.fail_at_value(error.what());
+    node.fail_at_value(error.fault());
   }
   const Routing least = canonical(routing, FingerIdentity::identical);
   if (!(least == routing)) {
@@ -69,8 +69,8 @@ Grasp read_held(const TomlNode& node, int fingers) {
 const std::vector<TomlNode>& items(const TomlNode& node, std::size_t count,
                                    const std::string& of_what) {
   if (node.items().size() != count) {
-    node.fail_at_value(fmt::format("{} has {} items: expected {}, one for each {}", node.name,
-                                   node.items().size(), count, of_what));
+    node.fail_at_value({.what = fmt::format("{} has {} items", node.name, node.items().size()),
+                        .expected = fmt::format("{}, one for each {}", count, of_what)});
   }
   return node.items();
 }
@@ -155,7 +155,9 @@ FactorFault read_factor(const TomlNode& node, int strands) {
 ReversedContactFault read_reversed_contact(const TomlNode& node, const CatalogueEntry& entry,
                                            int strands) {
   node.allow_only({"kind", "source", "strand", "segment", "printed_higher"});
-  if (!entry.closed_form) node.fail_at_key("a reversed contact needs a [closed_form] beside it");
+  if (!entry.closed_form) {
+    node.fail_at_key({.what = "a reversed contact needs a [closed_form] beside it"});
+  }
   ReversedContactFault fault;
   fault.source = node.require("source", "where the equation stands").text();
   fault.strand = node.require("strand", "the strand at the sheath").integer(1, strands);
@@ -185,12 +187,14 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   const std::string& text = kind.text();
   if (text == "reversed_contact") return {read_reversed_contact(node, entry, strands), node.key_at};
   if (!entry.table && entry.lines.empty()) {
-    node.fail_at_key("this fault needs a [table] or [[lines]] that it is about");
+    node.fail_at_key({.what = "this fault needs a [table] or [[lines]] that it is about"});
   }
   if (text == "factor") return {read_factor(node, strands), node.key_at};
   if (text == "repeats") return {RepeatsFault{read_other_routing(node)}, node.key_at};
   if (text == "proportional") {
-    if (!entry.table) node.fail_at_key("a proportional fault needs a [table] that it is about");
+    if (!entry.table) {
+      node.fail_at_key({.what = "a proportional fault needs a [table] that it is about"});
+    }
     return {ProportionalFault{read_other_routing(node)}, node.key_at};
   }
   kind.fail_expected("factor, repeats, proportional or reversed_contact");
@@ -215,7 +219,7 @@ void read_published(const TomlNode& file, CatalogueEntry& entry) {
   const TomlNode* closed_form = file.find("closed_form");
   const TomlNode* lines = file.find("lines");
   if (table != nullptr || closed_form != nullptr || lines != nullptr) {
-    if (fingers == 0) file.fail_at_key("published tensions need a routing with fingers");
+    if (fingers == 0) file.fail_at_key({.what = "published tensions need a routing with fingers"});
     file.require("held", "the fingers held in the grasp of the published numbers");
   }
   if (const TomlNode* held = file.find("held")) entry.grasp = read_held(*held, fingers);

@@ -120,7 +120,7 @@ void read_indicators(const TomlNode& file, Publication& publication) {
   if (indicators == nullptr) {
     for (const char* key : {"readings_source", "sum_N"}) {
       if (const TomlNode* node = file.find(key)) {
-        node->fail_at_key(fmt::format("{} needs [indicators] beside it", key));
+        node->fail_at_key({.what = fmt::format("{} needs [indicators] beside it", key)});
       }
     }
     return;
@@ -150,7 +150,7 @@ Publication read_publication(const TomlNode& file) {
   }
   if (const TomlNode* node = file.find("coefficient")) {
     if (!publication.indicators) {
-      node->fail_at_key("a coefficient needs [indicators] beside it, which imply one");
+      node->fail_at_key({.what = "a coefficient needs [indicators] beside it, which imply one"});
     }
     node->table().allow_only({"source", "printed"});
     publication.coefficient = {node->require("source", "where it stands").text(),

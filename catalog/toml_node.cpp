@@ -24,31 +24,38 @@ constexpr std::size_t max_file_size = std::size_t{1} << 20;
 constexpr std::size_t max_line_length = 4096;
 constexpr int max_depth = 8;
 
-[[noreturn]] void fail(const TomlNode& node, TomlPosition at, std::string_view message) {
-  std::string text = fmt::format("{}:{}:{}: {}", *node.file, at.line, at.column, message);
-  // One line, whatever stands in the file.
+// A message has one line, whatever stands in the file.
+std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
-  throw InputError(text);
+  return text;
+}
+
+[[noreturn]] void fail(const TomlNode& node, TomlPosition at, const InputFault& fault) {
+  const InputError placed =
+      InputError(fault).at(fmt::format("{}:{}:{}", *node.file, at.line, at.column));
+  throw InputError(changed(placed.fault(), one_line));
 }
 
 std::string read_file(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(fmt::format("{}: is a directory: expected a TOML file", path.string()));
+    throw InputError({.where = path.string(), .what = "is a directory", .expected = "a TOML file"});
   }
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
-    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+    throw InputError(
+        {.where = path.string(), .what = fmt::format("cannot be read: {}", std::strerror(errno))});
   }
   std::string text(max_file_size + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", path.string()));
+  if (in.bad()) throw InputError({.where = path.string(), .what = "cannot be read to its end"});
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > max_file_size) {
-    throw InputError(
-        fmt::format("{}: is larger than 1 MiB: expected a TOML file of some lines", path.string()));
+    throw InputError({.where = path.string(),
+                      .what = "is larger than 1 MiB",
+                      .expected = "a TOML file of some lines"});
   }
   return text;
 }
@@ -59,8 +66,8 @@ void require_short_lines(const TomlNode& root, std::string_view text) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     if (end - begin > max_line_length) {
       fail(root, {line, 1},
-           fmt::format("the line has {} characters: expected at most {}", end - begin,
-                       max_line_length));
+           {.what = fmt::format("the line has {} characters", end - begin),
+            .expected = fmt::format("at most {}", max_line_length)});
     }
     begin = end + 1;
   }
@@ -121,7 +128,7 @@ TomlNode convert(const toml::node& from, const TomlNode& parent, TomlNode to, in
   to.kind = kind_of(from);
   to.file = parent.file;
   to.at = position(from.source());
-  if (depth > max_depth) fail(to, to.key_at, "expected no tables or arrays as deep as this");
+  if (depth > max_depth) fail(to, to.key_at, {.expected = "no tables or arrays as deep as this"});
   if (to.kind == TomlKind::array) convert_array(*from.as_array(), to, depth);
   if (to.kind == TomlKind::table) convert_table(*from.as_table(), to, depth);
   if (to.kind == TomlKind::string) to.content = from.as_string()->get();
@@ -170,14 +177,16 @@ const TomlNode* TomlNode::find(std::string_view wanted) const {
 const TomlNode& TomlNode::require(std::string_view wanted, std::string_view expected) const {
   if (const TomlNode* found = find(wanted)) return *found;
   const std::string where = name.empty() ? "" : fmt::format(" in '{}'", name);
-  fail_at_key(fmt::format("missing key '{}'{}: expected {}", wanted, where, expected));
+  fail_at_key({.what = fmt::format("missing key '{}'{}", wanted, where),
+               .expected = std::string(expected)});
 }
 
 void TomlNode::allow_only(const std::vector<std::string_view>& keys) const {
   for (const TomlNode& child : children) {
     if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
-    child.fail_at_key(fmt::format("unknown key '{}': expected one of {}", shortened(child.name),
-                                  fmt::join(keys, ", ")));
+    child.fail_at_key({.what = "unknown key",
+                       .value = shortened(child.name),
+                       .expected = fmt::format("one of {}", fmt::join(keys, ", "))});
   }
 }
 
@@ -224,12 +233,15 @@ double TomlNode::number_between(double low, double high) const {
 }
 
 void TomlNode::fail_expected(std::string_view expected) const {
-  fail(*this, at, fmt::format("{} = {}: expected {}", name, shown(*this), expected));
+  fail_at_value({.what = name,
+                 .value = shown(*this),
+                 .expected = std::string(expected),
+                 .form = InputForm::equals});
 }
 
-void TomlNode::fail_at_key(std::string_view message) const { fail(*this, key_at, message); }
+void TomlNode::fail_at_key(const InputFault& fault) const { fail(*this, key_at, fault); }
 
-void TomlNode::fail_at_value(std::string_view message) const { fail(*this, at, message); }
+void TomlNode::fail_at_value(const InputFault& fault) const { fail(*this, at, fault); }
 
 TomlNode read_toml(const std::filesystem::path& path) {
   return parse_toml(read_file(path), path.string());
@@ -243,7 +255,8 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
     const toml::table parsed = toml::parse(text);
     convert_table(parsed, root, 0);
   } catch (const toml::parse_error& error) {
-    fail(root, position(error.source()), fmt::format("not valid TOML: {}", error.description()));
+    fail(root, position(error.source()),
+         {.what = fmt::format("not valid TOML: {}", error.description())});
   }
   return root;
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "numerics/floors.hpp"
+#include "core/error.hpp"
 
 namespace reeve::catalog {
 
@@ -52,9 +52,9 @@ class TomlNode {
 
   // "file:line:column: name = value: expected …"
   [[noreturn]] void fail_expected(std::string_view expected) const;
-  // "file:line:column: message", at the key or at the value
-  [[noreturn]] void fail_at_key(std::string_view message) const;
-  [[noreturn]] void fail_at_value(std::string_view message) const;
+  // The fault at "file:line:column", of the key or of the value.
+  [[noreturn]] void fail_at_key(const InputFault& fault) const;
+  [[noreturn]] void fail_at_value(const InputFault& fault) const;
 };
 
 // Throws InputError for a file that cannot be read, is larger than 1 MiB, or is not TOML.

@@ -47,7 +47,7 @@ Hardware effective_hardware(const Model& model) {
 Hardware possible_hardware(const Model& model) {
   validate(model.hardware);
   Hardware hardware = effective_hardware(model);
-  if (const auto found = fault(hardware)) throw OutOfRange(*found);
+  if (const auto found = fault(hardware)) throw OutOfRange(sentence(*found));
   return hardware;
 }
 

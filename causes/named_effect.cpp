@@ -22,8 +22,10 @@ const Cause& cause_of(const std::string& name) {
   const std::size_t bracket = name.find('[');
   const std::string cause_name = name.substr(0, bracket);
   if (const Cause* cause = find_cause(cause_name)) return *cause;
-  throw InputError(
-      fmt::format("unknown cause '{}'; expected one of {}", cause_name, cause_names()));
+  throw InputError({.what = "unknown cause",
+                    .value = cause_name,
+                    .expected = fmt::format("one of {}", cause_names()),
+                    .form = InputForm::unknown});
 }
 
 // What the experiment lacks to show a cause at all.
@@ -63,8 +65,9 @@ std::vector<Subject> subjects_named(const std::string& name, const Cause& cause,
     if (name_of(cause, subject) == name) named.push_back(subject);
   }
   if (!named.empty()) return named;
-  throw InputError(fmt::format("this experiment has no such thing; expected {}",
-                               list_of_names(cause, possible)));
+  throw InputError({.what = "this experiment has no such thing",
+                    .expected = list_of_names(cause, possible),
+                    .form = InputForm::unknown});
 }
 
 double number_of(const Setting& setting, const Parameter& parameter) {
@@ -73,8 +76,11 @@ double number_of(const Setting& setting, const Parameter& parameter) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
   if (is_number && value >= parameter.range.low && value <= parameter.range.high) return value;
-  throw InputError(fmt::format("{} = '{}': expected a number from {} to {}", setting.key, text,
-                               parameter.range.low, parameter.range.high));
+  throw InputError(
+      {.what = setting.key,
+       .value = text,
+       .expected = fmt::format("a number from {} to {}", parameter.range.low, parameter.range.high),
+       .form = InputForm::cell});
 }
 
 // In orders of magnitude where the range is positive; two digits are enough for a middle.
@@ -100,8 +106,10 @@ void choose(const Setting& setting, std::vector<Subject>& subjects) {
   }
   std::erase_if(subjects, [&](const Subject& subject) { return !fits(setting, subject); });
   if (!subjects.empty()) return;
-  throw InputError(fmt::format("{} = '{}': expected one of {}", setting.key, setting.value,
-                               fmt::join(grasps, " or ")));
+  throw InputError({.what = setting.key,
+                    .value = setting.value,
+                    .expected = fmt::format("one of {}", fmt::join(grasps, " or ")),
+                    .form = InputForm::cell});
 }
 
 class EffectReader {
@@ -124,8 +132,9 @@ class EffectReader {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       const Parameter& parameter = parameters_[i];
       if (i == 0 && !values_[i]) {
-        throw InputError(fmt::format("its size is missing: expected {}=VALUE, from {} to {}",
-                                     parameter.name, parameter.range.low, parameter.range.high));
+        throw InputError({.what = "its size is missing",
+                          .expected = fmt::format("{}=VALUE, from {} to {}", parameter.name,
+                                                  parameter.range.low, parameter.range.high)});
       }
       effect.values.push_back(values_[i].value_or(middle(parameter)));
     }
@@ -143,7 +152,10 @@ class EffectReader {
     if (about_grasps && (setting.key == "recorded" || setting.key == "actual")) {
       return choose(setting, subjects_);
     }
-    throw InputError(fmt::format("unknown parameter '{}'; expected {}", setting.key, known()));
+    throw InputError({.what = "unknown parameter",
+                      .value = setting.key,
+                      .expected = known(),
+                      .form = InputForm::unknown});
   }
 
   std::string known() const {
@@ -166,7 +178,7 @@ Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware&
   try {
     return EffectReader(named, survey, hardware).effect();
   } catch (const InputError& error) {
-    throw InputError(fmt::format("'{}': {}", named.name, error.what()));
+    throw error.at(fmt::format("'{}'", named.name));
   }
 }
 

@@ -23,8 +23,9 @@ bool is_number(const std::string& text, Range range, double& number) {
 double read_number(const std::string& option, const std::string& text, Range range) {
   double number = 0;
   if (is_number(text, range, number)) return number;
-  throw InputError(
-      fmt::format("{} '{}': expected a number from {} to {}", option, text, range.low, range.high));
+  throw InputError({.what = option,
+                    .value = text,
+                    .expected = fmt::format("a number from {} to {}", range.low, range.high)});
 }
 
 // "5:60" or "5,10,20".
@@ -35,9 +36,11 @@ Levels read_levels(const std::string& option, const std::string& text, Range ran
     double number = 0;
     if (is_number(item, range, number)) return number;
     throw InputError(
-        fmt::format("{} '{}': '{}': expected a range such as 5:60, or a list such as 5,10,20, of "
-                    "numbers from {} to {}",
-                    option, text, item, range.low, range.high));
+        {.where = fmt::format("{} '{}'", option, text),
+         .value = item,
+         .expected = fmt::format("a range such as 5:60, or a list such as 5,10,20, of numbers from "
+                                 "{} to {}",
+                                 range.low, range.high)});
   };
   if (colon == std::string::npos) {
     for (const std::string& item : comma_separated(text)) levels.list.push_back(read(item));
@@ -45,7 +48,7 @@ Levels read_levels(const std::string& option, const std::string& text, Range ran
   }
   levels.range = {read(text.substr(0, colon)), read(text.substr(colon + 1))};
   if (levels.range.low <= levels.range.high) return levels;
-  throw InputError(fmt::format("{} '{}': expected the lower end of the range first", option, text));
+  throw InputError({.what = option, .value = text, .expected = "the lower end of the range first"});
 }
 
 std::vector<Direction> read_directions(const std::string& text) {
@@ -54,8 +57,9 @@ std::vector<Direction> read_directions(const std::string& text) {
     const Direction direction = item == "release" ? Direction::release : Direction::pull;
     const bool known = item == "release" || item == "pull";
     if (!known || std::count(directions.begin(), directions.end(), direction) > 0) {
-      throw InputError(fmt::format(
-          "--directions '{}': '{}': expected pull, release, or pull,release", text, item));
+      throw InputError({.where = fmt::format("--directions '{}'", text),
+                        .value = item,
+                        .expected = "pull, release, or pull,release"});
     }
     directions.push_back(direction);
   }
@@ -68,8 +72,9 @@ std::vector<Grasp> read_grasps(const std::string& text, int fingers) {
   std::vector<Grasp> grasps;
   for (const WeightedGrasp& weighted : parse_grasps(text, fingers)) {
     if (weighted.weight != 1) {
-      throw InputError(fmt::format(
-          "grasps '{}': every grasp is measured equally often: expected no weights", text));
+      throw InputError({.where = fmt::format("grasps '{}'", text),
+                        .what = "every grasp is measured equally often",
+                        .expected = "no weights"});
     }
     const bool nothing_closes = held_fingers(weighted.grasp).size() == std::size_t(fingers);
     if (!(is_set && nothing_closes)) grasps.push_back(weighted.grasp);
@@ -83,17 +88,17 @@ std::vector<PlannedRouting> read_routings(const ExperimentFlags& flags,
   for (const std::string& text : comma_separated(flags.routings)) {
     const CatalogueEntry* entry = catalogue.find_name(text);
     const Routing routing =
-        for_option("--routings: ", [&] { return read_actuated_routing(text, catalogue); });
+        for_option("--routings", [&] { return read_actuated_routing(text, catalogue); });
     PlannedRouting planned{"", to_word(routing), expand(routing), {}};
     planned.label = entry != nullptr ? entry->name : planned.word;
     for (const PlannedRouting& other : routings) {
       if (other.word == planned.word) {
-        throw InputError(
-            fmt::format("--routings '{}': '{}' is given twice", flags.routings, planned.word));
+        throw InputError({.where = fmt::format("--routings '{}'", flags.routings),
+                          .what = fmt::format("'{}' is given twice", planned.word)});
       }
     }
     planned.grasps =
-        for_option("--", [&] { return read_grasps(flags.grasps, planned.network.fingers); });
+        for_name("--", [&] { return read_grasps(flags.grasps, planned.network.fingers); });
     routings.push_back(std::move(planned));
   }
   return routings;
@@ -119,18 +124,19 @@ std::vector<Segment> all_channels(const std::vector<PlannedRouting>& routings, b
 std::vector<Segment> read_channels(const std::string& text,
                                    const std::vector<PlannedRouting>& routings) {
   if (text == "strands" || text == "all") return all_channels(routings, text == "strands");
+  const std::string option = fmt::format("--channels '{}'", text);
   std::vector<Segment> channels;
   for (const std::string& item : comma_separated(text)) {
-    try {
-      channels.push_back(parse_segment(item));
-    } catch (const InputError&) {
-      throw InputError(fmt::format(
-          "--channels '{}': '{}': expected strands, all, or a list of segments such as T1,T2,a",
-          text, item));
+    const auto segment = segment_named(item);
+    if (!segment) {
+      throw InputError({.where = option,
+                        .value = item,
+                        .expected = "strands, all, or a list of segments such as T1,T2,a"});
     }
+    channels.push_back(*segment);
     if (std::count_if(channels.begin(), channels.end(),
                       [&](const Segment& s) { return segment_name(s) == item; }) > 1) {
-      throw InputError(fmt::format("--channels '{}': '{}' is given twice", text, item));
+      throw InputError({.where = option, .what = fmt::format("'{}' is given twice", item)});
     }
   }
   return channels;
@@ -193,7 +199,7 @@ ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
   plan.runs = runs;
   plan.rows = rows;
   plan.repeats = repeats;
-  for_option("--", [&] { validate(plan); });
+  for_name("--", [&] { validate(plan); });
   return plan;
 }
 

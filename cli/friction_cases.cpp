@@ -21,9 +21,9 @@ FrictionCase read_case(const std::string& item, const Model& model) {
   double mu = std::numeric_limits<double>::quiet_NaN();
   const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), mu);
   if (error != std::errc{} || end != item.data() + item.size() || !(mu >= 0 && mu <= greatest_mu)) {
-    throw InputError(fmt::format(
-        "'{}': expected friction coefficients from 0 to 1, or 'model', such as 0.18,0.09,model",
-        item));
+    throw InputError(
+        {.value = item,
+         .expected = "friction coefficients from 0 to 1, or 'model', such as 0.18,0.09,model"});
   }
   FrictionCase result = with_coefficient(model, mu);
   validate(effective_hardware(result.model));
@@ -33,7 +33,7 @@ FrictionCase read_case(const std::string& item, const Model& model) {
 }  // namespace
 
 std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model) {
-  return for_option(fmt::format("--mu '{}': ", text), [&] {
+  return for_option(fmt::format("--mu '{}'", text), [&] {
     std::vector<FrictionCase> cases;
     std::set<std::pair<FrictionKind, double>> seen;
     std::istringstream items(text + ",");
@@ -47,7 +47,7 @@ std::vector<FrictionCase> read_friction_cases(const std::string& text, const Mod
       }
     }
     if (cases.size() > most_cases) {
-      throw InputError(fmt::format("expected at most {} of them", most_cases));
+      throw InputError({.expected = fmt::format("at most {} of them", most_cases)});
     }
     return cases;
   });

@@ -29,6 +29,10 @@ std::string names(const Catalogue& catalogue) {
   return list;
 }
 
+InputError no_file(const std::string& option) {
+  return InputError({.what = option, .value = "", .expected = "a TOML file"});
+}
+
 }  // namespace
 
 Catalogue shipped_catalogue() { return read_catalogue(CatalogueFiles::shipped()); }
@@ -36,10 +40,11 @@ Catalogue shipped_catalogue() { return read_catalogue(CatalogueFiles::shipped())
 Routing read_routing(const std::string& text, const Catalogue& catalogue) {
   if (const CatalogueEntry* entry = catalogue.find_name(text)) return entry->routing;
   if (looks_like_a_name(text)) {
-    throw InputError(fmt::format(
-        "routing '{}': no such name in the catalogue; expected one of {}, or a word such as "
-        "M-1-T-2-F",
-        text, names(catalogue)));
+    throw InputError(
+        {.where = fmt::format("routing '{}'", text),
+         .what = "no such name in the catalogue",
+         .expected = fmt::format("one of {}, or a word such as M-1-T-2-F", names(catalogue)),
+         .form = InputForm::unknown});
   }
   return parse_routing(text);
 }
@@ -66,7 +71,7 @@ CLI::Option* HardwareOption::add_to(CLI::App& command) {
 
 HardwareFile HardwareOption::read() const {
   if (option_->count() == 0) return {};
-  if (file_.empty()) throw InputError("--hardware '': expected a TOML file");
+  if (file_.empty()) throw no_file("--hardware");
   return read_hardware_file(file_);
 }
 
@@ -84,9 +89,9 @@ void SvgOption::write(const std::string& content) const {
   const bool other =
       std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
   if (file.empty() || other) {
-    throw InputError("--svg '" + file_ + "': expected the name of a file to write");
+    throw InputError({.what = "--svg", .value = file_, .expected = "the name of a file to write"});
   }
-  for_option("--svg: ", [&] { write_file(file, content); });
+  for_option("--svg", [&] { write_file(file, content); });
 }
 
 CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
@@ -112,7 +117,7 @@ void ModelOption::add_to(CLI::App& command) {
 
 ModelFile ModelOption::read() const {
   if (option_->count() > 0) {
-    if (file_.empty()) throw InputError("--model '': expected a TOML file");
+    if (file_.empty()) throw no_file("--model");
     return read_model_file(file_);
   }
   const HardwareFile file = hardware_.read();
@@ -129,9 +134,12 @@ void require_contacts_to_match(const Hardware& hardware, const std::vector<Routi
     });
   }
   if (unmatched.empty()) return;
-  throw InputError(fmt::format(
-      "hardware: contact '{}': expected two segments with a contact between them in {}",
-      unmatched.front(), routings.size() == 1 ? to_word(routings.front()) : "one of the routings"));
+  throw InputError({.where = "hardware",
+                    .what = "contact",
+                    .value = unmatched.front(),
+                    .expected = fmt::format(
+                        "two segments with a contact between them in {}",
+                        routings.size() == 1 ? to_word(routings.front()) : "one of the routings")});
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
@@ -163,7 +171,7 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
 GeneratorOptions GeneratorFlags::read() const {
   GeneratorOptions options;
   options.parts = parts == "paper" ? paper_parts() : full_parts();
-  for_option("--", [&] {
+  for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
     if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
     if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
@@ -210,17 +218,17 @@ void RankingFlags::add_to(CLI::App& command) {
 }
 
 Score RankingFlags::read_score() const {
-  return for_option("--", [&] { return parse_score(score); });
+  return for_name("--", [&] { return parse_score(score); });
 }
 
 Order RankingFlags::read_order() const {
   const bool by_score = score_given_->count() > 0;
   if (by_score && objectives_given_->count() == 0) return {{Objective::score}, true};
-  return {for_option("--", [&] { return parse_objectives(objectives); }), by_score};
+  return {for_name("--", [&] { return parse_objectives(objectives); }), by_score};
 }
 
 GraspSet RankingFlags::read_grasps(int fingers) const {
-  return for_option("--", [&] { return parse_grasps(grasps, fingers); });
+  return for_name("--", [&] { return parse_grasps(grasps, fingers); });
 }
 
 }  // namespace reeve::cli

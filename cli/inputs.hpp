@@ -24,13 +24,23 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
 
 Catalogue shipped_catalogue();
 
-// Runs `read` and puts the option's name before whatever input error it throws.
+// Runs `read`; the option is the place of whatever input error it throws.
 template <typename Read>
 auto for_option(const std::string& option, Read read) {
   try {
     return read();
   } catch (const InputError& error) {
-    throw InputError(option + error.what());
+    throw error.at(option);
+  }
+}
+
+// Runs `read`, whose errors begin with an option's name that lacks `start`: search says "shard".
+template <typename Read>
+auto for_name(const std::string& start, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw error.begun_with(start);
   }
 }
 

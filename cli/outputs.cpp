@@ -28,8 +28,9 @@ std::error_code why_not(const fs::path& folder) {
 void require_not_the_data(const fs::path& file, const fs::path& data, const std::string& option) {
   std::error_code ignored;
   if (!fs::equivalent(file, data, ignored)) return;
-  throw InputError(fmt::format("{}: '{}' would be written over the data: expected another place",
-                               option, file.string()));
+  throw InputError({.where = option,
+                    .what = fmt::format("'{}' would be written over the data", file.string()),
+                    .expected = "another place"});
 }
 
 void require_folder_can_be_written(const fs::path& folder, const std::string& option) {
@@ -38,21 +39,25 @@ void require_folder_can_be_written(const fs::path& folder, const std::string& op
   while (there.has_relative_path() && !fs::exists(there, ignored)) there = there.parent_path();
   const std::error_code error = why_not(there);
   if (!error) return;
-  throw InputError(fmt::format("{} '{}': expected a folder that can be written to: {}", option,
-                               folder.string(), error.message()));
+  throw InputError(
+      {.what = option,
+       .value = folder.string(),
+       .expected = fmt::format("a folder that can be written to: {}", error.message())});
 }
 
 void require_file_can_be_written(const fs::path& file, const std::string& option) {
   const std::error_code error =
       why_not(file.has_parent_path() ? file.parent_path() : fs::path("."));
   if (error) {
-    throw InputError(fmt::format("{} '{}': expected a file in a folder that can be written to: {}",
-                                 option, file.string(), error.message()));
+    throw InputError({.what = option,
+                      .value = file.string(),
+                      .expected = fmt::format("a file in a folder that can be written to: {}",
+                                              error.message())});
   }
   std::error_code ignored;
   if (file.has_filename() && !fs::is_directory(file, ignored)) return;
   throw InputError(
-      fmt::format("{} '{}': expected the name of a file, not a folder", option, file.string()));
+      {.what = option, .value = file.string(), .expected = "the name of a file, not a folder"});
 }
 
 }  // namespace reeve::cli

@@ -1,17 +1,63 @@
 // Two ways in which there is no answer.
 #pragma once
 
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "numerics/floors.hpp"
 
 namespace reeve::core {
 
-// What the user got wrong: found where input is read. One message that names the place, the value
-// and what was expected; the command line turns it into exit code 2.
+// How a sentence names what has the value.
+enum class InputForm : std::uint8_t {
+  option,   // what 'value': expected …
+  unknown,  // what 'value'; expected …
+  equals,   // what = value: expected …
+  cell,     // what = 'value': expected …
+};
+
+// What is wrong with an input, in parts. Each may be missing, and is then left out of the sentence;
+// a name or value that the user gives may also be there and empty. What is no matter of one value
+// stands as prose in `what`.
+struct InputFault {
+  std::optional<std::string> where = {};  // "d.csv:3", "routing 'M-1-Q', column 5"
+  std::string what = {};                  // "column 'T1_N'", "--shard", "tube.mu"
+  std::optional<std::string> value = {};  // as it can be shown
+  std::string expected = {};              // "a number from 0 to 10"
+  InputForm form = InputForm::option;
+};
+
+// "where: what 'value': expected …"
+std::string sentence(const InputFault& fault);
+
+// A copy with `change` made to each part.
+InputFault changed(InputFault fault, std::string (*change)(std::string));
+
+// What the user got wrong: thrown where input is read, caught only to add a place. Its message is
+// the fault's sentence; the command line turns it into exit code 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(InputFault fault);
+  // Prose. A template, since a string would take the braces of a fault for its own.
+  template <std::convertible_to<std::string> Text>
+  explicit InputError(const Text& prose) : InputError(InputFault{.what = prose}) {}
+
+  const InputFault& fault() const { return *fault_; }
+
+  // "place: " before the sentence; the parts stay, and `where` grows.
+  InputError at(const std::string& place) const;
+  // Before an error that says no more than what was expected: that of this thing. Before another
+  // one it is a place.
+  InputError at(const InputFault& thing) const;
+  // `start` before the name that the sentence begins with.
+  InputError begun_with(const std::string& start) const;
+
+ private:
+  std::shared_ptr<const InputFault> fault_;  // a copy of an exception must not throw
 };
 
 // What is well said but has no answer: tensions that no number can hold, exponents beyond any

@@ -37,10 +37,11 @@ void require_actuated(const NetworkGraph& graph, const std::string& word) {
   }
   for (std::size_t i = 0; i < tendon.size(); ++i) {
     if (!actuated[tendon[i]]) {
-      throw InputError(fmt::format(
-          "routing '{}': the tendon with {} is not actuated: it has no M and no P, so the motor "
-          "cannot pull it",
-          word, segment_name(graph[i])));
+      throw InputError(
+          {.where = fmt::format("routing '{}'", word),
+           .what = fmt::format("the tendon with {} is not actuated: it has no M and no P, so the "
+                               "motor cannot pull it",
+                               segment_name(graph[i]))});
     }
   }
 }

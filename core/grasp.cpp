@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/routing.hpp"
@@ -28,34 +29,46 @@ bool read(const std::string& text, Number& number) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-// `where` is what the user gave, for the message.
-Grasp read_grasp(const std::string& text, int fingers, const std::string& where) {
+struct ReadGrasp {
   Grasp grasp;
-  if (text == "none") return grasp;
+  std::optional<InputFault> fault;
+};
+
+ReadGrasp read_grasp(const std::string& text, int fingers) {
+  Grasp grasp;
+  if (text == "none") return {grasp, std::nullopt};
   for (const std::string& item : split(text, ',')) {
     int finger = 0;
     if (!read(item, finger) || finger < 1 || finger > fingers) {
-      throw InputError(
-          fmt::format("{}: '{}': expected none, or finger numbers from 1 to {} such as 1,2", where,
-                      item, fingers));
+      const std::string expected =
+          fmt::format("none, or finger numbers from 1 to {} such as 1,2", fingers);
+      return {grasp, InputFault{.value = item, .expected = expected}};
     }
     if (grasp.holds(finger)) {
-      throw InputError(fmt::format("{}: finger {} is named twice", where, finger));
+      return {grasp, InputFault{.what = fmt::format("finger {} is named twice", finger)}};
     }
     grasp.held |= hold({finger}).held;
   }
-  return grasp;
+  return {grasp, std::nullopt};
+}
+
+// `where` is what the user gave, for the message.
+Grasp require_grasp(const std::string& text, int fingers, const std::string& where) {
+  ReadGrasp read = read_grasp(text, fingers);
+  if (read.fault) throw InputError(std::move(*read.fault)).at(where);
+  return read.grasp;
 }
 
 WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers) {
   const std::vector<std::string> parts = split(item, ':');
-  WeightedGrasp result{read_grasp(parts[0], fingers, fmt::format("grasps '{}'", text)), 1};
+  const std::string where = fmt::format("grasps '{}'", text);
+  WeightedGrasp result{require_grasp(parts[0], fingers, where), 1};
   if (parts.size() == 1) return result;
   if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight >= 1e-6) ||
       !(result.weight <= 1e6)) {
-    throw InputError(fmt::format(
-        "grasps '{}': '{}': expected a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5",
-        text, item));
+    throw InputError({.where = where,
+                      .value = item,
+                      .expected = "a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5"});
   }
   return result;
 }
@@ -96,8 +109,13 @@ std::string to_text(Grasp grasp) {
   return grasp.held == 0 ? "none" : fmt::format("{}", fmt::join(held_fingers(grasp), ","));
 }
 
+std::optional<Grasp> grasp_named(const std::string& text, int fingers) {
+  const ReadGrasp read = read_grasp(text, fingers);
+  return read.fault ? std::nullopt : std::optional(read.grasp);
+}
+
 Grasp parse_grasp(const std::string& text, int fingers) {
-  return read_grasp(text, fingers, fmt::format("held '{}'", text));
+  return require_grasp(text, fingers, fmt::format("held '{}'", text));
 }
 
 GraspSet single_grasps(int fingers) {
@@ -109,9 +127,10 @@ GraspSet single_grasps(int fingers) {
 GraspSet all_grasps(int fingers) {
   constexpr int most = 16;
   if (fingers > most) {
-    throw InputError(fmt::format(
-        "grasps 'all': {} fingers have 2^{} grasps; expected at most {} fingers, or another set",
-        fingers, fingers, most));
+    throw InputError({.where = "grasps 'all'",
+                      .what = fmt::format("{} fingers have 2^{} grasps", fingers, fingers),
+                      .expected = fmt::format("at most {} fingers, or another set", most),
+                      .form = InputForm::unknown});
   }
   GraspSet grasps;
   const std::uint64_t everything = (std::uint64_t{1} << fingers) - 1;
@@ -129,7 +148,8 @@ GraspSet parse_grasps(const std::string& text, int fingers) {
   for (const std::string& item : split(text, '/')) {
     const WeightedGrasp grasp = parse_weighted(item, text, fingers);
     if (weight_of(grasp.grasp, grasps) > 0) {
-      throw InputError(fmt::format("grasps '{}': '{}' is given twice", text, to_text(grasp.grasp)));
+      throw InputError({.where = fmt::format("grasps '{}'", text),
+                        .what = fmt::format("'{}' is given twice", to_text(grasp.grasp))});
     }
     grasps.push_back(grasp);
   }

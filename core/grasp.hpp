@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ std::vector<int> held_fingers(Grasp grasp);
 
 // "none", "1", "1,3"
 std::string to_text(Grasp grasp);
+// The reverse; nothing of what is no such text, or names other fingers.
+std::optional<Grasp> grasp_named(const std::string& text, int fingers);
 // Throws InputError: the text, the offending item, and the fingers that there are.
 Grasp parse_grasp(const std::string& text, int fingers);
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
-#include "core/error.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {
@@ -22,7 +22,7 @@ constexpr Bounds closing_weights{1e-3, 1e3, ""};
 
 class FaultFinder {
  public:
-  const std::optional<std::string>& first() const { return first_; }
+  const std::optional<InputFault>& first() const { return first_; }
 
   void look_at(const Hardware& hardware) {
     law("tube", hardware.tube);
@@ -37,7 +37,8 @@ class FaultFinder {
       if (first_) return;
       const std::uint64_t bit = std::uint64_t{1} << (finger.finger - 1);
       if ((seen & bit) != 0) {
-        first_ = fmt::format("hardware: finger {} is given twice", finger.finger);
+        first_ = {.where = "hardware",
+                  .what = fmt::format("finger {} is given twice", finger.finger)};
       }
       seen |= bit;
     }
@@ -45,18 +46,26 @@ class FaultFinder {
   }
 
  private:
+  static InputFault fault(std::string where, std::string what, double value, std::string expected) {
+    return {.where = std::move(where),
+            .what = std::move(what),
+            .value = fmt::format("{}", value),
+            .expected = std::move(expected),
+            .form = InputForm::equals};
+  }
+
   void range(std::string_view where, std::string_view what, const std::optional<double>& value,
              const Bounds& bounds) {
     if (first_ || !value || (*value >= bounds.low && *value <= bounds.high)) return;
-    first_ =
-        fmt::format("hardware: {}.{} = {}: expected a number from {} to {}{}{}", where, what,
-                    *value, bounds.low, bounds.high, *bounds.unit == 0 ? "" : " ", bounds.unit);
+    first_ = fault("hardware", fmt::format("{}.{}", where, what), *value,
+                   fmt::format("a number from {} to {}{}{}", bounds.low, bounds.high,
+                               *bounds.unit == 0 ? "" : " ", bounds.unit));
   }
 
   void exponent(std::string_view where, double phi) {
     if (first_ || phi <= max_exponent) return;
-    first_ =
-        fmt::format("hardware: {}: mu * angle = {}: expected at most {}", where, phi, max_exponent);
+    first_ = fault(fmt::format("hardware: {}", where), "mu * angle", phi,
+                   fmt::format("at most {}", max_exponent));
   }
 
   void law(std::string_view where, const ContactLaw& law) {
@@ -67,8 +76,8 @@ class FaultFinder {
 
   void look_at(const FingerHardware& finger, const Hardware& hardware) {
     if (!first_ && !(finger.finger >= 1 && finger.finger <= max_fingers)) {
-      first_ = fmt::format("hardware: finger number = {}: expected a number from 1 to {}",
-                           finger.finger, max_fingers);
+      first_ = fault("hardware", "finger number", finger.finger,
+                     fmt::format("a number from 1 to {}", max_fingers));
     }
     const std::string where = fmt::format("finger.{}", finger.finger);
     range(where, "tip_mu", finger.tip_mu, coefficients);
@@ -91,12 +100,12 @@ class FaultFinder {
     range(where, "angle_rad", contact.angle_rad, angles);
   }
 
-  std::optional<std::string> first_;
+  std::optional<InputFault> first_;
 };
 
 }  // namespace
 
-std::optional<std::string> fault(const Hardware& hardware) {
+std::optional<InputFault> fault(const Hardware& hardware) {
   FaultFinder finder;
   finder.look_at(hardware);
   return finder.first();

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "numerics/floors.hpp"
 
 namespace reeve::core {
@@ -59,7 +60,7 @@ inline constexpr double max_exponent = 10;
 
 // The first quantity out of its range, with its value and what was expected; nothing if the
 // hardware is one that there can be.
-std::optional<std::string> fault(const Hardware& hardware);
+std::optional<InputFault> fault(const Hardware& hardware);
 // Throws it as an InputError.
 void validate(const Hardware& hardware);
 

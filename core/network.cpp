@@ -163,23 +163,27 @@ std::optional<std::size_t> find_segment(const Network& network, const Segment& w
   return static_cast<std::size_t>(found - network.segments.begin());
 }
 
-Segment parse_segment(const std::string& text) {
+std::optional<Segment> segment_named(std::string_view text) {
   const bool numbered = text.size() > 1 && text.size() < 6 && (text[0] == 'T' || text[0] == 'h') &&
-                        text.find_first_not_of("0123456789", 1) == std::string::npos &&
+                        text.find_first_not_of("0123456789", 1) == std::string_view::npos &&
                         text[1] != '0';
   if (numbered) {
-    const int number = std::stoi(text.substr(1));
-    if (text[0] == 'T') return {SegmentKind::strand, number, (number + 1) / 2};
-    return {SegmentKind::hand, number, 0};
+    const int number = std::stoi(std::string(text.substr(1)));
+    if (text[0] == 'T') return Segment{SegmentKind::strand, number, (number + 1) / 2};
+    return Segment{SegmentKind::hand, number, 0};
   }
   const int number = number_from_letters(text);
-  if (number == 0) {
-    throw InputError(fmt::format(
-        "hardware: contact: segment '{}': expected a strand (T1), a motor-side segment (a) or a "
-        "stretch at the hand (h1)",
-        text));
-  }
-  return {SegmentKind::motor_side, number, 0};
+  if (number == 0) return std::nullopt;
+  return Segment{SegmentKind::motor_side, number, 0};
+}
+
+Segment parse_segment(const std::string& text) {
+  if (const auto segment = segment_named(text)) return *segment;
+  throw InputError(
+      {.where = "hardware: contact",
+       .what = "segment",
+       .value = text,
+       .expected = "a strand (T1), a motor-side segment (a) or a stretch at the hand (h1)"});
 }
 
 }  // namespace reeve::core

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/routing.hpp"
@@ -85,7 +86,9 @@ std::optional<std::size_t> find_segment(const Network& network, const Segment& w
 
 // T1, a, h1.
 std::string segment_name(const Segment& segment);
-// The reverse. Throws InputError on what is no such name.
+// The reverse; nothing of what is no such name.
+std::optional<Segment> segment_named(std::string_view name);
+// Of a contact of the hardware. Throws InputError on what is no such name.
 Segment parse_segment(const std::string& name);
 const char* contact_kind_name(ContactKind kind);
 

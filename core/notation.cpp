@@ -28,20 +28,25 @@ struct Placed {
   std::size_t column;
 };
 
-std::string quoted(std::string_view word) {
+// As it can be shown: short, and printable.
+std::string shown(std::string_view word) {
   std::size_t shown_bytes = std::min<std::size_t>(word.size(), 60);
   // Not in the middle of a UTF-8 sequence.
   while (shown_bytes < word.size() && (word[shown_bytes] & '\xC0') == '\x80') --shown_bytes;
-  std::string shown;
+  std::string text;
   for (const char c : word.substr(0, shown_bytes)) {
     const bool plain = std::isprint(static_cast<unsigned char>(c)) != 0 || (c & '\x80') != 0;
-    shown += plain ? c : '?';
+    text += plain ? c : '?';
   }
-  return fmt::format("'{}{}'", shown, shown_bytes < word.size() ? "…" : "");
+  return shown_bytes < word.size() ? text + "…" : text;
 }
 
-[[noreturn]] void fail(std::string_view word, std::size_t column, const std::string& problem) {
-  throw InputError(fmt::format("routing {}, column {}: {}", quoted(word), column, problem));
+std::string quoted(std::string_view word) { return "'" + shown(word) + "'"; }
+
+// Of a token: what it is called, and what was expected in its place.
+[[noreturn]] void fail(std::string_view word, std::size_t column, InputFault fault) {
+  fault.where = fmt::format("routing {}, column {}", quoted(word), column);
+  throw InputError(std::move(fault));
 }
 
 Token read_finger(std::string_view word, std::string_view text, std::size_t column) {
@@ -50,18 +55,19 @@ Token read_finger(std::string_view word, std::string_view text, std::size_t colu
   const std::string_view suffix = digits == std::string_view::npos ? "" : text.substr(digits);
   if (suffix == "x") {
     fail(word, column,
-         fmt::format("{}: a tendon anchored at the fingertip (suffix x) is not yet supported",
-                     quoted(text)));
+         {.what =
+              fmt::format("{}: a tendon anchored at the fingertip (suffix x) is not yet supported",
+                          quoted(text))});
   }
   if (!suffix.empty() && suffix != "b") {
     fail(word, column,
-         fmt::format("{}: expected no suffix (tube at the fingertip) or b (bearing) behind the "
-                     "finger number",
-                     quoted(text)));
+         {.value = shown(text),
+          .expected = "no suffix (tube at the fingertip) or b (bearing) behind the finger number"});
   }
   if (number[0] == '0' || number.size() > 2 || std::stoi(std::string(number)) > max_fingers) {
     fail(word, column,
-         fmt::format("{}: expected a finger number from 1 to {}", quoted(text), max_fingers));
+         {.value = shown(text),
+          .expected = fmt::format("a finger number from 1 to {}", max_fingers)});
   }
   return finger(std::stoi(std::string(number)), suffix == "b" ? TipKind::bearing : TipKind::tube);
 }
@@ -74,11 +80,12 @@ Token read_token(std::string_view word, std::string_view text, std::size_t colum
     return read_finger(word, text, column);
   }
   if (!text.empty() && text[0] == 'Y') {
-    fail(word, column, fmt::format("{}: floating pulleys (Y) are not yet supported", quoted(text)));
+    fail(word, column,
+         {.what = fmt::format("{}: floating pulleys (Y) are not yet supported", quoted(text))});
   }
-  fail(word, column,
-       fmt::format("{}: expected M, F, T, B, P or a finger number such as 1 or 2b",
-                   text.empty() ? "an empty token" : "unknown token " + quoted(text)));
+  constexpr const char* expected = "M, F, T, B, P or a finger number such as 1 or 2b";
+  if (text.empty()) fail(word, column, {.what = "an empty token", .expected = expected});
+  fail(word, column, {.what = "unknown token", .value = shown(text), .expected = expected});
 }
 
 std::vector<Placed> read_walk(std::string_view word, std::size_t begin, std::size_t end) {
@@ -97,9 +104,9 @@ void require_ends(std::string_view word, const std::vector<Placed>& walk) {
   for (const Placed* outer : {&walk.front(), &walk.back()}) {
     if (!is_end(outer->token.kind)) {
       fail(word, outer->column,
-           fmt::format("a walk must begin and end with M or F, or come back to the finger that it "
-                       "began with, and {} does neither",
-                       quoted(outer->text)));
+           {.what = fmt::format("a walk must begin and end with M or F, or come back to the "
+                                "finger that it began with, and {} does neither",
+                                quoted(outer->text))});
     }
   }
 }
@@ -109,13 +116,13 @@ void require_inner_tokens(std::string_view word, const std::vector<Placed>& walk
     const TokenKind kind = walk[i].token.kind;
     if (is_end(kind) && i + 1 < walk.size()) {
       fail(word, walk[i].column,
-           fmt::format("{} ends a walk and cannot stand inside it; join tendons with +",
-                       quoted(walk[i].text)));
+           {.what = fmt::format("{} ends a walk and cannot stand inside it; join tendons with +",
+                                quoted(walk[i].text))});
     }
     if (kind == TokenKind::finger && walk[i - 1].token.kind == TokenKind::finger) {
       fail(word, walk[i].column,
-           fmt::format("between two fingers a join is needed: T, B or P before {}",
-                       quoted(walk[i].text)));
+           {.what = fmt::format("between two fingers a join is needed: T, B or P before {}",
+                                quoted(walk[i].text))});
     }
   }
 }
@@ -132,14 +139,15 @@ Tendon read_tendon(std::string_view word, std::vector<Placed>& walk) {
   tendon.closed = comes_back(walk);
   if (!tendon.closed) require_ends(word, walk);
   if (walk.size() == 1) {
-    fail(word, walk.front().column, "the walk has one token: a second end is missing");
+    fail(word, walk.front().column, {.what = "the walk has one token: a second end is missing"});
   }
   require_inner_tokens(word, walk);
   if (tendon.closed) {
     if (walk.front().token != walk.back().token) {
       fail(word, walk.back().column,
-           fmt::format("the loop begins with {} and comes back to {}: expected the same token",
-                       quoted(walk.front().text), quoted(walk.back().text)));
+           {.what = fmt::format("the loop begins with {} and comes back to {}",
+                                quoted(walk.front().text), quoted(walk.back().text)),
+            .expected = "the same token"});
     }
     walk.pop_back();
   }
@@ -156,8 +164,9 @@ class FingerLedger {
       if (placed.token.kind != TokenKind::finger) continue;
       if (std::exchange(passed_[placed.token.finger], true)) {
         fail(word_, placed.column,
-             fmt::format("finger {} is passed twice; a finger has two strands and one tendon",
-                         placed.token.finger));
+             {.what =
+                  fmt::format("finger {} is passed twice; a finger has two strands and one tendon",
+                              placed.token.finger)});
       }
       highest_ = std::max<int>(highest_, placed.token.finger);
     }
@@ -166,9 +175,10 @@ class FingerLedger {
   void require_no_gap() const {
     for (std::size_t f = 1; f < static_cast<std::size_t>(highest_); ++f) {
       if (!passed_[f]) {
-        throw InputError(fmt::format(
-            "routing {}: finger {} is missing; fingers are numbered 1 to {} without a gap",
-            quoted(word_), f, highest_));
+        throw InputError(
+            {.where = "routing " + quoted(word_),
+             .what = fmt::format("finger {} is missing; fingers are numbered 1 to {} without a gap",
+                                 f, highest_)});
       }
     }
   }
@@ -182,10 +192,16 @@ class FingerLedger {
 }  // namespace
 
 Routing parse_routing(std::string_view word) {
-  if (word.empty()) throw InputError("routing '': the word is empty; expected e.g. M-1-T-2-F");
+  if (word.empty()) {
+    throw InputError({.where = "routing ''",
+                      .what = "the word is empty",
+                      .expected = "e.g. M-1-T-2-F",
+                      .form = InputForm::unknown});
+  }
   if (word.size() > max_word_length) {
-    throw InputError(fmt::format("routing {}: the word has {} characters, at most {} are read",
-                                 quoted(word), word.size(), max_word_length));
+    throw InputError({.where = "routing " + quoted(word),
+                      .what = fmt::format("the word has {} characters, at most {} are read",
+                                          word.size(), max_word_length)});
   }
   Routing routing;
   FingerLedger ledger(word);

@@ -21,6 +21,7 @@ using core::Grasp;
 using core::Hardware;
 using core::hold;
 using core::InputError;
+using core::InputFault;
 using core::Mechanics;
 using core::mechanics;
 using core::Network;

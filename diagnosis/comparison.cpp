@@ -106,10 +106,10 @@ class Comparer {
       }
     }
     if (result_.values.empty()) {
-      throw InputError(
-          data_.file +
-          ": there is nothing to compare: expected rows with motor_tension_N, or with the tensions "
-          "of two strands that are not all slack");
+      throw InputError({.where = data_.file,
+                        .what = "there is nothing to compare",
+                        .expected = "rows with motor_tension_N, or with the tensions of two "
+                                    "strands that are not all slack"});
     }
     result_.tension = summarise(result_.values, Quantity::tension, data_);
     result_.share = summarise(result_.values, Quantity::share, data_);

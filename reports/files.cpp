@@ -30,8 +30,10 @@ void prepare_directory(const std::filesystem::path& directory, const std::string
     error = std::error_code(errno, std::generic_category());
   }
   if (error) {
-    throw InputError(fmt::format("{} '{}': expected a folder that can be written to: {}", option,
-                                 directory.string(), error.message()));
+    throw InputError(
+        {.what = option,
+         .value = directory.string(),
+         .expected = fmt::format("a folder that can be written to: {}", error.message())});
   }
 }
 

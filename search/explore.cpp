@@ -236,11 +236,13 @@ Shard parse_shard(const std::string& text) {
       return shard;
     }
   }
-  throw InputError(fmt::format("shard '{}': expected i/N with 1 <= i <= N, such as 2/8", text));
+  throw InputError(
+      {.what = "shard", .value = text, .expected = "i/N with 1 <= i <= N, such as 2/8"});
 }
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
-  if (options.top == 0) throw InputError("top 0: expected at least one design to keep");
+  if (options.top == 0)
+    throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   return Exploration(options).run(supervision);
 }
 

@@ -91,8 +91,9 @@ void require_sheaths_that_slide_so(const Publication& publication, const Catalog
                                    const IndicatorRow& row) {
   const Solution solution = solve(entry);
   const auto refuse = [&](const std::string& what) {
-    throw InputError(fmt::format("{}: indicators.row of {}: motor_side: {}", publication.file,
-                                 row.routing, what));
+    throw InputError({.where = fmt::format("{}: indicators.row of {}: motor_side", publication.file,
+                                           row.routing),
+                      .what = what});
   };
   if (row.motor_side.size() != solution.sheaths.size()) {
     refuse(fmt::format("expected {} segments, one for each sheath", solution.sheaths.size()));

@@ -129,10 +129,12 @@ class PublicationCheck {
       }
     }
     if (routings == 0) {
-      throw InputError(
-          fmt::format("{}:{}:{}: error.lines = \"{}\": expected \"table\", or the source of "
-                      "[[lines]] in the catalogue",
-                      publication_.file, error.lines_at.line, error.lines_at.column, error.lines));
+      throw InputError({.where = fmt::format("{}:{}:{}", publication_.file, error.lines_at.line,
+                                             error.lines_at.column),
+                        .what = "error.lines",
+                        .value = fmt::format("\"{}\"", error.lines),
+                        .expected = "\"table\", or the source of [[lines]] in the catalogue",
+                        .form = InputForm::equals});
     }
     const auto n = static_cast<double>(routings);
     const std::string source = fmt::format("{}, mu = {}", error.source, error.mu);

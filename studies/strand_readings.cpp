@@ -27,24 +27,27 @@ std::vector<double> strand_readings(const Publication& publication, const Catalo
     }
     if (found != nullptr) {
       throw InputError(
-          fmt::format("{}:{}: expected one row of {} that pulls in the grasp of its published "
-                      "numbers, which {} derives from",
-                      readings.file, reading.line, entry.name, publication.file));
+          {.where = fmt::format("{}:{}", readings.file, reading.line),
+           .expected = fmt::format("one row of {} that pulls in the grasp of its published "
+                                   "numbers, which {} derives from",
+                                   entry.name, publication.file)});
     }
     found = &reading;
   }
   if (found == nullptr) {
     throw InputError(
-        fmt::format("{}: its readings, {}, have no row of {} that pulls in the grasp of its "
-                    "published numbers",
-                    publication.file, readings.file, entry.name));
+        {.where = publication.file,
+         .what = fmt::format("its readings, {}, have no row of {} that pulls in the grasp of its "
+                             "published numbers",
+                             readings.file, entry.name)});
   }
   std::vector<double> strands = strands_of(readings, *found);
   for (const double tension : strands) {
     if (tension > 0) continue;
     throw InputError(
-        fmt::format("{}:{}: expected a tension above 0 in every strand, which {} derives from",
-                    readings.file, found->line, publication.file));
+        {.where = fmt::format("{}:{}", readings.file, found->line),
+         .expected = fmt::format("a tension above 0 in every strand, which {} derives from",
+                                 publication.file)});
   }
   return strands;
 }
@@ -53,10 +56,11 @@ const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& pu
                                const std::string& routing) {
   const CatalogueEntry* entry = catalogue.find_name(routing);
   if (entry == nullptr) {
-    throw InputError(
-        fmt::format("{}: routing = \"{}\": expected the name of a routing in the "
-                    "catalogue",
-                    publication.file, routing));
+    throw InputError({.where = publication.file,
+                      .what = "routing",
+                      .value = fmt::format("\"{}\"", routing),
+                      .expected = "the name of a routing in the catalogue",
+                      .form = InputForm::equals});
   }
   return *entry;
 }

@@ -102,9 +102,10 @@ void Distributions::read_data() {
          {}});
   }
   if (measured_.empty()) {
-    throw InputError(data.file +
-                     ": there is nothing to draw: expected readings, pulling, of all strands of "
-                     "one of the routings that are ranked");
+    throw InputError({.where = data.file,
+                      .what = "there is nothing to draw",
+                      .expected = "readings, pulling, of all strands of one of the routings that "
+                                  "are ranked"});
   }
 }
 

@@ -37,7 +37,7 @@ auto parsed(const TomlNode& table, std::string_view key, std::string_view expect
   try {
     return parse(text);
   } catch (const InputError& error) {
-    node.fail_at_value(fmt::format("{}: {}", node.name, error.what()));
+    node.fail_at_value(error.at(node.name).fault());
   }
 }
 
@@ -45,12 +45,8 @@ Segment read_channel(const TomlNode& table) {
   constexpr std::string_view expected =
       "a strand (T1), a motor-side segment (a) or a stretch at the hand (h1), in quotes";
   const TomlNode& node = table.require("channel", expected);
-  const std::string& text = node.text();
-  try {
-    return parse_segment(text);
-  } catch (const InputError&) {
-    node.fail_expected(expected);
-  }
+  if (const auto channel = segment_named(node.text())) return *channel;
+  node.fail_expected(expected);
 }
 
 Routing read_routing(const TomlNode& table) {
@@ -109,8 +105,9 @@ double read_parameter(const TomlNode& table, const Parameter& parameter) {
 void require_new(const TomlNode& table, const Effect& effect, const Model& model) {
   for (const Effect& other : model.effects) {
     if (!is_about_the_same(effect, other)) continue;
-    table.fail_at_key(fmt::format("{}: {} is given twice: expected each effect once", table.name,
-                                  effect_name(effect)));
+    table.fail_at_key(
+        {.what = fmt::format("{}: {} is given twice", table.name, effect_name(effect)),
+         .expected = "each effect once"});
   }
 }
 

@@ -41,8 +41,9 @@ int finger_number(const TomlNode& node) {
   for (int finger = 1; finger <= max_fingers; ++finger) {
     if (node.key == std::to_string(finger)) return finger;
   }
-  node.fail_at_key(
-      fmt::format("unknown table '{}': expected finger.1 to finger.{}", node.name, max_fingers));
+  node.fail_at_key({.what = "unknown table",
+                    .value = node.name,
+                    .expected = fmt::format("finger.1 to finger.{}", max_fingers)});
 }
 
 void read_finger(const TomlNode& node, Hardware& hardware) {
@@ -69,8 +70,9 @@ void read_contact(const TomlNode& node, Hardware& hardware) {
   node.table().allow_only({"mu", "angle_rad"});
   const std::size_t dash = node.key.find('-');
   if (dash == std::string::npos) {
-    node.fail_at_key(fmt::format(
-        "contact '{}': expected the two segments beside it, such as [contact.\"a-T1\"]", node.key));
+    node.fail_at_key({.what = "contact",
+                      .value = node.key,
+                      .expected = "the two segments beside it, such as [contact.\"a-T1\"]"});
   }
   ContactHardware contact;
   contact.segment = node.key.substr(0, dash);
@@ -79,7 +81,7 @@ void read_contact(const TomlNode& node, Hardware& hardware) {
   read_if_given(node, "angle_rad", contact.angle_rad);
   for (const ContactHardware& other : hardware.contacts) {
     if (same_contact(contact, other)) {
-      node.fail_at_key(fmt::format("contact '{}': expected each contact once", node.key));
+      node.fail_at_key({.what = "contact", .value = node.key, .expected = "each contact once"});
     }
   }
   hardware.contacts.push_back(contact);
@@ -96,8 +98,10 @@ void read_range(const TomlNode& table, std::string_view key, MuRange& range) {
   if (node->kind != TomlKind::array || node->children.size() != 2) node->fail_expected(expected);
   range = {node->children[0].number_from_zero(), node->children[1].number_from_zero()};
   if (range.low > range.high || range.high > 10) {
-    node->fail_at_value(fmt::format("{} = [{}, {}]: expected {}, at most 10", node->name, range.low,
-                                    range.high, expected));
+    node->fail_at_value({.what = node->name,
+                         .value = fmt::format("[{}, {}]", range.low, range.high),
+                         .expected = fmt::format("{}, at most 10", expected),
+                         .form = InputForm::equals});
   }
 }
 
@@ -127,7 +131,7 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
   try {
     const MechanicsBuilder checks_segment_names_too(hardware);
   } catch (const InputError& error) {
-    table.fail_at_key(error.what());
+    table.fail_at_key(error.fault());
   }
 }
 

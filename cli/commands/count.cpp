@@ -18,7 +18,7 @@ struct CountFlags {
 
 void run(const CountFlags& flags) {
   const GeneratorOptions options = flags.generator.read();
-  const RoutingCounts counts = for_option(fmt::format("--fingers {}: ", options.fingers), [&] {
+  const RoutingCounts counts = for_option(fmt::format("--fingers {}", options.fingers), [&] {
     return count_routings(options.parts, options.fingers, options.identity);
   });
   std::cout << (flags.format.is("json") ? count_json(counts)

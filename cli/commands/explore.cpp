@@ -39,8 +39,10 @@ struct ExploreFlags {
 void require_fingers(const Hardware& hardware, int fingers) {
   for (const ContactHardware& contact : hardware.contacts) {
     if (highest_finger(contact) <= fingers) continue;
-    throw InputError(fmt::format("hardware: contact '{}-{}': expected strands of fingers 1 to {}",
-                                 contact.segment, contact.other_segment, fingers));
+    throw InputError({.where = "hardware",
+                      .what = "contact",
+                      .value = fmt::format("{}-{}", contact.segment, contact.other_segment),
+                      .expected = fmt::format("strands of fingers 1 to {}", fingers)});
   }
 }
 
@@ -48,16 +50,16 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   ExploreOptions options;
   options.generator = flags.generator.read();
   // Says early, before anything is written, if there are too many to count.
-  for_option(fmt::format("--fingers {}: ", flags.generator.fingers),
+  for_option(fmt::format("--fingers {}", flags.generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
   require_fingers(model.hardware, options.generator.fingers);
-  options.shard = for_option("--", [&] { return parse_shard(flags.shard); });
+  options.shard = for_name("--", [&] { return parse_shard(flags.shard); });
   options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.order = flags.ranking.read_order();
   options.score = flags.ranking.read_score();
   for (const std::string& text : flags.constraints) {
-    const Constraint constraint = for_option("--", [&] { return parse_constraint(text); });
+    const Constraint constraint = for_name("--", [&] { return parse_constraint(text); });
     for (const Constraint& other : options.constraints) {
       if (other.text != constraint.text) continue;
       throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));

@@ -58,21 +58,25 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
     }
   }
   if (result.empty()) {
-    throw InputError("rank: nothing to rank; expected routings, or --catalog");
+    throw InputError({.where = "rank",
+                      .what = "nothing to rank",
+                      .expected = "routings, or --catalog",
+                      .form = InputForm::unknown});
   }
   std::set<std::string> words;
   for (const Routing& routing : result) {
     const std::string word = to_word(routing);
     if (finger_count(routing) == 0) {
-      throw InputError(
-          fmt::format("routing '{}': it has no fingers, so there is nothing to rank", word));
+      throw InputError({.where = fmt::format("routing '{}'", word),
+                        .what = "it has no fingers, so there is nothing to rank"});
     }
     if (finger_count(routing) != finger_count(result.front())) {
-      throw InputError(fmt::format(
-          "routing '{}': it has {} finger{} and '{}' has {}; only routings with the same number of "
-          "fingers can be compared",
-          word, finger_count(routing), finger_count(routing) == 1 ? "" : "s",
-          to_word(result.front()), finger_count(result.front())));
+      throw InputError(
+          {.where = fmt::format("routing '{}'", word),
+           .what = fmt::format("it has {} finger{} and '{}' has {}; only routings with the same "
+                               "number of fingers can be compared",
+                               finger_count(routing), finger_count(routing) == 1 ? "" : "s",
+                               to_word(result.front()), finger_count(result.front()))});
     }
     if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
       throw InputError(fmt::format("routing '{}' is given twice", word));

@@ -32,7 +32,7 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
   if (flags.held.empty()) return single_grasps(fingers);
   GraspSet grasps;
   for (const std::string& held : flags.held) {
-    const Grasp grasp = for_option("--", [&] { return parse_grasp(held, fingers); });
+    const Grasp grasp = for_name("--", [&] { return parse_grasp(held, fingers); });
     for (const WeightedGrasp& other : grasps) {
       if (other.grasp == grasp) throw InputError("--held " + held + " is given twice");
     }
@@ -61,7 +61,9 @@ void require_one_grasp_to_draw(const ShowFlags& flags) {
   const std::string what = flags.svg.is_given()     ? "--svg"
                            : flags.format.is("dot") ? "--format dot"
                                                     : "";
-  if (!what.empty()) throw InputError(what + " draws one grasp: expected --held once at most");
+  if (!what.empty()) {
+    throw InputError({.what = what + " draws one grasp", .expected = "--held once at most"});
+  }
 }
 
 void write_drawing(const ShowFlags& flags, const ShownRouting& report) {

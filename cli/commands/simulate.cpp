@@ -77,8 +77,9 @@ std::string with_word(const std::string& cause, const Catalogue& catalogue) {
 Setting read_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw InputError(
-        fmt::format("--set '{}': expected a parameter and its value, such as gain=1.08", text));
+    throw InputError({.what = "--set",
+                      .value = text,
+                      .expected = "a parameter and its value, such as gain=1.08"});
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
@@ -90,8 +91,9 @@ std::vector<NamedEffect> read_causes(const SimulateFlags& flags, const Catalogue
     if (given.option == flags.cause) causes.push_back({with_word(given.value, catalogue), {}});
     if (given.option != flags.set) continue;
     if (causes.empty()) {
-      throw InputError(fmt::format("--set '{}': expected a --cause before it, to which it belongs",
-                                   given.value));
+      throw InputError({.what = "--set",
+                        .value = given.value,
+                        .expected = "a --cause before it, to which it belongs"});
     }
     causes.back().settings.push_back(read_setting(given.value));
   }
@@ -115,10 +117,11 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   const Survey possible = survey(plan);
   for (const NamedEffect& cause : read_causes(flags, catalogue)) {
     const Effect effect =
-        for_option("--cause ", [&] { return effect_of(cause, possible, model.hardware); });
+        for_name("--cause ", [&] { return effect_of(cause, possible, model.hardware); });
     for (const Effect& other : model.effects) {
       if (same(effect, other)) {
-        throw InputError(fmt::format("--cause '{}': it is given twice", cause.name));
+        throw InputError(
+            {.where = fmt::format("--cause '{}'", cause.name), .what = "it is given twice"});
       }
     }
     add_effect(model, effect);
@@ -139,7 +142,8 @@ SimulationReport report_of(const SimulateFlags& flags) {
 
 void run(const SimulateFlags& flags) {
   const bool to_file = flags.out_given->count() > 0;
-  if (to_file && flags.out.empty()) throw InputError("-o '': expected a file");
+  if (to_file && flags.out.empty())
+    throw InputError({.what = "-o", .value = "", .expected = "a file"});
   SimulationReport report = report_of(flags);
   if (flags.power > 0) {
     const auto power = supervised([&](const StudySupervision& supervision) {

@@ -15,8 +15,9 @@ namespace reeve::diagnosis {
 namespace {
 
 [[noreturn]] void fail_too_large(const std::string& name) {
-  throw InputError(fmt::format(
-      "{}: is larger than 512 MiB: expected a CSV file with one row per reading", name));
+  throw InputError({.where = name,
+                    .what = "is larger than 512 MiB",
+                    .expected = "a CSV file with one row per reading"});
 }
 
 // In pieces, since what is no regular file (a pipe) does not tell its size.
@@ -28,18 +29,21 @@ std::string read_stream(std::istream& in, const std::string& name) {
     text.append(piece, 0, static_cast<std::size_t>(in.gcount()));
     if (text.size() > max_csv_size) fail_too_large(name);
   }
-  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", name));
+  if (in.bad()) throw InputError({.where = name, .what = "cannot be read to its end"});
   return text;
 }
 
 std::string read_file(const std::filesystem::path& path, const std::string& name) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a directory: expected a CSV file", name));
+    throw InputError({.where = name, .what = "is a directory", .expected = "a CSV file"});
   }
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
+  if (!in) {
+    throw InputError(
+        {.where = name, .what = fmt::format("cannot be read: {}", std::strerror(errno))});
+  }
   if (std::filesystem::is_regular_file(path, error) &&
       std::filesystem::file_size(path, error) > max_csv_size && !error) {
     fail_too_large(name);
@@ -68,7 +72,10 @@ CsvReader::CsvReader(std::string text, std::string name)
     : text_(std::move(text)), name_(std::move(name)) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = line_begin_ = 3;
   require_no_nul();
-  if (!at_row()) throw InputError(name_ + ": is empty: expected a header and rows below it");
+  if (!at_row()) {
+    throw InputError(
+        {.where = name_, .what = "is empty", .expected = "a header and rows below it"});
+  }
   separator_ = find_separator();
   read_row(header_);
   columns_ = header_.fields.size();
@@ -85,8 +92,10 @@ bool CsvReader::next(CsvRow& row) {
   return true;
 }
 
-void CsvReader::fail(Place place, std::string_view message) const {
-  throw InputError(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
+void CsvReader::fail(Place place, std::string what, std::string expected) const {
+  throw InputError({.where = fmt::format("{}:{}:{}", name_, place.line, place.column),
+                    .what = std::move(what),
+                    .expected = std::move(expected)});
 }
 
 void CsvReader::require_no_nul() {
@@ -97,7 +106,7 @@ void CsvReader::require_no_nul() {
   const std::size_t last = before.rfind('\n');
   const std::size_t column =
       last == std::string_view::npos ? nul + 1 - line_begin_ : before.size() - last;
-  fail({lines + 1, column}, "a NUL byte: expected text in UTF-8 (UTF-16 must be converted)");
+  fail({lines + 1, column}, "a NUL byte", "text in UTF-8 (UTF-16 must be converted)");
 }
 
 char CsvReader::find_separator() const {
@@ -113,14 +122,19 @@ char CsvReader::find_separator() const {
     tabs += c == '\t' ? 1 : 0;
   }
   if (commas > 0 && semicolons > 0) {
-    fail(here(), fmt::format("the header has {} commas and {} semicolons outside quotes: expected "
-                             "one of them, as separator",
-                             commas, semicolons));
+    fail(here(),
+         fmt::format("the header has {} commas and {} semicolons outside quotes", commas,
+                     semicolons),
+         "one of them, as separator");
   }
   if (commas == 0 && semicolons == 0 && tabs > 0) {
-    fail(here(), "the header has tabs: expected commas or semicolons as separator");
+    fail(here(), "the header has tabs", "commas or semicolons as separator");
   }
   return semicolons > 0 ? ';' : ',';
+}
+
+std::string CsvReader::as_many_as_the_header() const {
+  return fmt::format("{}, as many as the header in line {} has", columns_, header_.line);
 }
 
 // Passes comments and empty lines.
@@ -147,9 +161,8 @@ void CsvReader::read_row(CsvRow& row) {
   } while (take_separator(count));
   row.fields.resize(count);
   if (columns_ != 0 && count != columns_) {
-    fail(here(), fmt::format("the row ends after {} {}: expected {}, as many as the header in line "
-                             "{} has",
-                             count, count == 1 ? "field" : "fields", columns_, header_.line));
+    fail(here(), fmt::format("the row ends after {} {}", count, count == 1 ? "field" : "fields"),
+         as_many_as_the_header());
   }
   if (at_ < text_.size()) end_line();
 }
@@ -161,8 +174,7 @@ void CsvReader::read_field(std::string& field) {
   while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
          text_[at_] != '\r') {
     if (text_[at_] == '"') {
-      fail(here(),
-           "a quote inside a field: expected the whole field in quotes, and the quote twice");
+      fail(here(), "a quote inside a field", "the whole field in quotes, and the quote twice");
     }
     ++at_;
   }
@@ -180,13 +192,13 @@ void CsvReader::read_quoted(std::string& field) {
       line_begin_ = at_;
     }
     field.append(text_, begin, at_ - begin);
-    if (at_ == text_.size()) fail(opening, "the quote is not closed: expected another one");
+    if (at_ == text_.size()) fail(opening, "the quote is not closed", "another one");
     if (++at_ == text_.size() || text_[at_] != '"') break;
     field += '"';
   }
   if (at_ < text_.size() && text_[at_] != separator_ && !at_line_end()) {
-    fail(here(), fmt::format("'{}' behind the closing quote: expected '{}' or the end of the line",
-                             for_message(text_.substr(at_, 1)), separator_));
+    fail(here(), fmt::format("'{}' behind the closing quote", for_message(text_.substr(at_, 1))),
+         fmt::format("'{}' or the end of the line", separator_));
   }
 }
 
@@ -204,15 +216,12 @@ void CsvReader::end_line() {
 // Stops early in a row that is too long, however long it is.
 bool CsvReader::take_separator(std::size_t fields) {
   if (at_ == text_.size() || at_line_end()) return false;
-  if (text_[at_] == '\r') fail(here(), "a carriage return alone: expected LF or CRLF at line ends");
+  if (text_[at_] == '\r') fail(here(), "a carriage return alone", "LF or CRLF at line ends");
   ++at_;
   if (fields == max_csv_columns) {
-    fail(here(), fmt::format("a further field: expected at most {}", max_csv_columns));
+    fail(here(), "a further field", fmt::format("at most {}", max_csv_columns));
   }
-  if (fields == columns_) {
-    fail(here(), fmt::format("a further field: expected {}, as many as the header in line {} has",
-                             columns_, header_.line));
-  }
+  if (fields == columns_) fail(here(), "a further field", as_many_as_the_header());
   return true;
 }
 

@@ -59,8 +59,9 @@ class CsvReader {
   };
 
   Place here() const { return {line_, at_ - line_begin_ + 1}; }
-  [[noreturn]] void fail(Place place, std::string_view message) const;
+  [[noreturn]] void fail(Place place, std::string what, std::string expected) const;
 
+  std::string as_many_as_the_header() const;
   void require_no_nul();
   char find_separator() const;
   bool at_row();

@@ -25,9 +25,10 @@ double CsvNumberReader::read(std::string_view text, std::size_t line, double low
                          !(*begin == '-' && begin != number.data());
   if (is_number && value >= low && value <= high) return value;
   if (std::isinf(high) && std::isinf(low)) {
-    throw InputError("expected a finite number such as 12.5, or an empty cell");
+    throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
   }
-  throw InputError(fmt::format("expected a number from {} to {}, or an empty cell", low, high));
+  throw InputError(
+      {.expected = fmt::format("a number from {} to {}, or an empty cell", low, high)});
 }
 
 void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) {
@@ -37,9 +38,9 @@ void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) 
   if (point && point_line_ == 0) point_line_ = line;
   if (comma_line_ == 0 || point_line_ == 0 || !(comma || point)) return;
   throw InputError(
-      fmt::format("the file has decimal commas (line {}) and decimal points (line {}): expected "
-                  "one of them throughout",
-                  comma_line_, point_line_));
+      {.what = fmt::format("the file has decimal commas (line {}) and decimal points (line {})",
+                           comma_line_, point_line_),
+       .expected = "one of them throughout"});
 }
 
 }  // namespace reeve::diagnosis

@@ -66,20 +66,16 @@ std::optional<Segment> segment_of(const std::string& name) {
   if (!name.starts_with('T') || !name.ends_with("_N")) return std::nullopt;
   const bool strand = std::isdigit(static_cast<unsigned char>(name[1])) != 0;
   const std::size_t begin = strand ? 0 : 1;
-  try {
-    return parse_segment(name.substr(begin, name.size() - 2 - begin));
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  return segment_named(std::string_view(name).substr(begin, name.size() - 2 - begin));
 }
 
 // Throws InputError without the place.
 DataColumn read_column(const std::string& name) {
-  if (name.empty()) throw InputError("has no name: expected one");
+  if (name.empty()) throw InputError({.what = "has no name", .expected = "one"});
   for (const KnownColumn& known : known_columns) {
     if (name == known.name) return {known.role, name, known.low, known.high, {}};
     if (lower(name) == lower(known.name)) {
-      throw InputError(fmt::format("expected '{}', written so", known.name));
+      throw InputError({.expected = fmt::format("'{}', written so", known.name)});
     }
   }
   if (!looks_like_a_tension(name)) {
@@ -87,18 +83,23 @@ DataColumn read_column(const std::string& name) {
   }
   const std::optional<Segment> segment = segment_of(name);
   if (!segment) {
-    throw InputError(
-        "expected a tension written as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch "
-        "at the hand)");
+    throw InputError({.expected =
+                          "a tension written as T1_N (strand), Ta_N (motor-side segment) or Th1_N "
+                          "(stretch at the hand)"});
   }
   return {DataRole::tension, name, 0, max_tension_N, *segment};
 }
 
+std::string place_of_header(const CsvReader& csv) {
+  return fmt::format("{}:{}", csv.name(), csv.header().line);
+}
+
 void require(const CsvReader& csv, const std::vector<DataColumn>& columns, DataRole role,
-             std::string_view expected) {
+             const std::string& column, const std::string& expected) {
   if (find_column(columns, role)) return;
-  throw InputError(
-      fmt::format("{}:{}: the header has no column {}", csv.name(), csv.header().line, expected));
+  throw InputError({.where = place_of_header(csv),
+                    .what = "the header has no column " + column,
+                    .expected = expected});
 }
 
 }  // namespace
@@ -110,25 +111,23 @@ std::vector<DataColumn> read_columns(const CsvReader& csv) {
   for (const std::string& field : header.fields) {
     const std::string name(trimmed(field));
     const std::size_t number = columns.size() + 1;
-    const auto where = [&] {
-      return fmt::format("{}:{}: column {} '{}'", csv.name(), header.line, number,
-                         for_message(name));
-    };
     const auto [first, is_new] = seen.emplace(name, number);
-    if (!is_new && !name.empty()) {
-      throw InputError(fmt::format("{}: column {} has that name already", where(), first->second));
-    }
     try {
+      if (!is_new && !name.empty()) {
+        throw InputError(fmt::format("column {} has that name already", first->second));
+      }
       columns.push_back(read_column(name));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", where(), error.what()));
+      throw error.at(InputFault{.where = place_of_header(csv),
+                                .what = fmt::format("column {}", number),
+                                .value = for_message(name)});
     }
   }
-  require(csv, columns, DataRole::run, "'run': expected a name or number for each run");
-  require(csv, columns, DataRole::routing, "'routing': expected a routing in each row");
-  require(csv, columns, DataRole::tension,
-          "of tensions: expected at least one such as T1_N (strand), Ta_N (motor-side segment) or "
-          "Th1_N (stretch at the hand)");
+  require(csv, columns, DataRole::run, "'run'", "a name or number for each run");
+  require(csv, columns, DataRole::routing, "'routing'", "a routing in each row");
+  require(csv, columns, DataRole::tension, "of tensions",
+          "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at the "
+          "hand)");
   return columns;
 }
 

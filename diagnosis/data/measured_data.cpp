@@ -32,21 +32,18 @@ Grasp read_held(std::string_view text, int fingers) {
   std::replace(held.begin(), held.end(), ';', ',');
   held.erase(std::remove(held.begin(), held.end(), ' '), held.end());
   if (held.empty() || held == "none") return {};
-  if (fingers == 0) throw InputError("expected an empty cell: the routing has no fingers");
-  try {
-    return parse_grasp(held, fingers);
-  } catch (const InputError&) {
-    throw InputError(fmt::format(
-        "expected an empty cell (none held), or finger numbers from 1 to {}, each once, such as "
-        "{}",
-        fingers, fingers > 1 ? "1;2" : "1"));
-  }
+  if (fingers == 0) throw InputError({.expected = "an empty cell: the routing has no fingers"});
+  if (const auto grasp = grasp_named(held, fingers)) return *grasp;
+  throw InputError(
+      {.expected = fmt::format("an empty cell (none held), or finger numbers from 1 to {}, each "
+                               "once, such as {}",
+                               fingers, fingers > 1 ? "1;2" : "1")});
 }
 
 Direction read_direction(std::string_view text) {
   if (text.empty() || text == "pull") return Direction::pull;
   if (text == "release") return Direction::release;
-  throw InputError("expected pull, release, or an empty cell (pull)");
+  throw InputError({.expected = "pull, release, or an empty cell (pull)"});
 }
 
 // The first ones: a message has one line.
@@ -81,8 +78,8 @@ class DataReader {
     data_.file = csv_.name();
     for (CsvRow row; csv_.next(row);) read_row(row);
     if (data_.readings.empty()) {
-      throw InputError(fmt::format("{}:{}: expected rows below the header, and there are none",
-                                   data_.file, csv_.header().line));
+      throw InputError({.where = fmt::format("{}:{}", data_.file, csv_.header().line),
+                        .expected = "rows below the header, and there are none"});
     }
     std::vector<CsvComment> below;
     for (const CsvComment& comment : csv_.comments()) {
@@ -101,9 +98,11 @@ class DataReader {
     try {
       return action(cell);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}:{}: column '{}' = '{}': {}", csv_.name(), row.line,
-                                   for_message(columns_[column].name), for_message(cell),
-                                   one_line(error.what())));
+      throw InputError(changed(error.fault(), one_line))
+          .at(InputFault{.where = fmt::format("{}:{}", csv_.name(), row.line),
+                         .what = fmt::format("column '{}'", for_message(columns_[column].name)),
+                         .value = for_message(cell),
+                         .form = InputForm::cell});
     }
   }
 
@@ -124,10 +123,11 @@ class DataReader {
     }
     const auto is_given = [](const std::optional<double>& tension) { return tension.has_value(); };
     if (std::none_of(reading.tension_N.begin(), reading.tension_N.end(), is_given)) {
-      throw InputError(fmt::format(
-          "{}:{}: the row has no tension: expected a number in column '{}' "
-          "or another one of tensions",
-          csv_.name(), row.line, columns_[*find_column(columns_, DataRole::tension)].name));
+      throw InputError(
+          {.where = fmt::format("{}:{}", csv_.name(), row.line),
+           .what = "the row has no tension",
+           .expected = fmt::format("a number in column '{}' or another one of tensions",
+                                   columns_[*find_column(columns_, DataRole::tension)].name)});
     }
     data_.readings.push_back(std::move(reading));
   }
@@ -179,15 +179,16 @@ class DataReader {
     const std::optional<double> value = number(row, column);
     if (!value || routing.segments[channel]) return value;
     return at(row, column, [&](std::string_view) -> std::optional<double> {
-      throw InputError(fmt::format(
-          "the routing '{}' has no segment {}: expected an empty cell; its "
-          "segments are {}",
-          for_message(routing.word), data_.channels[channel].name, segment_names(routing.network)));
+      throw InputError(
+          {.what = fmt::format("the routing '{}' has no segment {}", for_message(routing.word),
+                               data_.channels[channel].name),
+           .expected =
+               fmt::format("an empty cell; its segments are {}", segment_names(routing.network))});
     });
   }
 
   std::size_t run(std::string_view text) {
-    if (text.empty()) throw InputError("expected a name or number for the run");
+    if (text.empty()) throw InputError({.expected = "a name or number for the run"});
     const auto [found, is_new] = runs_.emplace(text, data_.runs.size());
     if (is_new) data_.runs.emplace_back(text);
     return found->second;
@@ -196,7 +197,7 @@ class DataReader {
   std::size_t routing(std::string_view text) {
     const auto found = routings_.find(text);
     if (found != routings_.end()) return found->second;
-    if (text.empty()) throw InputError("expected a routing such as M-1-T-2-F");
+    if (text.empty()) throw InputError({.expected = "a routing such as M-1-T-2-F"});
     const std::size_t index = add_routing(resolve_(std::string(text)));
     routings_.emplace(text, index);
     return index;

@@ -55,9 +55,10 @@ Sample sample(const MeasuredData& data, double share, std::uint64_t seed) {
   result.training = dataset(data, thin(split.training));
   result.held_out = dataset(data, thin(split.held_out));
   if (result.training.cells.empty()) {
-    throw InputError(data.file +
-                     ": there is nothing to diagnose: expected rows with motor_tension_N, or with "
-                     "two tensions that are not both slack");
+    throw InputError(
+        {.where = data.file,
+         .what = "there is nothing to diagnose",
+         .expected = "rows with motor_tension_N, or with two tensions that are not both slack"});
   }
   result.rows = result.training.rows.size() + result.held_out.rows.size();
   result.runs = data.runs.size();

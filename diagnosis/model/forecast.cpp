@@ -127,7 +127,7 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
   for (const Block& block : dataset.blocks) {
     const std::size_t reading = dataset.rows[block.rows.front()].reading;
     const Hardware hardware = hardware_of(model, block);
-    if (auto found = fault(hardware)) return NoForecast{reading, std::move(*found)};
+    if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};
     if (!BlockForecast(dataset, model, block, hardware, result).run()) {
       return NoForecast{reading, "friction is so strong that tensions fall out of range"};
     }

@@ -102,7 +102,8 @@ void require_channels(const ExperimentPlan& plan) {
         [&](const PlannedRouting& routing) { return find_segment(routing.network, channel); });
     if (!found) {
       throw InputError(
-          fmt::format("channels: '{}': no routing has that segment", segment_name(channel)));
+          {.where = "channels",
+           .what = fmt::format("'{}': no routing has that segment", segment_name(channel))});
     }
   }
   for (const PlannedRouting& routing : plan.routings) {
@@ -110,9 +111,9 @@ void require_channels(const ExperimentPlan& plan) {
         std::any_of(plan.channels.begin(), plan.channels.end(),
                     [&](const Segment& channel) { return find_segment(routing.network, channel); });
     if (!measured) {
-      throw InputError(fmt::format(
-          "channels: none of them is a segment of {}: expected at least one for each routing",
-          routing.label));
+      throw InputError({.where = "channels",
+                        .what = fmt::format("none of them is a segment of {}", routing.label),
+                        .expected = "at least one for each routing"});
     }
   }
 }
@@ -121,18 +122,20 @@ void require_channels(const ExperimentPlan& plan) {
 
 void validate(const ExperimentPlan& plan) {
   if (plan.runs < plan.routings.size()) {
-    throw InputError(
-        fmt::format("runs = {}: expected at least {}, one for each routing (two are better)",
-                    plan.runs, plan.routings.size()));
+    throw InputError({.what = "runs",
+                      .value = std::to_string(plan.runs),
+                      .expected = fmt::format("at least {}, one for each routing (two are better)",
+                                              plan.routings.size()),
+                      .form = InputForm::equals});
   }
   if (plan.runs > max_planned_readings / plan.rows ||
       plan.runs * plan.rows > max_planned_readings / plan.repeats) {
-    throw InputError(
-        fmt::format("runs = {}, of {} rows and {} repeats: expected {} readings at most", plan.runs,
-                    plan.rows, plan.repeats, max_planned_readings));
+    throw InputError({.what = fmt::format("runs = {}, of {} rows and {} repeats", plan.runs,
+                                          plan.rows, plan.repeats),
+                      .expected = fmt::format("{} readings at most", max_planned_readings)});
   }
   if (plan.cycle && !std::is_sorted(plan.cycle->list.begin(), plan.cycle->list.end())) {
-    throw InputError("cycles: expected a list that rises");
+    throw InputError({.what = "cycles", .expected = "a list that rises"});
   }
   require_channels(plan);
 }

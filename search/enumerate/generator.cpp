@@ -13,8 +13,8 @@ namespace reeve::search {
 RoutingGenerator::RoutingGenerator(GeneratorOptions options) : options_(std::move(options)) {
   validate(options_.parts);
   if (options_.fingers < 1 || options_.fingers > max_fingers) {
-    throw InputError(
-        fmt::format("fingers {}: expected a number from 1 to {}", options_.fingers, max_fingers));
+    throw InputError({.what = fmt::format("fingers {}", options_.fingers),
+                      .expected = fmt::format("a number from 1 to {}", max_fingers)});
   }
   const int n = options_.fingers;
   const TendonCounts tendons = tendon_counts(options_.parts, n, options_.identity);

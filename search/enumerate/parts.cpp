@@ -35,8 +35,9 @@ std::vector<Kind> parse(const std::string& option, const std::string& text,
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&](const auto& named) { return named.first == item; });
     if (found == names.end()) {
-      throw InputError(fmt::format("{} '{}': '{}': expected a comma-separated list of {}", option,
-                                   text, item, expected));
+      throw InputError({.where = fmt::format("{} '{}'", option, text),
+                        .value = item,
+                        .expected = fmt::format("a comma-separated list of {}", expected)});
     }
     kinds.push_back(found->second);
   }
@@ -82,9 +83,11 @@ std::string joins_text(const PartSet& parts) { return print(parts.joins, join_na
 std::string ends_text(const PartSet& parts) { return print(parts.ends, end_names); }
 
 void validate(const PartSet& parts) {
-  if (parts.tips.empty()) throw InputError("tips '': expected at least one of tube, bearing");
+  if (parts.tips.empty()) {
+    throw InputError({.what = "tips", .value = "", .expected = "at least one of tube, bearing"});
+  }
   if (parts.joins.empty() && parts.ends.empty()) {
-    throw InputError("joins '' without ends: expected at least one join or one end");
+    throw InputError({.what = "joins '' without ends", .expected = "at least one join or one end"});
   }
 }
 

@@ -143,17 +143,21 @@ Objective parse_objective(const std::string& name, const std::string& option) {
   for (const ObjectiveRow& row : table) {
     if (row.name == name) return row.objective;
   }
-  throw InputError(
-      fmt::format("{}: unknown objective '{}'; expected one of {}", option, name, names()));
+  throw InputError({.where = option,
+                    .what = "unknown objective",
+                    .value = name,
+                    .expected = fmt::format("one of {}", names()),
+                    .form = InputForm::unknown});
 }
 
 std::vector<Objective> parse_objectives(const std::string& text) {
   std::vector<Objective> objectives;
   for (const std::string& item : comma_separated(text)) {
     const std::string name(trimmed(item));
-    const Objective objective = parse_objective(name, fmt::format("objectives '{}'", text));
+    const std::string option = fmt::format("objectives '{}'", text);
+    const Objective objective = parse_objective(name, option);
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
-      throw InputError(fmt::format("objectives '{}': '{}' is named twice", text, name));
+      throw InputError({.where = option, .what = fmt::format("'{}' is named twice", name)});
     }
     objectives.push_back(objective);
   }
@@ -170,7 +174,6 @@ bool Constraint::admits(const ObjectiveValues& values) const {
 }
 
 Constraint parse_constraint(const std::string& text) {
-  const std::string option = fmt::format("constraint '{}'", text);
   const std::size_t at = std::min(text.find_first_of("<>="), text.size());
   const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
   const std::string comparison = text.substr(at, end - at);
@@ -181,11 +184,13 @@ Constraint parse_constraint(const std::string& text) {
   const auto [stop, error] = std::from_chars(number.data(), last, bound);
   const bool is_number = error == std::errc{} && stop == last && std::isfinite(bound);
   if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
-    throw InputError(fmt::format(
-        "{}: expected an objective, one of <= >= < > ==, and a number, such as sheaths<=2",
-        option));
+    throw InputError(
+        {.what = "constraint",
+         .value = text,
+         .expected = "an objective, one of <= >= < > ==, and a number, such as sheaths<=2"});
   }
   const std::string name(trimmed(text.substr(0, at)));
+  const std::string option = fmt::format("constraint '{}'", text);
   // On the grid of the values, so that a bound copied with all its digits holds.
   return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
 }

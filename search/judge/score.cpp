@@ -17,17 +17,21 @@ ScoreTerm parse_term(const std::string& text, const std::string& option) {
   const std::size_t equals = std::min(text.find('='), text.size());
   ScoreTerm term{parse_objective(std::string(trimmed(text.substr(0, equals))), option), 1};
   if (term.objective == Objective::score) {
-    throw InputError(option + ": a score is no part of itself; expected other objectives");
+    throw InputError({.where = option,
+                      .what = "a score is no part of itself",
+                      .expected = "other objectives",
+                      .form = InputForm::unknown});
   }
   if (equals == text.size()) return term;
   const std::string number(trimmed(text.substr(equals + 1)));
   const char* last = number.data() + number.size();
   const auto [end, error] = std::from_chars(number.data(), last, term.weight);
   if (error != std::errc{} || end != last || !(term.weight > 0 && term.weight <= greatest_weight)) {
-    throw InputError(
-        fmt::format("{}: '{}': expected a weight above 0 and at most {}, such as "
-                    "adaptability=2",
-                    option, text, greatest_weight));
+    throw InputError({.where = option,
+                      .value = text,
+                      .expected = fmt::format("a weight above 0 and at most {}, such as "
+                                              "adaptability=2",
+                                              greatest_weight)});
   }
   return term;
 }
@@ -61,7 +65,8 @@ Score parse_score(const std::string& text) {
     const ScoreTerm term = parse_term(item, option);
     for (const ScoreTerm& other : score.terms) {
       if (other.objective == term.objective) {
-        throw InputError(fmt::format("{}: '{}' is named twice", option, row(term.objective).name));
+        throw InputError({.where = option,
+                          .what = fmt::format("'{}' is named twice", row(term.objective).name)});
       }
     }
     score.terms.push_back(term);

@@ -62,10 +62,9 @@ Model draw_model(const UncertaintyOptions& options, std::uint64_t draw) {
 void validate(const UncertaintyOptions& options, std::size_t designs) {
   constexpr std::size_t most = 500'000'000;  // ranks of four bytes
   if (options.draws == 0 || designs > most / options.draws) {
-    throw InputError(fmt::format(
-        "draws {} for {} designs: expected from 1 to {} ranks in all; keep fewer designs or draw "
-        "less",
-        options.draws, designs, most));
+    throw InputError({.what = fmt::format("draws {} for {} designs", options.draws, designs),
+                      .expected = fmt::format(
+                          "from 1 to {} ranks in all; keep fewer designs or draw less", most)});
   }
   std::vector<double> highest;
   for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {
@@ -74,7 +73,7 @@ void validate(const UncertaintyOptions& options, std::size_t designs) {
   try {
     validate(effective_hardware(at_point(options.nominal, highest)));
   } catch (const InputError& error) {
-    throw InputError(std::string("at the upper end of the uncertainty's ranges: ") + error.what());
+    throw error.at("at the upper end of the uncertainty's ranges");
   }
 }
 

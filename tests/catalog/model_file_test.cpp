@@ -8,6 +8,7 @@
 #include "causes/library.hpp"
 #include "core/notation.hpp"
 #include "tests/catalog/mistake.hpp"
+#include "tests/support/input_error.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -248,6 +249,20 @@ TEST(BadModelFile, NamesTheEffectThatMakesFrictionTooStrong) {
   EXPECT_EQ(error_in_model("[sheath]\nmu = 0.1\nangle_rad = 90\n[[effect]]\ncause = "
                            "\"sheath_friction\"\nmu = 0.2\n"),
             "m.toml:4:1: hardware: sheath: mu * angle = 18: expected at most 10");
+}
+
+TEST(ModelFileFault, KeepsThePartsOfWhatIsReadInsideIt) {
+  const TemporaryFolder folder;
+  const auto parts = [&](const std::string& text) {
+    return testing::input_fault([&] { read_model_file(folder.write("m.toml", text)); });
+  };
+  const std::string file = (folder.path() / "m.toml").string();
+  EXPECT_EQ(parts("[tube]\nmu = 11\n"),
+            file + ":1:2: hardware | tube.mu | 11 | a number from 0 to 10");
+  EXPECT_EQ(parts("[[effect]]\ncause = \"wrong_grasp\"\nrouting = \"M-1-Q\"\n"),
+            file +
+                ":3:11: effect[1].routing: routing 'M-1-Q', column 5 | unknown token | Q | M, F, "
+                "T, B, P or a finger number such as 1 or 2b");
 }
 
 }  // namespace

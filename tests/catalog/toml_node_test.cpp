@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tests/support/input_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
@@ -75,6 +76,23 @@ TEST(ReadToml, RefusesEndlessLinesAndDepth) {
             "t.toml:1:17: expected no tables or arrays as deep as this");
   EXPECT_EQ(error_in_toml("a = " + repeated("[", 9) + repeated("]", 9) + "\n"),
             "t.toml:1:13: expected no tables or arrays as deep as this");
+}
+
+TEST(TomlNodeFault, HasThePlaceTheKeyTheValueAndWhatWasExpected) {
+  const TomlNode root = parse_toml("[tube]\nmu = \"smooth\"\nnu = 1\n", "t.toml");
+  const TomlNode& tube = *root.find("tube");
+  EXPECT_EQ(testing::input_fault([&] { tube.find("mu")->number_from_zero(); }),
+            "t.toml:2:6 | tube.mu | \"smooth\" | a finite number, not negative");
+  EXPECT_EQ(testing::input_fault([&] { tube.allow_only({"mu"}); }),
+            "t.toml:3:1 | unknown key | tube.nu | one of mu");
+  EXPECT_EQ(testing::input_fault([&] { tube.require("angle", "an angle"); }),
+            "t.toml:1:2 | missing key 'angle' in 'tube' | - | an angle");
+}
+
+TEST(TomlNodeFault, IsOneLineInEachPart) {
+  const TomlNode root = parse_toml("a = \"x\\ny\"\n", "t\n.toml");
+  EXPECT_EQ(testing::input_fault([&] { root.find("a")->fail_expected("b\nc"); }),
+            "t?.toml:1:5 | a | \"x?y\" | b?c");
 }
 
 }  // namespace

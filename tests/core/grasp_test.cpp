@@ -132,5 +132,13 @@ TEST(GraspSetError, RefusesAGraspThatIsGivenTwice) {
   EXPECT_THROW(parse_grasps("1,2/2,1", 3), InputError);
 }
 
+TEST(Grasp, IsNamedByTheFingersThatThereAreOrNotAtAll) {
+  EXPECT_EQ(grasp_named("none", 3), Grasp{});
+  EXPECT_EQ(grasp_named("1,3", 3), hold({1, 3}));
+  for (const std::string text : {"", "4", "1,1", "1,", "one"}) {
+    EXPECT_FALSE(grasp_named(text, 3)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace reeve

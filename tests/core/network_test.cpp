@@ -141,5 +141,15 @@ TEST(Network, NamesOfStrandsAndHandStretches) {
   EXPECT_EQ(segment_name(Segment{SegmentKind::hand, 12, 0}), "h12");
 }
 
+TEST(Network, HasSegmentsByNameOrNone) {
+  for (const std::string text : {"T1", "T12", "a", "ab", "h1"}) {
+    ASSERT_TRUE(segment_named(text)) << text;
+    EXPECT_EQ(name(*segment_named(text)), text);
+  }
+  for (const std::string text : {"", "T", "T0", "T01", "T123456", "A", "h0", "t1", "a1"}) {
+    EXPECT_FALSE(segment_named(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace reeve

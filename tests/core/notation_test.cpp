@@ -196,5 +196,18 @@ TEST(NotationError, TheLongestWordThatIsReadIsReadAtOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
+TEST(NotationFault, HasTheTokenInParts) {
+  const auto parts = [](const std::string& word) {
+    return testing::input_fault([&] { parse_routing(word); });
+  };
+  EXPECT_EQ(parts("M-1-Q"),
+            "routing 'M-1-Q', column 5 | unknown token | Q | M, F, T, B, P or a finger number such "
+            "as 1 or 2b");
+  EXPECT_EQ(parts("M-65-F"), "routing 'M-65-F', column 3 |  | 65 | a finger number from 1 to 64");
+  EXPECT_EQ(parts("M-1-1-F"),
+            "routing 'M-1-1-F', column 5 | between two fingers a join is needed: T, B or P before "
+            "'1' | - | ");
+}
+
 }  // namespace
 }  // namespace reeve

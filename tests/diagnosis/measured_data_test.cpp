@@ -158,5 +158,24 @@ TEST(BadRow, MayHaveNoTension) {
             "d.csv:1: expected rows below the header, and there are none");
 }
 
+TEST(MeasuredDataFault, HasTheCellInParts) {
+  const auto parts = [](const std::string& text) {
+    return testing::input_fault([&] { read_data(text); });
+  };
+  EXPECT_EQ(parts("run,routing,T1_N\nA,TR5,1\nA,TR5,x\n"),
+            "d.csv:3 | column 'T1_N' | x | a number from 0 to 1000000000, or an empty cell");
+  EXPECT_EQ(parts("run,routing,held,T1_N\nA,TR5,3,1\n"),
+            "d.csv:2 | column 'held' | 3 | an empty cell (none held), or finger numbers from 1 to "
+            "2, each once, such as 1;2");
+  EXPECT_EQ(parts("run,routing,T1_N\nA,M-1-Q,1\n"),
+            "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5 | unknown token | Q | "
+            "M, F, T, B, P or a finger number such as 1 or 2b");
+  EXPECT_EQ(parts("run,routing,t1_n\n"),
+            "d.csv:1 | column 3 | t1_n | a tension written as T1_N (strand), Ta_N (motor-side "
+            "segment) or Th1_N (stretch at the hand)");
+  EXPECT_EQ(parts("run,routing,T1_N\nA,TR5\n"),
+            "d.csv:2:6 | the row ends after 2 fields | - | 3, as many as the header in line 1 has");
+}
+
 }  // namespace
 }  // namespace reeve

@@ -239,5 +239,13 @@ TEST(ParseConstraintError, NamesAnUnknownObjectiveAndListsAll) {
   EXPECT_EQ(constraint_message("speed <= 2"), unknown("constraint 'speed <= 2'", "speed"));
 }
 
+TEST(ObjectivesFault, HasTheItemInParts) {
+  EXPECT_EQ(testing::input_fault([] { parse_objectives("jams,luck"); }),
+            "objectives 'jams,luck' | unknown objective | luck | one of " + all_names);
+  EXPECT_EQ(testing::input_fault([] { parse_constraint("jams"); }),
+            "- | constraint | jams | an objective, one of <= >= < > ==, and a number, such as "
+            "sheaths<=2");
+}
+
 }  // namespace
 }  // namespace reeve

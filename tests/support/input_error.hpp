@@ -22,6 +22,19 @@ std::string input_error(const Call& call) {
   return message_of<InputError>(call);
 }
 
+// The parts of the error, "where | what | value | expected"; a dash for one that is missing.
+template <typename Call>
+std::string input_fault(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    const InputFault& fault = error.fault();
+    return fault.where.value_or("-") + " | " + fault.what + " | " + fault.value.value_or("-") +
+           " | " + fault.expected;
+  }
+  return "no such error was thrown";
+}
+
 template <typename Call>
 std::string out_of_range(const Call& call) {
   return message_of<OutOfRange>(call);
