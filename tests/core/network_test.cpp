@@ -144,7 +144,7 @@ TEST(Network, NamesOfStrandsAndHandStretches) {
 TEST(Network, HasSegmentsByNameOrNone) {
   for (const std::string text : {"T1", "T12", "a", "ab", "h1"}) {
     ASSERT_TRUE(segment_named(text)) << text;
-    EXPECT_EQ(name(*segment_named(text)), text);
+    EXPECT_EQ(segment_name(*segment_named(text)), text);
   }
   for (const std::string text : {"", "T", "T0", "T01", "T123456", "A", "h0", "t1", "a1"}) {
     EXPECT_FALSE(segment_named(text)) << text;
