@@ -10,8 +10,8 @@
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
+#include "diagnosis/data/measured_shares.hpp"
 #include "diagnosis/verdict/share_error.hpp"
-#include "studies/strand_readings.hpp"
 
 namespace reeve::studies {
 namespace {
@@ -85,10 +85,11 @@ std::vector<std::vector<double>> rows_of(const MeasuredData& data, const ShareEr
         reading.direction != Direction::pull) {
       continue;
     }
-    std::vector<double> strands = strands_of(data, reading);
-    const bool whole = std::all_of(strands.begin(), strands.end(), [](double T) { return T >= 0; });
-    const bool pulled = std::any_of(strands.begin(), strands.end(), [](double T) { return T > 0; });
-    if (whole && pulled) rows.push_back(std::move(strands));
+    auto strands = strand_tensions(data, reading);
+    const auto is_taut = [](double tension) { return tension > 0; };
+    if (strands && std::any_of(strands->begin(), strands->end(), is_taut)) {
+      rows.push_back(std::move(*strands));
+    }
   }
   return rows;
 }

@@ -2,20 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
+#include "diagnosis/data/measured_shares.hpp"
 
 namespace reeve::studies {
-
-std::vector<double> strands_of(const MeasuredData& data, const Reading& reading) {
-  const int fingers = data.routings[reading.routing].network.fingers;
-  std::vector<double> strands(2 * static_cast<std::size_t>(fingers), -1);
-  for (std::size_t c = 0; c < data.channels.size(); ++c) {
-    const Segment& segment = data.channels[c].segment;
-    if (segment.kind != SegmentKind::strand || !reading.tension_N[c]) continue;
-    strands[static_cast<std::size_t>(segment.number - 1)] = *reading.tension_N[c];
-  }
-  return strands;
-}
 
 std::vector<double> strand_readings(const Publication& publication, const CatalogueEntry& entry,
                                     const MeasuredData& readings) {
@@ -41,15 +33,16 @@ std::vector<double> strand_readings(const Publication& publication, const Catalo
                              "published numbers",
                              readings.file, entry.name)});
   }
-  std::vector<double> strands = strands_of(readings, *found);
-  for (const double tension : strands) {
-    if (tension > 0) continue;
+  const auto strands = strand_tensions(readings, *found);
+  const bool taut = strands && std::all_of(strands->begin(), strands->end(),
+                                           [](double tension) { return tension > 0; });
+  if (!taut) {
     throw InputError(
         {.where = fmt::format("{}:{}", readings.file, found->line),
          .expected = fmt::format("a tension above 0 in every strand, which {} derives from",
                                  publication.file)});
   }
-  return strands;
+  return *strands;
 }
 
 const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& publication,

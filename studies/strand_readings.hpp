@@ -10,11 +10,8 @@
 
 namespace reeve::studies {
 
-// T1 … T2n of a reading, N; -1 where it has none.
-std::vector<double> strands_of(const MeasuredData& data, const Reading& reading);
-
-// Those of the one reading of this routing that pulls in the grasp of the published numbers. Throws
-// InputError if there is none, or another.
+// T1 … T2n, N, of the one reading of this routing that pulls in the grasp of the published numbers.
+// Throws InputError if there is none, or another.
 std::vector<double> strand_readings(const Publication& publication, const CatalogueEntry& entry,
                                     const MeasuredData& readings);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace reeve::diagnosis {
@@ -9,13 +10,8 @@ namespace {
 
 // T1 … T2n of a reading over their sum; empty if one is missing, or if all are slack.
 std::vector<double> shares(const MeasuredData& data, const Reading& reading) {
-  std::vector<double> result;
-  double sum = 0;
-  for (const std::size_t c : strand_channels(data, data.routings[reading.routing])) {
-    if (!reading.tension_N[c]) return {};
-    result.push_back(*reading.tension_N[c]);
-    sum += result.back();
-  }
+  std::vector<double> result = strand_tensions(data, reading).value_or(std::vector<double>{});
+  const double sum = std::accumulate(result.begin(), result.end(), 0.0);
   if (!(sum > 0)) return {};
   for (double& share : result) share /= sum;
   return result;
@@ -64,6 +60,18 @@ std::vector<std::size_t> strand_channels(const MeasuredData& data, const Measure
     channels.push_back(static_cast<std::size_t>(found - data.channels.begin()));
   }
   return channels;
+}
+
+std::optional<std::vector<double>> strand_tensions(const MeasuredData& data,
+                                                   const Reading& reading) {
+  const auto channels = strand_channels(data, data.routings[reading.routing]);
+  if (channels.empty()) return std::nullopt;
+  std::vector<double> tensions;
+  for (const std::size_t c : channels) {
+    if (!reading.tension_N[c]) return std::nullopt;
+    tensions.push_back(*reading.tension_N[c]);
+  }
+  return tensions;
 }
 
 SharesOfData measured_shares(const MeasuredData& data) {

@@ -30,6 +30,10 @@ struct SharesOfData {
 // The columns of T1 … T2n, n: fingers of the routing; empty if one is not among them.
 std::vector<std::size_t> strand_channels(const MeasuredData& data, const MeasuredRouting& routing);
 
+// T1 … T2n of a reading; nothing if one of them is missing.
+std::optional<std::vector<double>> strand_tensions(const MeasuredData& data,
+                                                   const Reading& reading);
+
 SharesOfData measured_shares(const MeasuredData& data);
 
 }  // namespace reeve::diagnosis

@@ -58,12 +58,6 @@ double part_count(const ListedDesign& design) {
          get(design, Objective::knots);
 }
 
-// What decides within a front.
-double decisive(const ListedDesign& design, const Order& order) {
-  return order.by_score ? get(design, Objective::score)
-                        : uniformity_times_efficiency(design.ranked.design.values);
-}
-
 std::string values_text(const ListedDesign& design, const std::vector<Objective>& objectives) {
   std::vector<std::string> values;
   for (const Objective objective : objectives) {
@@ -86,7 +80,10 @@ std::string with_parts(const ListedDesign& design, const std::vector<Objective>&
 
 // Which of the ranking's rules put the first before the second of its front.
 std::string tie_text(const Order& order, const ListedDesign& first, const ListedDesign& second) {
-  if (decisive(first, order) != decisive(second, order)) return "";
+  if (decisive_value(first.ranked.design.values, order) !=
+      decisive_value(second.ranked.design.values, order)) {
+    return "";
+  }
   const char* same = order.by_score ? "score" : "product";
   if (part_count(first) < part_count(second))
     return fmt::format("; of those with the same {} it needs fewest parts", same);

@@ -20,11 +20,14 @@ double uniformity_times_efficiency(const ObjectiveValues& values) {
   return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);
 }
 
+double decisive_value(const ObjectiveValues& values, const Order& order) {
+  return order.by_score ? value(values, Objective::score) : uniformity_times_efficiency(values);
+}
+
 bool precedes_within_front(const Design& a, const Design& b, const Order& order) {
   const auto key = [&](const Design& design) {
-    const double first = order.by_score ? value(design.values, Objective::score)
-                                        : uniformity_times_efficiency(design.values);
-    return std::make_tuple(-first, part_total(design.values), std::string_view(design.word));
+    return std::make_tuple(-decisive_value(design.values, order), part_total(design.values),
+                           std::string_view(design.word));
   };
   return key(a) < key(b);
 }

@@ -28,6 +28,9 @@ struct RankedDesign {
 // Rule 2, unless by the score.
 double uniformity_times_efficiency(const ObjectiveValues& values);
 
+// By what rule 2 orders.
+double decisive_value(const ObjectiveValues& values, const Order& order);
+
 // Rules 2 to 4.
 bool precedes_within_front(const Design& a, const Design& b, const Order& order);
 

@@ -6,15 +6,6 @@
 
 namespace reeve {
 
-using namespace numerics;
-using namespace core;
-using namespace causes;
-using namespace search;
-using namespace catalog;
-using namespace diagnosis;
-using namespace studies;
-using namespace reports;
-using namespace pages;
 using namespace cli;
 
 }  // namespace reeve
