@@ -2,34 +2,17 @@
 
 #include <algorithm>
 #include <compare>
+#include <utility>
+
+#include "core/canonical_tree.hpp"
+#include "core/walk_image.hpp"
 
 namespace reeve::core {
 namespace {
 
-// One way to walk a tendon: token i of the image is token start + i * step of the walk.
-struct Image {
-  std::size_t start = 0;
-  bool backward = false;
-};
-
-std::size_t index(const Walk& walk, Image image, std::size_t i) {
-  const std::size_t n = walk.size();
-  const std::size_t at = image.start + (image.backward ? n - i : i);
-  return at < n ? at : at - n;
-}
-
-const Token& token(const Walk& walk, Image image, std::size_t i) {
-  return walk[index(walk, image, i)];
-}
-
-std::strong_ordering compare_shapes(const Token& a, const Token& b) {
-  if (const auto kind = a.kind <=> b.kind; kind != 0) return kind;
-  return a.tip <=> b.tip;
-}
-
 std::strong_ordering compare_shapes(const Walk& walk, Image a, Image b) {
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const auto order = compare_shapes(token(walk, a, i), token(walk, b, i));
+    const auto order = compare_shapes(image_token(walk, a, i), image_token(walk, b, i));
     if (order != 0) return order;
   }
   return std::strong_ordering::equal;
@@ -38,30 +21,15 @@ std::strong_ordering compare_shapes(const Walk& walk, Image a, Image b) {
 std::strong_ordering compare(const Walk& walk, Image a, Image b) {
   if (const auto shape = compare_shapes(walk, a, b); shape != 0) return shape;
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const auto order = token(walk, a, i).finger <=> token(walk, b, i).finger;
+    const auto order = image_token(walk, a, i).finger <=> image_token(walk, b, i).finger;
     if (order != 0) return order;
   }
   return std::strong_ordering::equal;
 }
 
-// Calls visit(image) for every way to walk the tendon until it returns false.
-template <typename Visit>
-void for_each_image(const Tendon& tendon, Visit visit) {
-  if (!tendon.closed) {
-    if (visit(Image{0, false})) visit(Image{tendon.walk.size() - 1, true});
-    return;
-  }
-  for (std::size_t i = 0; i < tendon.walk.size(); ++i) {
-    if (tendon.walk[i].kind != TokenKind::finger) continue;
-    if (!visit(Image{i, false}) || !visit(Image{i, true})) return;
-  }
-}
-
-constexpr Image as_it_stands{0, false};
-
 bool moves_a_finger(const Walk& walk, Image image) {
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    if (walk[i].kind == TokenKind::finger && index(walk, image, i) != i) return true;
+    if (walk[i].kind == TokenKind::finger && image_index(walk, image, i) != i) return true;
   }
   return false;
 }
@@ -72,11 +40,7 @@ Tendon least_image(const Tendon& tendon) {
     if (compare(tendon.walk, image, least) < 0) least = image;
     return true;
   });
-  Tendon result{{}, tendon.closed};
-  for (std::size_t i = 0; i < tendon.walk.size(); ++i) {
-    result.walk.push_back(token(tendon.walk, least, i));
-  }
-  return result;
+  return walked(tendon, least);
 }
 
 std::strong_ordering compare_shapes(const Tendon& a, const Tendon& b) {
@@ -87,19 +51,71 @@ std::strong_ordering compare_shapes(const Tendon& a, const Tendon& b) {
       [](const Token& x, const Token& y) { return compare_shapes(x, y); });
 }
 
-bool precedes(const Tendon& a, const Tendon& b) {
-  if (const auto shape = compare_shapes(a, b); shape != 0) return shape < 0;
-  return std::lexicographical_compare(
-      a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
-      [](const Token& x, const Token& y) { return x.finger < y.finger; });
+using Tree = std::vector<Tendon>;
+
+template <typename Number>
+std::strong_ordering compare_numbers(const Tree& a, const Tree& b, Number number) {
+  for (std::size_t t = 0; t < a.size(); ++t) {
+    for (std::size_t i = 0; i < a[t].walk.size(); ++i) {
+      const auto order = number(a[t].walk[i]) <=> number(b[t].walk[i]);
+      if (order != 0) return order;
+    }
+  }
+  return std::strong_ordering::equal;
+}
+
+int finger_count(const Tree& tree) {
+  int count = 0;
+  for (const Tendon& tendon : tree) count += core::finger_count(tendon);
+  return count;
+}
+
+// Blocks are numbered within each tree.
+bool precedes(const Tree& a, const Tree& b) {
+  if (const auto fingers = finger_count(b) <=> finger_count(a); fingers != 0) return fingers < 0;
+  const auto shapes = std::lexicographical_compare_three_way(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const Tendon& x, const Tendon& y) { return compare_shapes(x, y); });
+  if (shapes != 0) return shapes < 0;
+  const auto blocks = compare_numbers(a, b, [](const Token& token) { return token.block; });
+  if (blocks != 0) return blocks < 0;
+  return compare_numbers(a, b, [](const Token& token) { return token.finger; }) < 0;
 }
 
 void number_fingers_in_order(Routing& routing) {
   std::uint8_t next = 1;
   for (Tendon& tendon : routing.tendons) {
     for (Token& token : tendon.walk) {
-      if (token.kind == TokenKind::finger) token.finger = next++;
+      if (is_of_finger(token.kind)) token.finger = next++;
     }
+  }
+}
+
+std::vector<Tree> canonical_trees(const Routing& routing, FingerIdentity identity) {
+  const std::vector<std::size_t> tree_of = trees(routing);
+  std::vector<Tree> all(tree_of.empty() ? 0
+                                        : 1 + *std::max_element(tree_of.begin(), tree_of.end()));
+  for (std::size_t t = 0; t < tree_of.size(); ++t) {
+    all[tree_of[t]].push_back(routing.tendons[t]);
+  }
+  for (Tree& tree : all) {
+    const bool tied = std::any_of(tree[0].walk.begin(), tree[0].walk.end(),
+                                  [](const Token& token) { return is_of_block(token.kind); });
+    tree = tied ? canonical_tree(tree, identity) : Tree{least_image(tree[0])};
+  }
+  return all;
+}
+
+// Its blocks get the next numbers.
+void append(Tree tree, Routing& routing) {
+  const BlockCount before = block_count(routing);
+  for (Tendon& tendon : tree) {
+    for (Token& token : tendon.walk) {
+      if (!is_of_block(token.kind)) continue;
+      const int offset = is_of_bar(token.kind) ? before.bars : before.blocks;
+      token.block = static_cast<std::uint8_t>(token.block + offset);
+    }
+    routing.tendons.push_back(std::move(tendon));
   }
 }
 
@@ -129,9 +145,10 @@ int symmetries(const Tendon& tendon) {
 bool same_shape(const Tendon& a, const Tendon& b) { return compare_shapes(a, b) == 0; }
 
 Routing canonical(const Routing& routing, FingerIdentity identity) {
+  std::vector<Tree> trees = canonical_trees(routing, identity);
+  std::sort(trees.begin(), trees.end(), precedes);
   Routing result;
-  for (const Tendon& tendon : routing.tendons) result.tendons.push_back(least_image(tendon));
-  std::sort(result.tendons.begin(), result.tendons.end(), precedes);
+  for (Tree& tree : trees) append(std::move(tree), result);
   if (identity == FingerIdentity::identical) number_fingers_in_order(result);
   return result;
 }

@@ -1,11 +1,14 @@
 // One canonical word for every routing.
 //
 // Routings that differ only by swapping the two strands of a finger, by walking a tendon backwards,
-// by where a loop is entered, by the order of the tendons, or (for identical fingers) by the
-// numbers of the fingers, are one routing. The canonical form is the least of them in this order:
+// by where a loop is entered, by the order of the tendons, by the numbers of the blocks, or (for
+// identical fingers) by the numbers of the fingers, are one routing. The canonical form is the
+// least of them in this order:
 //   tendons: more fingers first, open before closed, then shape, then finger numbers;
-//   shapes:  token by token, M < F < finger (tube tip < bearing tip) < T < B < P;
-// and, for identical fingers, fingers numbered in the order in which the word passes them.
+//   shapes:  token by token, M < F < 1x < tail < becket < pivot < finger (tube tip < bearing tip)
+//            < block < bar (by its ratio) < T < B < P;
+// and, for identical fingers, fingers numbered in the order in which the word passes them. Tendons
+// that blocks tie together are one tree and stay side by side, in the order of canonical_tree.hpp.
 #pragma once
 
 #include "core/routing.hpp"

@@ -7,8 +7,32 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/tension/tree_kinematics.hpp"
 
 namespace reeve::core {
+
+namespace {
+
+void add_ties(const Network& network, std::size_t block, NetworkGraph& result) {
+  std::vector<std::size_t> tails;
+  std::vector<std::size_t> others;
+  for (const TendonSpan& tendon : network.tendons) {
+    for_each_pull(network, tendon, [&](std::size_t segment, std::size_t of, double sign) {
+      if (of == block) (sign < 0 ? tails : others).push_back(segment);
+    });
+  }
+  for (const std::vector<std::size_t>* segments : {&tails, &others}) {
+    for (const std::size_t segment : *segments) {
+      if (segment == tails.front()) continue;
+      const Contact tie{ContactKind::block, ContactPlace::block, 0, block};
+      boost::add_edge(tails.front(), segment,
+                      ContactEdge{tie, 0, tails.front(), block_name(network.blocks[block]), true},
+                      result);
+    }
+  }
+}
+
+}  // namespace
 
 NetworkGraph graph(const Network& network) {
   NetworkGraph result(network.segments.size());
@@ -17,8 +41,16 @@ NetworkGraph graph(const Network& network) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const auto [left, right] = ends_of(tendon, k);
       const std::size_t index = tendon.first_contact + k;
-      boost::add_edge(left, right, ContactEdge{network.contacts[index], index, left}, result);
+      const Contact& contact = network.contacts[index];
+      const bool on_block = contact.block != no_block;
+      boost::add_edge(left, right,
+                      ContactEdge{contact, index, left,
+                                  on_block ? block_name(network.blocks[contact.block]) : ""},
+                      result);
     }
+  }
+  for (std::size_t block = 0; block < network.blocks.size(); ++block) {
+    add_ties(network, block, result);
   }
   return result;
 }
@@ -68,11 +100,15 @@ const char* line_style(ContactKind kind) {
       return "dashed";
     case ContactKind::sheath:
       return "bold";
+    case ContactKind::block:
+    case ContactKind::bar:
+      return "dashed";
   }
   return "solid";
 }
 
-std::string place_label(const Contact& contact) {
+std::string place_label(const ContactEdge& edge) {
+  const Contact& contact = edge.contact;
   switch (contact.place) {
     case ContactPlace::tip:
       return fmt::format("tip {} ({})", contact.finger, contact_kind_name(contact.kind));
@@ -81,6 +117,8 @@ std::string place_label(const Contact& contact) {
     case ContactPlace::hand_join:
     case ContactPlace::sheath:
       return contact_kind_name(contact.kind);
+    case ContactPlace::block:
+      return edge.block;
   }
   return "";
 }
@@ -95,9 +133,9 @@ std::string segment_attributes(const Segment& segment, double tension, bool with
 // dir=forward draws the arrow from the edge's source to its target.
 std::string contact_attributes(const ContactEdge& edge, bool source_is_left,
                                const TensionState* state) {
-  std::string attributes = fmt::format("[label=\"{}\", style={}", place_label(edge.contact),
-                                       line_style(edge.contact.kind));
-  if (state != nullptr && state->slip[edge.index] != 0) {
+  std::string attributes = fmt::format("[label=\"{}\", style={}", place_label(edge),
+                                       edge.is_tie ? "dotted" : line_style(edge.contact.kind));
+  if (state != nullptr && !edge.is_tie && state->slip[edge.index] != 0) {
     const bool to_right = state->slip[edge.index] > 0;
     attributes += to_right == source_is_left ? ", dir=forward" : ", dir=back";
   }

@@ -1,5 +1,6 @@
-// The network of segments (vertices) and contacts (edges) as a Boost.Graph. Its connected
-// components are the tendons.
+// The network of segments (vertices) and contacts (edges) as a Boost.Graph. Further edges lead from
+// the first tail of a block to whatever else pulls at it, so that the connected components are the
+// tendons, or the trees of tendons that blocks tie together.
 #pragma once
 
 #include <boost/graph/adjacency_list.hpp>
@@ -18,6 +19,8 @@ struct ContactEdge {
   Contact contact;
   std::size_t index = 0;  // in Network::contacts
   std::size_t left = 0;   // an undirected edge does not keep which end is which
+  std::string block;      // the name of the block at which it is
+  bool is_tie = false;    // from a block's tail to another of its strands: no contact
 };
 
 using NetworkGraph =
@@ -25,7 +28,7 @@ using NetworkGraph =
 
 NetworkGraph graph(const Network& network);
 
-// For each segment, the number (from 0) of the tendon that it belongs to.
+// For each segment, the number (from 0) of the tendon, or of the tree, that it belongs to.
 std::vector<std::size_t> tendons(const NetworkGraph& graph);
 
 // Names the first tendon that hangs on no motor, in an InputError. `word` is the routing's.

@@ -47,6 +47,7 @@ struct Hardware {
   ContactLaw tube{0.18, std::numbers::pi};
   ContactLaw bearing{0.001, std::numbers::pi};
   ContactLaw sheath{0.18, 2 * std::numbers::pi};
+  std::optional<ContactLaw> block{};  // of a floating block's sheave; the bearing's if not given
   double strand_mm = 100;
   double motor_side_mm = 100;
   double hand_mm = 100;

@@ -3,13 +3,14 @@
 // With S the sum of the strand tensions, on a scale on which 10 is best:
 //
 //   adaptability         10 (1 − (greatest − least P_f) / S), P_f = T(2f−1) + T(2f)
-//   torsional balance    10 (1 − greatest |T(2f−1) − T(2f)| / S), over the fingers f
+//   torsional balance    10 (1 − greatest |T(2f−1) − T(2f)| / S), over the fingers with two strands
 //   reliability          10 (1 − F / S), F: greatest friction force |T_l − T_r| at any contact
 //   authors' efficiency  10 n_a S / (2n T_M), n_a: motor-side segments
 //   transmission         10 S / (2n T_M)
 //
-// F counts sheaths and pulleys too. The authors' efficiency is work over work if all strands closed
-// alike (motor efficiency: performance.hpp).
+// A finger to which a tendon is tied has one strand: P_f is its tension, and 2n the number of all
+// strands. F counts sheaths and pulleys too, not bars. The authors' efficiency is work over work if
+// all strands closed alike (motor efficiency: performance.hpp).
 //
 // For two fingers these are the authors' formulas. They judge with finger 1 held. All are 0 where
 // the strands are slack.

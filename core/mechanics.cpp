@@ -17,7 +17,8 @@ int highest_finger(const ContactHardware& contact) {
 
 MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardware) {
   validate(hardware_);
-  for (const ContactKind kind : {ContactKind::tube, ContactKind::bearing, ContactKind::sheath}) {
+  for (const ContactKind kind : {ContactKind::tube, ContactKind::bearing, ContactKind::sheath,
+                                 ContactKind::block, ContactKind::bar}) {
     const auto i = static_cast<std::size_t>(kind);
     phi_[i] = law(kind).exponent();
     decay_[i] = std::exp(-phi_[i]);
@@ -32,9 +33,20 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
   }
 }
 
-const ContactLaw& MechanicsBuilder::law(ContactKind kind) const {
-  if (kind == ContactKind::tube) return hardware_.tube;
-  return kind == ContactKind::bearing ? hardware_.bearing : hardware_.sheath;
+ContactLaw MechanicsBuilder::law(ContactKind kind) const {
+  switch (kind) {
+    case ContactKind::tube:
+      return hardware_.tube;
+    case ContactKind::bearing:
+      return hardware_.bearing;
+    case ContactKind::sheath:
+      return hardware_.sheath;
+    case ContactKind::block:
+      return hardware_.block.value_or(hardware_.bearing);
+    case ContactKind::bar:
+      return {};
+  }
+  return {};
 }
 
 ContactLaw MechanicsBuilder::law(const Contact& contact) const {

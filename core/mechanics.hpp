@@ -40,13 +40,13 @@ class MechanicsBuilder {
     ContactHardware law;
   };
 
-  const ContactLaw& law(ContactKind kind) const;
+  ContactLaw law(ContactKind kind) const;
   ContactLaw law(const Contact& contact) const;
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
 
   Hardware hardware_;
-  std::array<double, 3> phi_{};
-  std::array<double, 3> decay_{};
+  std::array<double, 5> phi_{};
+  std::array<double, 5> decay_{};
   std::vector<std::optional<FingerHardware>> by_finger_;
   std::vector<ContactOverride> by_contact_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -12,11 +13,18 @@ namespace {
 
 class Expansion {
  public:
-  explicit Expansion(Network& network) : net_(network) {}
+  Expansion(Network& network, BlockCount count) : net_(network), blocks_(count.blocks) {
+    for (int i = 1; i <= count.blocks; ++i) net_.blocks.push_back({false, i, {}});
+    for (int i = 1; i <= count.bars; ++i) net_.blocks.push_back({true, i, {}});
+  }
 
   void add(const Tendon& tendon) {
     TendonSpan span{net_.segments.size(), 0, net_.contacts.size(), 0, tendon.closed};
     const Walk& walk = tendon.walk;
+    if (!tendon.closed) {
+      span.left = end_of(walk.front());
+      span.right = end_of(walk.back());
+    }
     for (std::size_t i = 0; i < walk.size(); ++i) {
       const bool is_start = i == 0;
       if (!(is_start && tendon.closed)) add_contacts(tendon, i);
@@ -29,8 +37,15 @@ class Expansion {
   }
 
  private:
-  static int finger_of(const Token& token) {
-    return token.kind == TokenKind::finger ? token.finger : 0;
+  static int finger_of(const Token& token) { return is_of_finger(token.kind) ? token.finger : 0; }
+
+  std::size_t block_index(const Token& token) const {
+    return static_cast<std::size_t>((is_of_bar(token.kind) ? blocks_ : 0) + token.block - 1);
+  }
+
+  TendonEnd end_of(const Token& token) const {
+    if (!is_of_block(token.kind)) return {};
+    return {is_tail(token.kind) ? EndTie::tail : EndTie::becket, block_index(token)};
   }
 
   static const Token& behind(const Tendon& tendon, std::size_t i) {
@@ -41,7 +56,8 @@ class Expansion {
     const int left = finger_of(tendon.walk[i]);
     const int right = finger_of(behind(tendon, i));
     if (left != 0) {
-      net_.segments.push_back({SegmentKind::strand, 2 * left, left});
+      const bool anchored = tendon.walk[i].kind == TokenKind::anchored_tip;
+      net_.segments.push_back({SegmentKind::strand, 2 * left - (anchored ? 1 : 0), left});
     } else if (right != 0) {
       net_.segments.push_back({SegmentKind::strand, 2 * right - 1, right});
     } else {
@@ -68,6 +84,17 @@ class Expansion {
         }
         break;
       case TokenKind::fixed_end:
+      case TokenKind::anchored_tip:
+      case TokenKind::block_tail:
+      case TokenKind::becket:
+      case TokenKind::bar_pivot:
+        break;
+      case TokenKind::block_pass:
+        net_.contacts.push_back({ContactKind::block, ContactPlace::block, 0, block_index(token)});
+        break;
+      case TokenKind::bar_arms:
+        net_.contacts.push_back({ContactKind::bar, ContactPlace::block, 0, block_index(token)});
+        net_.blocks[block_index(token)].arms = token.arms;
         break;
       case TokenKind::finger:
         net_.contacts.push_back(
@@ -91,6 +118,7 @@ class Expansion {
   }
 
   Network& net_;
+  int blocks_ = 0;
   int motor_side_ = 0;
   int hand_ = 0;
 };
@@ -114,23 +142,63 @@ std::string letters_of(int number) {
 
 }  // namespace
 
+void number_trees(Network& network) {
+  std::size_t next = 0;
+  for (TendonSpan& tendon : network.tendons) tendon.tree = next++;
+  if (network.blocks.empty()) return;
+  std::array<std::size_t, block_keys> tree_of_block{};
+  tree_of_block.fill(no_block);
+  const auto join = [&](const TendonSpan& tendon, std::size_t block) {
+    if (block == no_block) return;
+    std::size_t& tree = tree_of_block[block];
+    if (tree == no_block) tree = tendon.tree;
+    const std::size_t low = std::min(tree, tendon.tree);
+    const std::size_t high = std::max(tree, tendon.tree);
+    for (TendonSpan& other : network.tendons) {
+      if (other.tree == high) other.tree = low;
+    }
+    std::replace(tree_of_block.begin(), tree_of_block.end(), high, low);
+  };
+  for (const TendonSpan& tendon : network.tendons) {
+    join(tendon, tendon.left.block);
+    join(tendon, tendon.right.block);
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      join(tendon, network.contacts[tendon.first_contact + k].block);
+    }
+  }
+}
+
 void expand(const Routing& routing, Network& network) {
   network.segments.clear();
   network.contacts.clear();
   network.tendons.clear();
+  network.blocks.clear();
   network.fingers = 0;
   network.split = false;
-  Expansion expansion(network);
+  Expansion expansion(network, block_count(routing));
   for (const Tendon& tendon : routing.tendons) expansion.add(tendon);
+  number_trees(network);
   for (const Segment& segment : network.segments) {
     network.fingers = std::max(network.fingers, segment.finger);
   }
+}
+
+bool is_tied(const Network& network, const TendonSpan& tendon) {
+  if (network.blocks.empty()) return false;
+  if (tendon.left.tie != EndTie::none || tendon.right.tie != EndTie::none) return true;
+  const auto first = network.contacts.begin() + static_cast<std::ptrdiff_t>(tendon.first_contact);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(tendon.contacts),
+                     [](const Contact& contact) { return contact.block != no_block; });
 }
 
 Network expand(const Routing& routing) {
   Network network;
   expand(routing, network);
   return network;
+}
+
+std::string block_name(const Block& block) {
+  return fmt::format("{}{}", block.is_bar ? 'W' : 'Y', block.number);
 }
 
 std::string segment_name(const Segment& segment) {
@@ -153,6 +221,10 @@ const char* contact_kind_name(ContactKind kind) {
       return "bearing";
     case ContactKind::sheath:
       return "sheath";
+    case ContactKind::block:
+      return "block";
+    case ContactKind::bar:
+      return "bar";
   }
   return "";
 }

@@ -7,7 +7,10 @@
 //   T, B    tube or bearing contact between the neighbouring segments
 //   M       a motor-side segment, behind a sheath contact
 //   P       sheath – motor-side segment – bearing contact – motor-side segment – sheath
-//   F       nothing: the neighbouring segment just ends
+//   F, 1x   nothing: the neighbouring segment just ends
+//   Y1      inside a walk: a contact on the block, between the neighbouring segments
+//   W1      inside a walk: likewise the bar between its arms, a contact of a given tension ratio
+//   Y1, Y1k, W1 as an end: the neighbouring segment is tied to the block
 // Motor-side segments are named a, b, c, …, and segments at the hand that are no strand h1, h2, …,
 // both in walk order over the whole routing.
 //
@@ -39,14 +42,37 @@ struct Segment {
   }
 };
 
-enum class ContactKind : std::uint8_t { tube, bearing, sheath };
+// A block's sheave turns on a bearing of its own law; a bar has no friction.
+enum class ContactKind : std::uint8_t { tube, bearing, sheath, block, bar };
 
-enum class ContactPlace : std::uint8_t { tip, hand_join, carriage, sheath };
+enum class ContactPlace : std::uint8_t { tip, hand_join, carriage, sheath, block };
+
+inline constexpr std::size_t no_block = static_cast<std::size_t>(-1);
 
 struct Contact {
   ContactKind kind = ContactKind::tube;
   ContactPlace place = ContactPlace::tip;
-  int finger = 0;  // of a tip, or of the strand that a sheath leads to; otherwise 0
+  int finger = 0;                // of a tip, or of the strand that a sheath leads to; otherwise 0
+  std::size_t block = no_block;  // in Network::blocks, at place `block`
+};
+
+// A floating block or a bar.
+struct Block {
+  bool is_bar = false;
+  int number = 0;
+  ArmRatio arms;  // bars only: tension on the left over tension on the right
+};
+
+// What the end of an open tendon is tied to.
+enum class EndTie : std::uint8_t {
+  none,    // no block
+  tail,    // pulls the block one way
+  becket,  // … the other way, as the passes do
+};
+
+struct TendonEnd {
+  EndTie tie = EndTie::none;
+  std::size_t block = no_block;
 };
 
 // The part of the arrays that belongs to one tendon.
@@ -56,6 +82,9 @@ struct TendonSpan {
   std::size_t first_contact = 0;
   std::size_t contacts = 0;
   bool closed = false;
+  TendonEnd left{};      // at its first segment
+  TendonEnd right{};     // at its last one
+  std::size_t tree = 0;  // tendons that blocks tie together share one: that of the first of them
 };
 
 struct ContactEnds {
@@ -67,6 +96,7 @@ struct Network {
   std::vector<Segment> segments;
   std::vector<Contact> contacts;
   std::vector<TendonSpan> tendons;
+  std::vector<Block> blocks;  // by number, then the bars
   int fingers = 0;
   bool split = false;  // a finger's strands may lie on two tendons (seizure.hpp)
 };
@@ -74,6 +104,12 @@ struct Network {
 // Rebuilds `network` for another routing; keeps its memory.
 void expand(const Routing& routing, Network& network);
 Network expand(const Routing& routing);
+
+// Of the tendons' ends and contacts.
+void number_trees(Network& network);
+
+// Whether blocks tie the tendon to others, or the tendon to itself.
+bool is_tied(const Network& network, const TendonSpan& tendon);
 
 // The segments on both sides of a tendon's k-th contact.
 inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
@@ -84,6 +120,8 @@ inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
 // The place of a segment among the network's, if it has it.
 std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted);
 
+// Y1, W1.
+std::string block_name(const Block& block);
 // T1, a, h1.
 std::string segment_name(const Segment& segment);
 // The reverse; nothing of what is no such name.

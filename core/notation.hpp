@@ -1,14 +1,18 @@
-// The notation of routings: words such as `M-1-T-2-F` or `1-P-2b-P-1+M-3-F`.
+// The notation of routings: words such as `M-1-T-2-F`, `1-P-2b-P-1+M-3-F` or `M-Y1+1x-Y1-2x`.
 //
 //   routing = tendon { "+" tendon }
 //   tendon  = end "-" { finger | join "-" } end        an open walk
 //           | finger "-" join { "-" … } "-" finger     a loop: back to its first finger
-//   end     = "M" | "F"      join = "T" | "B" | "P"      finger = number [ "b" ]
+//   end     = "M" | "F" | number "x" | block | block "k" | bar
+//   join    = "T" | "B" | "P" | block | bar [ "/" number ":" number ]
+//   finger  = number [ "b" ]      block = "Y" number      bar = "W" number
 //
 // Two fingers need a join between them. Joins and ends may stand side by side; the stretch of
 // tendon between them is then a stretch at the hand (h1, h2, …), so that a test bench such as `M-F`
-// is a routing too. Printing and parsing round-trip exactly; which of the words of one routing is
-// the canonical one is decided in canonical.hpp.
+// is a routing too. A block is its tail as an end and a pass as a join; a bar its pivot as an end
+// and both its arms as a join, with the ratio of the tensions of the left and the right neighbour.
+// Printing and parsing round-trip exactly (ratios in lowest terms); which of the words of one
+// routing is the canonical one is decided in canonical.hpp.
 #pragma once
 
 #include <string>

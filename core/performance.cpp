@@ -1,9 +1,37 @@
 #include "core/performance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace reeve::core {
+namespace {
+
+// Fingers round whose tip the tendon runs.
+int tips(const Network& network) {
+  return static_cast<int>(
+      std::count_if(network.contacts.begin(), network.contacts.end(),
+                    [](const Contact& contact) { return contact.place == ContactPlace::tip; }));
+}
+
+double least_over_greatest(const FingerPulls& pulls) {
+  return pulls.greatest > 0 ? pulls.least / pulls.greatest : 0;
+}
+
+}  // namespace
+
+FingerPulls finger_pulls(const Network& network, const TensionState& state) {
+  std::array<double, max_fingers + 1> pull{};
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind == SegmentKind::strand) {
+      pull[static_cast<std::size_t>(segment.finger)] += state.tension[i];
+    }
+  }
+  const auto first = pull.begin() + 1;
+  const auto [least, greatest] = std::minmax_element(first, first + network.fingers);
+  return network.fingers == 0 ? FingerPulls{} : FingerPulls{*least, *greatest};
+}
 
 Performance performance(const Network& network, const TensionState& state, Direction direction) {
   double least = std::numeric_limits<double>::infinity();
@@ -24,8 +52,10 @@ Performance performance(const Network& network, const TensionState& state, Direc
   const bool has_strands = least <= most;
   if (!has_strands) {
     result.uniformity = std::numeric_limits<double>::quiet_NaN();
+    result.finger_uniformity = result.uniformity;
   } else if (most > 0) {
     result.uniformity = least / most;
+    result.finger_uniformity = least_over_greatest(finger_pulls(network, state));
   }
   return result;
 }
@@ -40,6 +70,8 @@ PartCount parts(const Network& network) {
     if (contact.kind == ContactKind::sheath) ++count.sheaths;
     if (contact.kind == ContactKind::bearing) ++count.pulleys;
   }
+  for (const Block& block : network.blocks) ++(block.is_bar ? count.bars : count.blocks);
+  count.anchors = network.fingers - tips(network);
   count.knots = static_cast<int>(std::count_if(network.tendons.begin(), network.tendons.end(),
                                                [](const TendonSpan& t) { return t.closed; }));
   return count;

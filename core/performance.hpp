@@ -1,6 +1,9 @@
 // How well a routing pulls the fingers in one grasp.
 //
 //   uniformity          min_i T_i / max_i T_i over the strands
+//   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum of the finger's
+//   strands:
+//                       what to use where some fingers have one strand (1x) and some two
 //   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work
 //                       (releasing, the inverse: how much of the fingers' work the motor gets)
 //   force transmission  Σ_i T_i / T_M over the strands
@@ -17,9 +20,18 @@ namespace reeve::core {
 
 struct Performance {
   double uniformity = 0;
+  double finger_uniformity = 0;
   double efficiency = 0;
   double force_transmission = 0;
 };
+
+// The sums of a finger's strand tensions, over the fingers; 0 without fingers.
+struct FingerPulls {
+  double least = 0;
+  double greatest = 0;
+};
+
+FingerPulls finger_pulls(const Network& network, const TensionState& state);
 
 Performance performance(const Network& network, const TensionState& state,
                         Direction direction = Direction::pull);
@@ -32,10 +44,14 @@ double return_friction(const Performance& pull, const Performance& release);
 // Parts that a routing needs.
 struct PartCount {
   int sheaths = 0;  // one for each M, two for each P
-  int pulleys = 0;  // everything that turns on a bearing: P, B, and fingertips with a bearing
-  int knots = 0;    // one for each loop, whose ends must be tied
+  int pulleys =
+      0;           // everything fixed or on the carriage that turns on a bearing: P, B, tips with b
+  int knots = 0;   // one for each loop, whose ends must be tied
+  int blocks = 0;  // floating blocks at the hand
+  int bars = 0;
+  int anchors = 0;  // fingertips to which a tendon is tied
 
-  int total() const { return sheaths + pulleys + knots; }
+  int total() const { return sheaths + pulleys + knots + blocks + bars + anchors; }
 };
 
 PartCount parts(const Network& network);

@@ -1,13 +1,45 @@
 #include "core/routing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace reeve::core {
+namespace {
+
+constexpr std::size_t no_tendon = static_cast<std::size_t>(-1);
+
+std::size_t first_of_tree(const std::vector<std::size_t>& parent, std::size_t tendon) {
+  while (parent[tendon] != tendon) tendon = parent[tendon];
+  return tendon;
+}
+
+// For each tendon, the first tendon of its tree.
+std::vector<std::size_t> firsts_of_trees(const Routing& routing) {
+  std::vector<std::size_t> parent(routing.tendons.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  std::array<std::size_t, block_keys> on_block{};
+  on_block.fill(no_tendon);
+  for (std::size_t t = 0; t < routing.tendons.size(); ++t) {
+    for (const Token& token : routing.tendons[t].walk) {
+      if (!is_of_block(token.kind)) continue;
+      std::size_t& other = on_block[block_key(token)];
+      if (other == no_tendon) other = t;
+      const std::size_t a = first_of_tree(parent, other);
+      const std::size_t b = first_of_tree(parent, t);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::size_t t = 0; t < parent.size(); ++t) parent[t] = first_of_tree(parent, t);
+  return parent;
+}
+
+}  // namespace
 
 int finger_count(const Tendon& tendon) {
   return static_cast<int>(
       std::count_if(tendon.walk.begin(), tendon.walk.end(),
-                    [](const Token& token) { return token.kind == TokenKind::finger; }));
+                    [](const Token& token) { return is_of_finger(token.kind); }));
 }
 
 int finger_count(const Routing& routing) {
@@ -16,14 +48,42 @@ int finger_count(const Routing& routing) {
   return count;
 }
 
+BlockCount block_count(const Routing& routing) {
+  BlockCount count;
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& token : tendon.walk) {
+      int& highest = is_of_bar(token.kind) ? count.bars : count.blocks;
+      highest = std::max<int>(highest, token.block);
+    }
+  }
+  return count;
+}
+
+std::vector<std::size_t> trees(const Routing& routing) {
+  std::vector<std::size_t> tree = firsts_of_trees(routing);
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < tree.size(); ++t) {
+    tree[t] = tree[t] == t ? count++ : tree[tree[t]];
+  }
+  return tree;
+}
+
 bool is_actuated(const Tendon& tendon) {
   return std::any_of(tendon.walk.begin(), tendon.walk.end(),
                      [](const Token& token) { return is_on_carriage(token.kind); });
 }
 
 bool is_actuated(const Routing& routing) {
-  return std::all_of(routing.tendons.begin(), routing.tendons.end(),
-                     [](const Tendon& tendon) { return is_actuated(tendon); });
+  const bool each = std::all_of(routing.tendons.begin(), routing.tendons.end(),
+                                [](const Tendon& tendon) { return is_actuated(tendon); });
+  const BlockCount count = block_count(routing);
+  if (each || count.blocks + count.bars == 0) return each;
+  const std::vector<std::size_t> tree = firsts_of_trees(routing);
+  std::vector<bool> pulled(tree.size(), false);
+  for (std::size_t t = 0; t < tree.size(); ++t) {
+    if (is_actuated(routing.tendons[t])) pulled[tree[t]] = true;
+  }
+  return std::all_of(tree.begin(), tree.end(), [&](std::size_t first) { return pulled[first]; });
 }
 
 }  // namespace reeve::core

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/tension/split_kinematics.hpp"
+#include "core/tension/tree_kinematics.hpp"
 
 namespace reeve::core {
 namespace {
@@ -77,6 +78,28 @@ void accumulate_slip(const TendonSpan& tendon, Motion& motion) {
   }
 }
 
+void impose_blocks(const Network& network, const TendonSpan& tendon, Direction direction,
+                   Motion& motion) {
+  const double way = direction == Direction::pull ? 1 : -1;
+  for_each_pull(network, tendon, [&](std::size_t segment, std::size_t block, double sign) {
+    motion.imposed[segment] += way * sign * motion.block_travel[block];
+  });
+}
+
+// A bar lets no tendon through: on its left the arm takes up what is left over, on its right what
+// then follows from the pivot's way. Its slip is the left arm's way beyond the pivot's.
+void accumulate_slip_at_bars(const Network& network, const TendonSpan& tendon, Motion& motion) {
+  double slip = 0;
+  for (std::size_t k = 0; k < tendon.contacts; ++k) {
+    const Contact& contact = network.contacts[tendon.first_contact + k];
+    slip -= motion.imposed[tendon.first_segment + k];
+    motion.slip[tendon.first_contact + k] = std::abs(slip) < slip_tolerance ? 0 : slip;
+    if (contact.kind != ContactKind::bar) continue;
+    const ArmRatio& arms = network.blocks[contact.block].arms;
+    slip *= static_cast<double>(arms.left) / arms.right;
+  }
+}
+
 void add_circulation(const TendonSpan& tendon, double circulation, Motion& motion) {
   for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
     motion.slip[k] += circulation;
@@ -86,6 +109,7 @@ void add_circulation(const TendonSpan& tendon, double circulation, Motion& motio
 
 // A blocked carriage moves nothing, on no tendon.
 void stop_everything(Motion& motion) {
+  std::fill(motion.block_travel.begin(), motion.block_travel.end(), 0.0);
   std::fill(motion.slip.begin(), motion.slip.end(), 0.0);
   std::fill(motion.closing.begin(), motion.closing.end(), 0.0);
 }
@@ -112,9 +136,42 @@ double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechan
   return points_.back().at;
 }
 
+void Kinematics::settle_slip(const Network& network, const TendonSpan& tendon,
+                             const Mechanics& mechanics, Direction direction, Motion& motion) {
+  if (!network.blocks.empty()) impose_blocks(network, tendon, direction, motion);
+  if (tendon.closed || network.blocks.empty()) {
+    accumulate_slip(tendon, motion);
+  } else {
+    accumulate_slip_at_bars(network, tendon, motion);
+  }
+  if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+}
+
+void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                            Direction direction, std::size_t tree, Motion& motion) {
+  const TreeState moves =
+      solve_tree_kinematics(network, mechanics, grasp, tree, motion.closing, motion.block_travel);
+  const auto found = [&](const Segment& segment) {
+    return motion.closing[static_cast<std::size_t>(segment.finger - 1)];
+  };
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (tendon.tree != tree) continue;
+    if (moves == TreeState::moves) {
+      impose_travel(network, tendon, grasp, direction, found, motion);
+    } else {
+      motion.jams[t] = 1;
+      impose_jam(network, tendon, mechanics, direction, motion);
+    }
+    settle_slip(network, tendon, mechanics, direction, motion);
+  }
+  if (moves == TreeState::undetermined) motion.undetermined = true;
+}
+
 void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                              Direction direction, Motion& motion) {
   SplitClosing split = split_closing(network, mechanics, grasp);
+  motion.block_travel = split.block_travel;
   const auto found = [&](const Segment& segment) {
     return split.closing[static_cast<std::size_t>(segment.finger - 1)];
   };
@@ -127,8 +184,7 @@ void Kinematics::solve_split(const Network& network, const Mechanics& mechanics,
       impose_travel(network, tendon, grasp, direction, found, motion);
     }
     if (split.slack[t] != 0) continue;
-    accumulate_slip(tendon, motion);
-    if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+    settle_slip(network, tendon, mechanics, direction, motion);
   }
   motion.jams = std::move(split.jams);
   motion.slack = std::move(split.slack);
@@ -144,6 +200,9 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   motion.take_up.resize(network.segments.size());
   motion.slip.resize(network.contacts.size());
   motion.closing.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  motion.block_travel.assign(network.blocks.size(), 0.0);
+  motion.undetermined = false;
+  motion.slack.clear();
   if (network.split) {
     solve_split(network, mechanics, grasp, direction, motion);
     return;
@@ -151,6 +210,11 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   bool blocked = false;
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
+    if (is_tied(network, tendon)) {
+      if (tendon.tree == t) solve_tree(network, mechanics, grasp, direction, t, motion);
+      blocked |= motion.jams[t] != 0;
+      continue;
+    }
     const TendonTally sums = tally(network, tendon, mechanics, grasp);
     if (sums.closing_weight == 0) {
       motion.jams[t] = 1;

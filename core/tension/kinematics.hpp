@@ -15,6 +15,9 @@
 // tendon can move, it jams: nothing slips at order one, and the whole travel is take-up; in
 // release, where a jammed carriage can only give way, what stays stretched is the hand side.
 //
+// Tendons that blocks tie together close as tree_kinematics.hpp says; a block that moves by z adds
+// z to what is imposed on the segments that it pulls, and takes z from its tails.
+//
 // docs/model.md, sections 2 and 3, derives this.
 #pragma once
 
@@ -31,11 +34,15 @@ enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 // Arrays parallel to the network's tendons, segments, contacts and fingers.
 struct Motion {
   std::vector<char> jams;
-  std::vector<char> slack;  // of the tendons; only where the network is split
+  std::vector<char> slack;    // of the tendons; empty unless the network is split
+  bool undetermined = false;  // of a tree's blocks: TreeState::undetermined
   std::vector<double> imposed;
   std::vector<double> take_up;
-  std::vector<double> slip;     // at D = 1; exactly 0 where the contact does not slide
-  std::vector<double> closing;  // dl of fingers 1 … n at D = 1, positive also in release
+  std::vector<double> slip;          // at D = 1; exactly 0 where the contact does not slide
+  std::vector<double> closing;       // dl of fingers 1 … n at D = 1, positive also in release
+  std::vector<double> block_travel;  // z of the blocks at D = 1, as it would be in a pull
+
+  bool is_slack(std::size_t tendon) const { return !slack.empty() && slack[tendon] != 0; }
 };
 
 inline Slide slide_of(double slip) {
@@ -55,6 +62,10 @@ class Kinematics {
     double weight;
   };
 
+  void solve_tree(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                  Direction direction, std::size_t tree, Motion& motion);
+  void settle_slip(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                   Direction direction, Motion& motion);
   void solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                    Direction direction, Motion& motion);
   double circulation(const TendonSpan& tendon, const Mechanics& mechanics, const Motion& motion);

@@ -13,8 +13,16 @@ void rotate_part(std::vector<T>& values, std::size_t first, std::size_t count, s
               begin + static_cast<std::ptrdiff_t>(count));
 }
 
+// On a block's sheave the tendon is then tied to the block on both sides, as with a becket.
+TendonEnd end_at(const Network& network, std::size_t contact) {
+  const std::size_t block = network.contacts[contact].block;
+  if (block == no_block) return {};
+  return {EndTie::becket, block};
+}
+
 // Behind the seized contact the loop begins anew.
 void open_loop(SeizedNetwork& seized, TendonSpan& tendon, std::size_t k) {
+  tendon.left = tendon.right = end_at(seized.network, tendon.first_contact + k);
   const std::size_t by = (k + 1) % tendon.segments;
   rotate_part(seized.network.segments, tendon.first_segment, tendon.segments, by);
   rotate_part(seized.segment_from, tendon.first_segment, tendon.segments, by);
@@ -24,11 +32,18 @@ void open_loop(SeizedNetwork& seized, TendonSpan& tendon, std::size_t k) {
   tendon.contacts -= 1;
 }
 
-void cut(std::vector<TendonSpan>& tendons, std::size_t t, std::size_t k) {
+void cut(Network& network, std::size_t t, std::size_t k) {
+  std::vector<TendonSpan>& tendons = network.tendons;
   const TendonSpan whole = tendons[t];
-  const TendonSpan head{whole.first_segment, k + 1, whole.first_contact, k, false};
-  const TendonSpan tail{whole.first_segment + k + 1, whole.segments - k - 1,
-                        whole.first_contact + k + 1, whole.contacts - k - 1, false};
+  const TendonEnd end = end_at(network, whole.first_contact + k);
+  const TendonSpan head{whole.first_segment, k + 1, whole.first_contact, k, false, whole.left, end};
+  const TendonSpan tail{whole.first_segment + k + 1,
+                        whole.segments - k - 1,
+                        whole.first_contact + k + 1,
+                        whole.contacts - k - 1,
+                        false,
+                        end,
+                        whole.right};
   tendons[t] = head;
   tendons.insert(tendons.begin() + static_cast<std::ptrdiff_t>(t) + 1, tail);
 }
@@ -45,7 +60,7 @@ void seize_one(SeizedNetwork& seized, std::size_t contact) {
     if (tendons[t].closed) {
       open_loop(seized, tendons[t], k);
     } else {
-      cut(tendons, t, k);
+      cut(seized.network, t, k);
     }
     return;
   }
@@ -67,6 +82,7 @@ SeizedNetwork seize(const Network& network, const std::vector<std::size_t>& cont
   std::iota(seized.contact_from.begin(), seized.contact_from.end(), std::size_t{0});
   seized.network.split = true;
   for (const std::size_t contact : contacts) seize_one(seized, contact);
+  number_trees(seized.network);
   return seized;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tension/tied_split_kinematics.hpp"
+
 namespace reeve::core {
 namespace {
 
@@ -64,6 +66,7 @@ double sweep(std::vector<Piece>& pieces, const Mechanics& mechanics, std::vector
 }  // namespace
 
 SplitClosing split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp) {
+  if (!network.blocks.empty()) return tied_split_closing(network, mechanics, grasp);
   std::vector<Piece> pieces;
   pieces.reserve(network.tendons.size());
   for (const TendonSpan& tendon : network.tendons) {

@@ -12,6 +12,12 @@
 // that the motor pulls and no finger can serve jams. Release is the motion reversed.
 //
 // Solved by Hildreth's method: the multipliers lambda_p >= 0 one after the other, dl = W Aᵀ lambda.
+//
+// Where blocks tie tendons together, a tendon also gives z to its tails' blocks and takes it from
+// the blocks that it passes (tree_kinematics.hpp), z free: on the left of the constraint stands
+// Σ dl_f + Σ tails z − 2 Σ passes z − Σ beckets z. A tendon is slack if its multiplier is 0. Solved
+// by active sets: with all constraints tight, those with negative multipliers are let go, and those
+// that are then violated are taken back.
 #pragma once
 
 #include <vector>
@@ -26,6 +32,7 @@ struct SplitClosing {
   std::vector<double> closing;  // dl of fingers 1 … n
   std::vector<char> jams;       // of the tendons
   std::vector<char> slack;      // of the tendons
+  std::vector<double> block_travel;
 };
 
 SplitClosing split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp);

@@ -76,16 +76,39 @@ void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mech
   }
 }
 
+void TensionSolver::solve_tree(const Network& network, const Mechanics& mechanics, std::size_t tree,
+                               TensionState& state) {
+  state.in_range &= tree_tension_.solve(network, mechanics, motion_, tree, state.tension);
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (tendon.tree != tree || motion_.is_slack(t)) continue;
+    for (std::size_t i = 0; i < tendon.segments; ++i) {
+      state.in_range &= std::isnormal(state.tension[tendon.first_segment + i]);
+    }
+  }
+}
+
+// A tree is solved with the first of its tendons that is taut.
+bool TensionSolver::begins_tree(const Network& network, std::size_t tendon) const {
+  for (std::size_t t = network.tendons[tendon].tree; t < tendon; ++t) {
+    if (network.tendons[t].tree == network.tendons[tendon].tree && !motion_.is_slack(t)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool TensionSolver::solve_tendons(const Network& network, const Mechanics& mechanics,
                                   TensionState& state) {
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
-    const bool slack = network.split && motion_.slack[t] != 0;
-    if (slack || (state.jams && motion_.jams[t] == 0)) {
+    if (motion_.is_slack(t) || (state.jams && motion_.jams[t] == 0)) {
       const auto first = state.tension.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
       std::fill_n(first, tendon.segments, 0.0);
-    } else {
+    } else if (!is_tied(network, tendon)) {
       solve_tendon(tendon, mechanics, state);
+    } else if (begins_tree(network, t)) {
+      solve_tree(network, mechanics, tendon.tree, state);
     }
   }
   return scale_to_unit_motor_tension(network, state.tension);
@@ -96,20 +119,21 @@ void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Gr
   kinematics_.solve(network, mechanics, grasp, direction, motion_);
   state.tension.resize(network.segments.size());
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
-  state.in_range = mechanics.in_range;
+  state.in_range = mechanics.in_range && !motion_.undetermined;
   state.in_range &= solve_tendons(network, mechanics, state);
   if (!state.in_range) {
     std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
   }
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
+  state.block_travel.swap(motion_.block_travel);
 }
 
 const TensionState& require_in_range(const TensionState& state) {
   if (state.in_range) return state;
   throw OutOfRange(
-      "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
-      "that tensions fall out of range");
+      "the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
+      "against each other, or friction is so strong that tensions fall out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

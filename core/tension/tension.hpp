@@ -14,6 +14,7 @@
 // Assumptions: quasi-static, proportional loading from a slack tendon, massless tendon of constant
 // EA, Coulomb friction that does not depend on load or speed. Several tendons hang on one carriage
 // and take up the same fraction of their travel; one that jams takes the whole motor tension.
+// Tendons that floating blocks and bars tie together are solved as one (tree_tension.hpp).
 // Source: Exo-Glove II supplement, Eqs. 1–24, which this reproduces for the grasp "finger 1 held".
 #pragma once
 
@@ -24,18 +25,21 @@
 #include "core/network.hpp"
 #include "core/tension/elastic_chain.hpp"
 #include "core/tension/kinematics.hpp"
+#include "core/tension/tree_tension.hpp"
 
 namespace reeve::core {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct TensionState {
   bool jams = false;  // no finger of some tendon can move: the carriage is blocked
-  // Otherwise a tendon hangs on no motor (is_actuated), or friction is so strong that tensions
-  // leave the range of a double; they are no numbers then.
+  // Otherwise a tendon hangs on no motor (is_actuated), blocks are free to move against each other,
+  // or friction is so strong that tensions leave the range of a double; they are no numbers then.
   bool in_range = true;
   std::vector<double> tension;  // N per N of motor tension; motor-side tensions add up to 1
   std::vector<double> slip;     // left to right, per unit of carriage travel
   std::vector<double> closing;  // dl of fingers 1 … n, per unit of carriage travel
+  // How far the blocks move, towards their tails when pulling and back when releasing, likewise.
+  std::vector<double> block_travel;
 };
 
 // Keeps its memory from call to call: in the steady state a solve allocates nothing.
@@ -50,11 +54,15 @@ class TensionSolver {
   void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
   void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
                   TensionState& state);
+  void solve_tree(const Network& network, const Mechanics& mechanics, std::size_t tree,
+                  TensionState& state);
+  bool begins_tree(const Network& network, std::size_t tendon) const;
   void solve_loop(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
 
   Kinematics kinematics_;
   Motion motion_;
   ElasticChain chain_;
+  TreeTension tree_tension_;
   std::vector<ChainSegment> segments_;
   std::vector<ChainContact> contacts_;
   std::vector<double> chain_tension_;

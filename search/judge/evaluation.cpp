@@ -62,6 +62,24 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   return outcome;
 }
 
+// Without blocks a tendon gives to its strands what the carriage takes from it.
+double DesignEvaluator::travel() {
+  const auto count = [&](SegmentKind kind) {
+    return static_cast<double>(
+        std::count_if(network_.segments.begin(), network_.segments.end(),
+                      [kind](const Segment& segment) { return segment.kind == kind; }));
+  };
+  const double strands = count(SegmentKind::strand);
+  if (network_.blocks.empty()) return strands / count(SegmentKind::motor_side);
+  solver_.solve(network_, mechanics_, Grasp{}, Direction::pull, state_);
+  double closing = 0;
+  for (const Segment& segment : network_.segments) {
+    if (segment.kind != SegmentKind::strand) continue;
+    closing += state_.closing[static_cast<std::size_t>(segment.finger - 1)];
+  }
+  return strands / closing;
+}
+
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
@@ -72,10 +90,7 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);
-  const auto motor_sides =
-      std::count_if(network_.segments.begin(), network_.segments.end(),
-                    [](const Segment& segment) { return segment.kind == SegmentKind::motor_side; });
-  outcome_.travel = 2.0 * network_.fingers / static_cast<double>(motor_sides);
+  outcome_.travel = travel();
   return outcome_;
 }
 

@@ -50,6 +50,7 @@ class DesignEvaluator {
  private:
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
   const TensionState& solve(Grasp grasp, Direction direction);
+  double travel();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
   // Only where exponents or contacts are others than the hardware says; costs several solves.

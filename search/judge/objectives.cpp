@@ -33,6 +33,7 @@ double worst(const Grasps& grasps, Get get) {
 }
 
 double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
+double finger_uniformity(const GraspOutcome& grasp) { return grasp.pull.finger_uniformity; }
 double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
 
 constexpr std::array<ObjectiveRow, objective_count> table{{
@@ -42,6 +43,14 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::uniformity_worst, "uniformity_worst", "uniformity", "worst", "uniformity", "1",
      Better::higher, 3, 0, false, "least over greatest strand tension, in the worst grasp",
      [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }, 0, 1},
+    {Objective::finger_uniformity_mean, "finger_uniformity_mean", "finger_uniformity", "mean",
+     "fingers", "1", Better::higher, 3, 2, true,
+     "least over greatest finger pull (sum of the finger's strands), mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, finger_uniformity); }, 0, 1},
+    {Objective::finger_uniformity_worst, "finger_uniformity_worst", "finger_uniformity", "worst",
+     "fingers", "1", Better::higher, 3, 2, true,
+     "least over greatest finger pull, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, finger_uniformity); }, 0, 1},
     {Objective::efficiency_mean, "efficiency_mean", "efficiency", "mean", "efficiency", "1",
      Better::higher, 3, 0, false, "useful work over motor work, mean over the grasps",
      [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }, 0, 1},
@@ -68,6 +77,9 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::knots, "knots", "knots", "", "knots", "parts", Better::lower, 0, 9, false,
      "closed loops, whose ends must be tied together",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.knots); }},
+    {Objective::blocks, "blocks", "blocks", "", "blocks", "parts", Better::lower, 0, 8, true,
+     "floating blocks and bars at the hand, which move as the fingers close",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.blocks + d.parts.bars); }},
     {Objective::travel, "travel", "travel", "", "travel", "mm/mm", Better::lower, 2, 4, false,
      "carriage travel per mm that each strand gives up, all fingers closing, on average",
      [](const DesignOutcome& d) { return d.travel; }},
@@ -139,7 +151,9 @@ void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {
-  if (name == "uniformity" || name == "efficiency") return parse_objective(name + "_mean", option);
+  if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity") {
+    return parse_objective(name + "_mean", option);
+  }
   for (const ObjectiveRow& row : table) {
     if (row.name == name) return row.objective;
   }

@@ -16,6 +16,8 @@ namespace reeve::search {
 enum class Objective : std::uint8_t {
   uniformity_mean,
   uniformity_worst,
+  finger_uniformity_mean,
+  finger_uniformity_worst,
   efficiency_mean,
   efficiency_worst,
   force_transmission,
@@ -23,6 +25,7 @@ enum class Objective : std::uint8_t {
   sheaths,
   pulleys,
   knots,
+  blocks,
   travel,
   return_friction,
   adaptability,
@@ -32,7 +35,7 @@ enum class Objective : std::uint8_t {
   transmission,
   score,
 };
-inline constexpr std::size_t objective_count = 17;
+inline constexpr std::size_t objective_count = 20;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -54,8 +57,8 @@ struct GraspOutcome {
 struct DesignOutcome {
   std::vector<GraspOutcome> grasps;
   PartCount parts;
-  // Carriage travel per unit of strand that a finger gives up, on average over the fingers, when
-  // all of them close: 2 fingers / motor-side segments.
+  // Carriage travel per unit that a strand gives up, on average over the strands, when all fingers
+  // close: without blocks, strands / motor-side segments.
   double travel = 0;
 };
 

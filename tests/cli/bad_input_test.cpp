@@ -36,14 +36,13 @@ TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
       show("M-1-T-1-F", "routing 'M-1-T-1-F', column 7: finger 1 is passed twice"),
       show("M-0-F", "routing 'M-0-F', column 3: '0': expected a finger number from 1 to 64"),
       show("M-1",
-           "routing 'M-1', column 3: a walk must begin and end with M or F, or come back to the "
-           "finger that it began with, and '1' does neither"),
-      show("P", "routing 'P', column 1: a walk must begin and end with M or F"),
+           "routing 'M-1', column 3: a walk must begin and end with M, F, a fingertip (1x) or a "
+           "block (Y1), or come back to the finger that it began with, and '1' does neither"),
+      show("P", "routing 'P', column 1: a walk must begin and end with M, F, a fingertip"),
       show("", "routing '': the word is empty; expected e.g. M-1-T-2-F"),
       show("M-2-F", "finger 1 is missing; fingers are numbered 1 to 2 without a gap"),
-      show("F-1-Y1-2-F+Y1-M", "column 5: 'Y1': floating pulleys (Y) are not yet supported"),
-      show("M-1x",
-           "column 3: '1x': a tendon anchored at the fingertip (suffix x) is not yet supported"),
+      show("F-1-Y1-2-F", "column 5: block Y1 has no tail"),
+      show("M-1x-T-2-F", "column 3: '1x' ends a walk and cannot stand inside it"),
       show("F-1-F",
            "routing 'F-1-F': the tendon with T1 is not actuated: it has no M and no P, so the "
            "motor cannot pull it"),

@@ -18,9 +18,12 @@ std::string at(const std::string& word, int column, const std::string& problem) 
   return "routing '" + word + "', column " + std::to_string(column) + ": " + problem;
 }
 
-const std::string expected_tokens = ": expected M, F, T, B, P or a finger number such as 1 or 2b";
+const std::string expected_tokens =
+    ": expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such "
+    "as W1";
 const std::string needs_ends =
-    "a walk must begin and end with M or F, or come back to the finger that it began with, and ";
+    "a walk must begin and end with M, F, a fingertip (1x) or a block (Y1), or come back to the finger "
+    "that it began with, and ";
 
 TEST(Notation, ReadsAnOpenWalkTokenByToken) {
   const Routing routing = parse_routing("M-1-T-2b-B-3-P-4-F");
@@ -81,18 +84,10 @@ TEST(NotationError, UnknownToken) {
   EXPECT_EQ(message("-1-F"), at("-1-F", 1, "an empty token" + expected_tokens));
 }
 
-TEST(NotationError, PartsThatAreNotYetSupported) {
-  EXPECT_EQ(message("F-1-Y1-2-F+Y1-M"),
-            at("F-1-Y1-2-F+Y1-M", 5, "'Y1': floating pulleys (Y) are not yet supported"));
-  EXPECT_EQ(message("M-1-T-2x"),
-            at("M-1-T-2x", 7,
-               "'2x': a tendon anchored at the fingertip (suffix x) is not yet supported"));
-}
-
 TEST(NotationError, UnknownSuffixOfAFinger) {
   EXPECT_EQ(message("M-1c-F"), at("M-1c-F", 3,
-                                  "'1c': expected no suffix (tube at the fingertip) or b "
-                                  "(bearing) behind the finger number"));
+                                  "'1c': expected behind the finger number no suffix (tube at the "
+                                  "fingertip), b (bearing) or x (the tendon is tied there)"));
 }
 
 TEST(NotationError, FingerPassedTwice) {
@@ -135,10 +130,11 @@ TEST(NotationError, OneEndAlone) {
 }
 
 TEST(NotationError, AdjacentFingers) {
-  EXPECT_EQ(message("M-1-2-F"),
-            at("M-1-2-F", 5, "between two fingers a join is needed: T, B or P before '2'"));
+  EXPECT_EQ(
+      message("M-1-2-F"),
+      at("M-1-2-F", 5, "between two fingers a join is needed: T, B, P or a block before '2'"));
   EXPECT_EQ(message("1-1"),
-            at("1-1", 3, "between two fingers a join is needed: T, B or P before '1'"));
+            at("1-1", 3, "between two fingers a join is needed: T, B, P or a block before '1'"));
 }
 
 TEST(NotationError, EndInsideAWalk) {
@@ -204,9 +200,10 @@ TEST(NotationFault, HasTheTokenInParts) {
             "routing 'M-1-Q', column 5 | unknown token | Q | M, F, T, B, P or a finger number such "
             "as 1 or 2b");
   EXPECT_EQ(parts("M-65-F"), "routing 'M-65-F', column 3 |  | 65 | a finger number from 1 to 64");
-  EXPECT_EQ(parts("M-1-1-F"),
-            "routing 'M-1-1-F', column 5 | between two fingers a join is needed: T, B or P before "
-            "'1' | - | ");
+  EXPECT_EQ(
+      parts("M-1-1-F"),
+      "routing 'M-1-1-F', column 5 | between two fingers a join is needed: T, B, P or a block before "
+      "'1' | - | ");
 }
 
 }  // namespace

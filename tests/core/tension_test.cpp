@@ -273,7 +273,8 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
 }
 
 const std::string no_motor_tension =
-    "the motor tension cannot be computed: a tendon hangs on no motor, or friction is so strong "
+    "the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
+    "against each other, or friction is so strong "
     "that tensions fall out of range";
 
 TEST(TensionSolver, NeedsAMotor) {

@@ -1,0 +1,125 @@
+#include "core/tension/tied_split_kinematics.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+#include "core/tension/tree_kinematics.hpp"
+
+namespace reeve::core {
+namespace {
+
+// Per unit of carriage travel, of lengths and of multipliers.
+constexpr double negligible = 1e-9;
+constexpr int most_changes = 1000;
+
+// Give · (dl, z) >= motor, one row for each tendon.
+struct Constraints {
+  Eigen::MatrixXd give;
+  Eigen::VectorXd motor;
+  Eigen::VectorXd cost;  // 1 / w of a finger that closes, 0 for a block
+};
+
+struct Settled {
+  Eigen::VectorXd x;
+  Eigen::VectorXd multiplier;  // of all tendons
+  bool met = false;
+};
+
+Constraints constraints(const Network& network, const Mechanics& mechanics, Grasp grasp) {
+  const auto fingers = static_cast<Eigen::Index>(network.fingers);
+  const auto rows = static_cast<Eigen::Index>(network.tendons.size());
+  const auto columns = fingers + static_cast<Eigen::Index>(network.blocks.size());
+  Constraints result{Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd::Zero(rows),
+                     Eigen::VectorXd::Zero(columns)};
+  for (Eigen::Index f = 0; f < fingers; ++f) {
+    result.cost(f) = 1 / mechanics.closing[static_cast<std::size_t>(f)];
+  }
+  std::vector<double> weight(network.segments.size(), 1);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const TendonSpan& tendon = network.tendons[static_cast<std::size_t>(row)];
+    for_each_weighted_segment(network, tendon, [&](std::size_t i, double of_segment) {
+      weight[i] = of_segment;
+      const Segment& segment = network.segments[i];
+      if (segment.kind == SegmentKind::motor_side) result.motor(row) += of_segment;
+      if (segment.kind == SegmentKind::strand && !grasp.holds(segment.finger)) {
+        result.give(row, segment.finger - 1) += of_segment;
+      }
+    });
+    for_each_pull(network, tendon, [&](std::size_t i, std::size_t block, double sign) {
+      result.give(row, fingers + static_cast<Eigen::Index>(block)) -= sign * weight[i];
+    });
+  }
+  return result;
+}
+
+// Stationary with the active tendons tight.
+Settled with_active(const Constraints& c, const std::vector<bool>& active) {
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i]) rows.push_back(static_cast<Eigen::Index>(i));
+  }
+  const Eigen::Index n = c.cost.size();
+  const auto m = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m);
+  matrix.diagonal().head(n) = c.cost;
+  for (Eigen::Index r = 0; r < m; ++r) {
+    matrix.row(n + r).head(n) = c.give.row(rows[static_cast<std::size_t>(r)]);
+    matrix.col(n + r).head(n) = -c.give.row(rows[static_cast<std::size_t>(r)]).transpose();
+    right(n + r) = c.motor(rows[static_cast<std::size_t>(r)]);
+  }
+  const Eigen::VectorXd solved = matrix.completeOrthogonalDecomposition().solve(right);
+  Settled settled{solved.head(n), Eigen::VectorXd::Zero(c.motor.size()), false};
+  for (Eigen::Index r = 0; r < m; ++r) {
+    settled.multiplier(rows[static_cast<std::size_t>(r)]) = solved(n + r);
+  }
+  settled.met = (matrix * solved - right).cwiseAbs().maxCoeff() < negligible;
+  return settled;
+}
+
+Settled settle(const Constraints& c) {
+  std::vector<bool> active(static_cast<std::size_t>(c.motor.size()), true);
+  Settled settled = with_active(c, active);
+  for (int change = 0; change < most_changes; ++change) {
+    Eigen::Index worst = 0;
+    if (settled.multiplier.minCoeff(&worst) < -negligible) {
+      active[static_cast<std::size_t>(worst)] = false;
+    } else if ((c.give * settled.x - c.motor).minCoeff(&worst) < -negligible) {
+      if (active[static_cast<std::size_t>(worst)]) return settled;  // cannot be met
+      active[static_cast<std::size_t>(worst)] = true;
+    } else {
+      return settled;
+    }
+    settled = with_active(c, active);
+  }
+  settled.met = false;
+  return settled;
+}
+
+}  // namespace
+
+SplitClosing tied_split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp) {
+  const Constraints c = constraints(network, mechanics, grasp);
+  const Settled settled = settle(c);
+  SplitClosing result;
+  result.closing.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  result.block_travel.assign(network.blocks.size(), 0.0);
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const auto row = static_cast<Eigen::Index>(t);
+    const bool pulls = settled.multiplier(row) > negligible;
+    result.slack.push_back(settled.met && !pulls ? 1 : 0);
+    result.jams.push_back(settled.met ? 0 : 1);
+  }
+  if (!settled.met) return result;
+  for (std::size_t f = 0; f < result.closing.size(); ++f) {
+    const bool held = grasp.holds(static_cast<int>(f) + 1);
+    result.closing[f] = held ? 0 : settled.x(static_cast<Eigen::Index>(f));
+  }
+  for (std::size_t b = 0; b < result.block_travel.size(); ++b) {
+    result.block_travel[b] = settled.x(static_cast<Eigen::Index>(result.closing.size() + b));
+  }
+  return result;
+}
+
+}  // namespace reeve::core

@@ -1,0 +1,11 @@
+// How fingers close and blocks move where contacts are seized and blocks tie tendons together:
+// the active sets of split_kinematics.hpp.
+#pragma once
+
+#include "core/tension/split_kinematics.hpp"
+
+namespace reeve::core {
+
+SplitClosing tied_split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp);
+
+}  // namespace reeve::core

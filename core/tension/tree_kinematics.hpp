@@ -1,0 +1,72 @@
+// How fingers close and blocks move where blocks tie tendons together.
+//
+// The carriage travels D = 1. A block that moves by z towards its tails takes up z on each strand
+// of a pass and on a becket, and gives z to a tail. The closing fingers of a tree share one dl, by
+// their closing weights; for every tendon
+//
+//   motor sides + 2 z of each pass + z of each becket = closings + z of each tail
+//
+// A bar turns freely, so that its arms' take-ups are bound only by a z_l + b z_r = (a + b) z, a : b
+// the ratio of the tensions; behind a bar the tendon's equation goes on with weight b / a.
+//
+// In a tree of two tendons a block these are as many equations as unknowns (dl and each z). Where a
+// block ties more tendons together they can ask for different closings: these are then as equal as
+// the tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If that cannot be met either, or no
+// finger closes, the tree jams. A held branch is no jam: its block stands still.
+#pragma once
+
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+
+namespace reeve::core {
+
+enum class TreeState {
+  moves,
+  jams,
+  // The equations leave the blocks free to move against each other, or ask a finger to open.
+  undetermined,
+};
+
+// The weight of each segment's length in its tendon's equation: 1 but behind unequal bars. Calls
+// visit(segment, weight) from the first segment to the last.
+template <typename Visit>
+void for_each_weighted_segment(const Network& network, const TendonSpan& tendon, Visit visit) {
+  double weight = 1;
+  for (std::size_t i = 0; i < tendon.segments; ++i) {
+    visit(tendon.first_segment + i, weight);
+    if (i >= tendon.contacts) continue;
+    const Contact& contact = network.contacts[tendon.first_contact + i];
+    if (contact.kind != ContactKind::bar) continue;
+    const ArmRatio& arms = network.blocks[contact.block].arms;
+    weight *= static_cast<double>(arms.right) / arms.left;
+  }
+}
+
+// Calls visit(segment, block, sign) wherever a block pulls at a tendon: sign +1 at passes, arms and
+// beckets, −1 at tails.
+template <typename Visit>
+void for_each_pull(const Network& network, const TendonSpan& tendon, Visit visit) {
+  const auto at_end = [&](const TendonEnd& end, std::size_t segment) {
+    if (end.tie != EndTie::none) visit(segment, end.block, end.tie == EndTie::tail ? -1.0 : 1.0);
+  };
+  at_end(tendon.left, tendon.first_segment);
+  for (std::size_t k = 0; k < tendon.contacts; ++k) {
+    const std::size_t block = network.contacts[tendon.first_contact + k].block;
+    if (block == no_block) continue;
+    const auto [left, right] = ends_of(tendon, k);
+    visit(left, block, 1.0);
+    visit(right, block, 1.0);
+  }
+  at_end(tendon.right, tendon.first_segment + tendon.segments - 1);
+}
+
+// Writes the tree's part of `closing` (of fingers 1 … n) and of `block_travel` (of the network's
+// blocks), both for a pull.
+TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                std::size_t tree, std::vector<double>& closing,
+                                std::vector<double>& block_travel);
+
+}  // namespace reeve::core

@@ -1,0 +1,236 @@
+#include "core/tension/tree_tension.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reeve::core {
+namespace {
+
+// Conditions are inequalities between rounded sums and products.
+constexpr double rounding = 1e-12;
+// Exchanging all at once ends after a few rounds or goes in circles; one by one ends.
+constexpr int most_rounds = 60;
+constexpr int most_steps = 5000;
+
+// Blocks of one tree; no memory from the heap.
+constexpr int most_in_tree = static_cast<int>(block_keys);
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_in_tree, most_in_tree>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_in_tree, 1>;
+
+}  // namespace
+
+void TreeTension::find_loops(const Network& network, const Motion& motion, std::size_t tree) {
+  loops_.clear();
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (tendon.tree != tree || !tendon.closed || motion.is_slack(t)) continue;
+    Loop loop{t, {}, 0};
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      if (motion.slip[tendon.first_contact + k] == 0) loop.openings.push_back(k);
+    }
+    loops_.push_back(std::move(loop));
+  }
+}
+
+bool TreeTension::next_openings() {
+  for (Loop& loop : loops_) {
+    if (++loop.chosen < loop.openings.size()) return true;
+    loop.chosen = 0;
+  }
+  return false;
+}
+
+void TreeTension::add_pulls(const Network& network, const TendonSpan& tendon, std::size_t i) {
+  const auto at_end = [&](const TendonEnd& end) {
+    if (end.tie != EndTie::none) {
+      pulls_.push_back({end.block, end.tie == EndTie::tail ? -1.0 : 1.0});
+    }
+  };
+  const auto at_contact = [&](std::size_t k) {
+    const std::size_t block = network.contacts[tendon.first_contact + k].block;
+    if (block != no_block) pulls_.push_back({block, 1.0});
+  };
+  if (i == 0) at_end(tendon.left);
+  if (i > 0 || tendon.closed) at_contact(i > 0 ? i - 1 : tendon.contacts - 1);
+  if (i < tendon.contacts) at_contact(i);
+  if (i + 1 == tendon.segments) at_end(tendon.right);
+}
+
+void TreeTension::add_chain(const Network& network, const Mechanics& mechanics,
+                            const Motion& motion, const TendonSpan& tendon, std::size_t first) {
+  const std::size_t n = tendon.segments;
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t i = (first + j) % n;
+    Cell cell;
+    cell.segment = tendon.first_segment + i;
+    cell.length = mechanics.length[cell.segment];
+    cell.take_up = motion.take_up[cell.segment];
+    add_pulls(network, tendon, i);
+    cell.pulls = pulls_.size();
+    if (j + 1 < n) {
+      const std::size_t k = tendon.first_contact + i;
+      const Contact& contact = network.contacts[k];
+      cell.decay = mechanics.decay[k];
+      const Slide slide = slide_of(motion.slip[k]);
+      if (contact.kind == ContactKind::bar) {
+        const ArmRatio& arms = network.blocks[contact.block].arms;
+        cell.is_bar = true;
+        cell.arms = static_cast<double>(arms.left) / arms.right;
+        cell.link = Link::ratio;
+        cell.ratio = 1 / cell.arms;
+      } else if (slide != Slide::no || cell.decay == 1) {
+        cell.link = Link::ratio;
+        cell.ratio = slide == Slide::to_right ? 1 / cell.decay : cell.decay;
+      } else {
+        cell.link = Link::stick;
+      }
+    }
+    cells_.push_back(cell);
+  }
+}
+
+void TreeTension::build(const Network& network, const Mechanics& mechanics, const Motion& motion,
+                        std::size_t tree) {
+  cells_.clear();
+  pulls_.clear();
+  auto loop = loops_.begin();
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    const TendonSpan& tendon = network.tendons[t];
+    if (tendon.tree != tree || motion.is_slack(t)) continue;
+    std::size_t first = 0;
+    if (tendon.closed) {
+      first = (loop->openings[loop->chosen] + 1) % tendon.segments;
+      ++loop;
+    }
+    add_chain(network, mechanics, motion, tendon, first);
+  }
+  travel_.assign(network.blocks.size(), 0);
+  in_tree_.clear();
+  for (const Pull& pull : pulls_) {
+    if (std::find(in_tree_.begin(), in_tree_.end(), pull.block) == in_tree_.end()) {
+      in_tree_.push_back(pull.block);
+    }
+  }
+}
+
+// With sticks and creeps as they stand, each run of cells between two sticks has one unknown
+// tension t: Λ t = E + c·z, and each block a balance Σ β t = 0. Eliminating t leaves the blocks.
+void TreeTension::solve_linear() {
+  const auto m = static_cast<Eigen::Index>(in_tree_.size());
+  Matrix matrix = Matrix::Zero(m, m);
+  Vector right = Vector::Zero(m);
+  Vector force(m);
+  Vector gain(m);
+  const auto index_of = [&](std::size_t block) {
+    return std::find(in_tree_.begin(), in_tree_.end(), block) - in_tree_.begin();
+  };
+  const auto for_each_run = [&](auto visit) {
+    std::size_t begin = 0;
+    std::size_t pull = 0;
+    while (begin < cells_.size()) {
+      double relative = 1;
+      double weight = 1;
+      double stiff = 0;
+      double take_up = 0;
+      force.setZero();
+      gain.setZero();
+      std::size_t end = begin;
+      while (true) {
+        Cell& cell = cells_[end++];
+        cell.relative = relative;
+        cell.weight = weight;
+        stiff += weight * cell.length * relative;
+        take_up += weight * cell.take_up;
+        for (; pull < cell.pulls; ++pull) {
+          const Eigen::Index b = index_of(pulls_[pull].block);
+          force(b) += pulls_[pull].sign * relative;
+          gain(b) += pulls_[pull].sign * weight;
+        }
+        if (cell.link == Link::none || cell.link == Link::stick) break;
+        if (cell.is_bar) weight /= cell.arms;
+        relative *= cell.link == Link::ratio            ? cell.ratio
+                    : cell.link == Link::creep_to_right ? 1 / cell.decay
+                                                        : cell.decay;
+      }
+      visit(begin, end, stiff, take_up);
+      begin = end;
+    }
+  };
+  for_each_run([&](std::size_t, std::size_t, double stiff, double take_up) {
+    matrix += force * gain.transpose() / stiff;
+    right -= force * (take_up / stiff);
+  });
+  const Vector travel = matrix.partialPivLu().solve(right);
+  for_each_run([&](std::size_t begin, std::size_t end, double stiff, double take_up) {
+    const double tension = (take_up + gain.dot(travel)) / stiff;
+    for (std::size_t i = begin; i < end; ++i) cells_[i].tension = tension * cells_[i].relative;
+  });
+  for (Eigen::Index b = 0; b < m; ++b) travel_[in_tree_[static_cast<std::size_t>(b)]] = travel(b);
+}
+
+// Changes the links whose condition is violated; how many there were.
+std::size_t TreeTension::exchange(bool one_by_one) {
+  std::size_t violated = 0;
+  double slip = 0;
+  double size = 0;  // of the lengths that slip is a sum of
+  std::size_t pull = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    Cell& cell = cells_[i];
+    double take_up = cell.take_up;
+    for (; pull < cell.pulls; ++pull) take_up += pulls_[pull].sign * travel_[pulls_[pull].block];
+    slip += cell.length * cell.tension - take_up;
+    size += std::abs(cell.length * cell.tension) + std::abs(take_up);
+    Link wanted = cell.link;
+    if (cell.link == Link::stick) {
+      const double right = cells_[i + 1].tension;
+      const double slack = rounding * (std::abs(cell.tension) + std::abs(right));
+      if (cell.tension < cell.decay * right - slack) wanted = Link::creep_to_right;
+      if (right < cell.decay * cell.tension - slack) wanted = Link::creep_to_left;
+    } else if ((cell.link == Link::creep_to_right && slip < -rounding * size) ||
+               (cell.link == Link::creep_to_left && slip > rounding * size)) {
+      wanted = Link::stick;
+    }
+    if (cell.is_bar) slip *= cell.arms;
+    if (cell.link == Link::none || cell.link == Link::stick) slip = size = 0;
+    if (wanted == cell.link) continue;
+    ++violated;
+    cell.link = wanted;
+    if (one_by_one) return violated;
+  }
+  return violated;
+}
+
+bool TreeTension::settle() {
+  for (int round = 0; round < most_rounds + most_steps; ++round) {
+    solve_linear();
+    if (exchange(round >= most_rounds) == 0) return true;
+  }
+  return false;
+}
+
+bool TreeTension::loops_fit(const Network& network, const Mechanics& mechanics,
+                            const std::vector<double>& tension) const {
+  return std::all_of(loops_.begin(), loops_.end(), [&](const Loop& loop) {
+    const TendonSpan& tendon = network.tendons[loop.tendon];
+    const std::size_t k = loop.openings[loop.chosen];
+    const auto [left, right] = ends_of(tendon, k);
+    const auto [low, high] = std::minmax(tension[left], tension[right]);
+    return high * mechanics.decay[tendon.first_contact + k] <= low * (1 + rounding);
+  });
+}
+
+bool TreeTension::solve(const Network& network, const Mechanics& mechanics, const Motion& motion,
+                        std::size_t tree, std::vector<double>& tension) {
+  find_loops(network, motion, tree);
+  do {
+    build(network, mechanics, motion, tree);
+    if (!settle()) continue;
+    for (const Cell& cell : cells_) tension[cell.segment] = cell.tension;
+    if (loops_fit(network, mechanics, tension)) return true;
+  } while (next_openings());
+  return false;
+}
+
+}  // namespace reeve::core

@@ -1,0 +1,93 @@
+// Tensions of tendons that blocks tie together, with given slip directions.
+//
+// Segment i has length L_i (compliance, at EA = 1) and take-up E_i >= 0. With s_k the slip of the
+// contacts that do not slide at order one, and z_b the blocks' order-epsilon travel,
+//
+//   L_i T_i = E_i + s_right − s_left + z of a pass, an arm or a becket − z of a tail
+//   T_l = e^{-phi} T_r or T_r = e^{-phi} T_l     where the tendon slides; given ratios at bars
+//   e^{-phi} <= T_l / T_r <= e^{phi}             where it does not, with s > 0 only at the bound
+//                                                T_l = e^{-phi} T_r, and s < 0 only at the other
+//   Σ passes (T_l + T_r) + Σ beckets T = Σ tails T      at each block and bar
+//
+// A block's balance is linear in T, not in ln T, so that this is no minimum of a potential; it
+// stays monotone. Between contacts that stick, tensions are one unknown; eliminated, there is one
+// linear equation for each block. Which contacts stick and which creep is found by exchanging those
+// whose condition is violated, all at once and, if that does not end, one by one (block pivoting
+// for complementarity problems: J. J. Júdice, F. M. Pires, Computers & Operations Research 21,
+// 1994). Where every contact slides there is nothing to find, and a loop is opened at a contact
+// that does not slide (tension.hpp).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/tension/kinematics.hpp"
+
+namespace reeve::core {
+
+class TreeTension {
+ public:
+  // Writes the tensions of the tree's segments. False if the exchanges do not end; the tensions are
+  // then of no use.
+  bool solve(const Network& network, const Mechanics& mechanics, const Motion& motion,
+             std::size_t tree, std::vector<double>& tension);
+
+ private:
+  enum class Link : std::uint8_t {
+    ratio,  // T_next = ratio * T, whatever the slip
+    stick,  // no slip: the tensions lie in the cone
+    creep_to_right,
+    creep_to_left,
+    none,  // the end of a chain
+  };
+
+  struct Pull {
+    std::size_t block;
+    double sign;
+  };
+
+  // A segment, and the contact behind it.
+  struct Cell {
+    std::size_t segment = 0;
+    double length = 1;
+    double take_up = 0;
+    Link link = Link::none;
+    double decay = 1;  // of the contact
+    double ratio = 1;  // of Link::ratio
+    double arms = 1;   // left over right, at a bar of an open tendon
+    bool is_bar = false;
+    std::size_t pulls = 0;  // end of its part of pulls_
+    double relative = 1;    // tension over that of the first cell since a stick
+    double weight = 1;      // of its length, in the sum since a stick
+    double tension = 0;
+  };
+
+  struct Loop {
+    std::size_t tendon;
+    std::vector<std::size_t> openings;  // contacts at which it may be opened
+    std::size_t chosen = 0;
+  };
+
+  void find_loops(const Network& network, const Motion& motion, std::size_t tree);
+  bool next_openings();
+  void build(const Network& network, const Mechanics& mechanics, const Motion& motion,
+             std::size_t tree);
+  void add_chain(const Network& network, const Mechanics& mechanics, const Motion& motion,
+                 const TendonSpan& tendon, std::size_t first);
+  void add_pulls(const Network& network, const TendonSpan& tendon, std::size_t i);
+  bool settle();
+  void solve_linear();
+  std::size_t exchange(bool one_by_one);
+  bool loops_fit(const Network& network, const Mechanics& mechanics,
+                 const std::vector<double>& tension) const;
+
+  std::vector<Cell> cells_;
+  std::vector<Pull> pulls_;
+  std::vector<Loop> loops_;
+  std::vector<double> travel_;        // of the tree's blocks, by their number in the network
+  std::vector<std::size_t> in_tree_;  // the tree's blocks
+};
+
+}  // namespace reeve::core
