@@ -71,6 +71,9 @@ struct Survey {
 };
 
 bool has_contact(const Survey& survey, ContactKind kind);
+inline bool has_bearing(const Survey& survey) {
+  return has_contact(survey, ContactKind::bearing) || has_contact(survey, ContactKind::block);
+}
 inline bool has_tube_or_sheath(const Survey& survey) {
   return has_contact(survey, ContactKind::tube) || has_contact(survey, ContactKind::sheath);
 }
@@ -149,8 +152,13 @@ std::string effect_name(const Effect& effect);
 // Whether two effects say how large, or which, one and the same thing is.
 bool is_about_the_same(const Effect& a, const Effect& b);
 
-inline bool is_bearing(ContactKind kind) { return kind == ContactKind::bearing; }
-inline bool is_tube_or_sheath(ContactKind kind) { return kind != ContactKind::bearing; }
+// Fixed, on the carriage, or of a floating block.
+inline bool is_bearing(ContactKind kind) {
+  return kind == ContactKind::bearing || kind == ContactKind::block;
+}
+inline bool is_tube_or_sheath(ContactKind kind) {
+  return kind == ContactKind::tube || kind == ContactKind::sheath;
+}
 
 // The exponent that stands for T_low = T_high e^{-phi} - F at this T_high; at most max_exponent.
 double exponent_with_force(double phi, double high_N, double force_N);

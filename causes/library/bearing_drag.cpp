@@ -21,7 +21,7 @@ class BearingDrag final : public Cause {
     return {{"force_N", "N", 0, {0, 5}, Range{0, 1}}};
   }
   std::vector<Subject> subjects(const Survey& survey) const override {
-    const bool possible = has_contact(survey, ContactKind::bearing);
+    const bool possible = has_bearing(survey);
     return possible ? std::vector<Subject>(1) : std::vector<Subject>{};
   }
   double exponent(double phi, const ContactLoad& contact, const Conditions&,

@@ -38,7 +38,7 @@ struct TensionState {
   std::vector<double> tension;  // N per N of motor tension; motor-side tensions add up to 1
   std::vector<double> slip;     // left to right, per unit of carriage travel
   std::vector<double> closing;  // dl of fingers 1 … n, per unit of carriage travel
-  // How far the blocks move, towards their tails when pulling and back when releasing, likewise.
+  // How far the blocks move towards their tails, likewise; in release, back from there.
   std::vector<double> block_travel;
 };
 

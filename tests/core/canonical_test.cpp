@@ -73,6 +73,34 @@ TEST(Canonical, WalksAreOrderedTokenByToken) {
   EXPECT_EQ(distinct("M-1b-T-2b-T-3-M"), "M-3-T-2b-T-1b-M");  // … behind the whole shape
 }
 
+TEST(Canonical, ATreeBeginsWithTheTendonOnWhichItHangs) {
+  for (const char* word : {"M-Y1+1x-Y1-2x", "1x-Y1-2x+Y1-M", "2x-Y1-1x+M-Y1"}) {
+    EXPECT_EQ(identical(word), "M-Y1+1x-Y1-2x");
+    EXPECT_EQ(distinct(word), "M-Y1+1x-Y1-2x");
+  }
+  EXPECT_EQ(identical("M-B-Y1-B-Y1k+Y1-1x"), "1x-Y1+M-B-Y1-B-Y1k");
+  EXPECT_EQ(identical("1x-Y2-2x+3x-Y3-4x+Y2-Y1-Y3+Y1-M"), "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x");
+}
+
+TEST(Canonical, BlocksMayBeRenumberedAndTheirTreesWalkedInAnyOrder) {
+  const std::string least = identical("M-Y1+Y2-Y1-Y3+1x-Y2-2x+F-3-Y3-F");
+  for (const char* word : {"3x-Y1-1x+M-Y2+Y1-Y2-Y3+F-2-Y3-F", "F-1-Y2-F+Y2-Y3-Y1+Y3-M+3x-Y1-2x"}) {
+    EXPECT_EQ(identical(word), least);
+  }
+  EXPECT_NE(identical("M-Y1+Y2-Y1-Y3+1x-Y2-F+F-3-Y3-2x"), least);
+}
+
+TEST(Canonical, ABarWalkedBackwardsHasItsRatioMirrored) {
+  EXPECT_EQ(distinct("M-W1+1x-W1/2:1-2x"), "M-W1+2x-W1/1:2-1x");
+  EXPECT_EQ(identical("M-W1+1x-W1/2:1-2x"), "M-W1+1x-W1/1:2-2x");
+  EXPECT_EQ(distinct("M-W1+M-1-W1/2:1-F"), distinct("M-W1+F-W1/1:2-1-M"));
+}
+
+TEST(Canonical, BlocksAndBarsAreNumberedEachForThemselves) {
+  EXPECT_EQ(identical("1x-W1-2x+3x-W2-4x+W1-Y1-W2+Y1-M"), "M-Y1+W1-Y1-W2+1x-W1-2x+3x-W2-4x");
+  EXPECT_EQ(identical("M-Y2+1x-Y2-2x+M-Y1+3x-Y1-4x"), "M-Y1+1x-Y1-2x+M-Y2+3x-Y2-4x");
+}
+
 TEST(Canonical, ShapesIgnoreFingerNumbersAndNothingElse) {
   const auto alike = [](const char* a, const char* b) {
     return same_shape(parse_routing(a).tendons[0], parse_routing(b).tendons[0]);

@@ -22,16 +22,26 @@ std::string to_text(const Contact& contact) {
       return " |pulley" + finger + kind + "| ";
     case ContactPlace::sheath:
       return " |sheath" + finger + (contact.kind == ContactKind::sheath ? "" : kind) + "| ";
+    case ContactPlace::block:
+      return " |" + std::string(contact_kind_name(contact.kind)) + " #" +
+             std::to_string(contact.block) + "| ";
   }
   return "";
 }
 
+std::string to_text(const TendonEnd& end) {
+  if (end.tie == EndTie::none) return "";
+  return (end.tie == EndTie::tail ? "tail #" : "becket #") + std::to_string(end.block) + " ";
+}
+
 std::string to_text(const Network& network, const TendonSpan& tendon) {
-  std::string text = segment_name(network.segments[tendon.first_segment]);
+  std::string text = to_text(tendon.left) + segment_name(network.segments[tendon.first_segment]);
   for (std::size_t k = 0; k < tendon.contacts; ++k) {
     text += to_text(network.contacts[tendon.first_contact + k]);
     text += segment_name(network.segments[ends_of(tendon, k).right]);
   }
+  const std::string right = to_text(tendon.right);
+  if (!right.empty()) text += " " + right.substr(0, right.size() - 1);
   return text;
 }
 
@@ -42,6 +52,39 @@ std::string expanded(const std::string& word) {
     text += (text.empty() ? "" : " + ") + to_text(network, tendon);
   }
   return text;
+}
+
+TEST(Network, TiesTendonsToBlocksAndTheirPassesToTheirSheaves) {
+  EXPECT_EQ(expanded("M-Y1+1x-Y1-2x"), "a |sheath| h1 tail #0 + T1 |block #0| T3");
+  EXPECT_EQ(
+      expanded("M-B-Y1-B-Y1k+Y1-1x"),
+      "a |sheath| h1 |join bearing| h2 |block #0| h3 |join bearing| h4 becket #0 + tail #0 T1");
+  EXPECT_EQ(
+      expanded("M-1-Y1+2-Y1-3-T-2"),
+      "a |sheath 1| T1 |tip 1 tube| T2 tail #0 + T4 |block #0| T5 |tip 3 tube| T6 |join tube| "
+      "T3 |tip 2 tube| T4");
+}
+
+TEST(Network, NumbersBarsBehindBlocks) {
+  const std::string word = "1x-W1-2x+3x-W2/2:1-4x+W1-Y1-W2+Y1-M";
+  EXPECT_EQ(
+      expanded(word),
+      "T1 |bar #1| T3 + T5 |bar #2| T7 + tail #1 h1 |block #0| h2 tail #2 + tail #0 h3 |sheath| a");
+  const Network network = expand(parse_routing(word));
+  std::vector<std::string> names;
+  for (const Block& block : network.blocks) names.push_back(block_name(block));
+  EXPECT_EQ(names, (std::vector<std::string>{"Y1", "W1", "W2"}));
+  EXPECT_EQ(network.blocks[1].arms, (ArmRatio{1, 1}));
+  EXPECT_EQ(network.blocks[2].arms, (ArmRatio{2, 1}));
+}
+
+TEST(Network, TendonsThatBlocksTieTogetherShareATree) {
+  const Network network = expand(parse_routing("M-Y1+M-F+1x-Y1-Y2+3x-Y3-F+2x-Y2-F+M-Y3"));
+  std::vector<std::size_t> trees;
+  for (const TendonSpan& tendon : network.tendons) trees.push_back(tendon.tree);
+  EXPECT_EQ(trees, (std::vector<std::size_t>{0, 1, 0, 3, 0, 3}));
+  EXPECT_FALSE(is_tied(network, network.tendons[1]));
+  EXPECT_TRUE(is_tied(network, network.tendons[3]));
 }
 
 TEST(Network, FollowsTheTendonOfEachPublishedRouting) {

@@ -64,6 +64,110 @@ TEST(Notation, PrintsWhatItRead) {
   }
 }
 
+TEST(Notation, ReadsAnchoredTipsBlocksAndBars) {
+  const Routing routing = parse_routing("M-Y1+Y1k-1x+2x-Y1-W1/3:1.5-3b-Y2+M-W1+4x-Y2-F");
+  EXPECT_EQ(routing.tendons[0].walk, (Walk{motor_end(), block(TokenKind::block_tail, 1)}));
+  EXPECT_EQ(routing.tendons[1].walk, (Walk{block(TokenKind::becket, 1), anchored_tip(1)}));
+  const Walk walk{anchored_tip(2), block(TokenKind::block_pass, 1), bar(1, {2, 1}),
+                  finger(3, TipKind::bearing), block(TokenKind::block_tail, 2)};
+  EXPECT_EQ(routing.tendons[2].walk, walk);
+  EXPECT_EQ(routing.tendons[3].walk, (Walk{motor_end(), block(TokenKind::bar_pivot, 1)}));
+}
+
+TEST(Notation, PrintsBlocksAndBarsAsItReadThem) {
+  for (const std::string word :
+       {"1x-P-2x", "M-Y1+1x-Y1-2x", "M-B-Y1-B-Y1k+Y1-1x", "M-W1+1x-W1/2:1-2x", "M-1-Y1+2-Y1-3-T-2",
+        "1x-W1-2x+3x-W2-4x+W1-Y1-W2+Y1-M", "M-Y2-Y3k+Y2-Y1-Y3k+Y3-B-Y1k+Y1-1x",
+        "M-W1+1x-W1/5:8-2b-F"}) {
+    EXPECT_EQ(to_word(parse_routing(word)), word);
+  }
+}
+
+TEST(Notation, PrintsARatioInLowestTerms) {
+  EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/12.5:20-2x")), "M-W1+1x-W1/5:8-2x");
+  EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/3:3-2x")), "M-W1+1x-W1-2x");
+}
+
+TEST(NotationError, PartsOfABlockThatAreMissing) {
+  EXPECT_EQ(message("F-1-Y1-2-F"),
+            at("F-1-Y1-2-F", 5,
+               "block Y1 has no tail, so nothing holds it against the strands that pass it: Y1 as "
+               "the end of a walk, as in M-Y1+1x-Y1-2x"));
+  EXPECT_EQ(message("M-Y1+M-1-F"),
+            at("M-Y1+M-1-F", 3,
+               "block Y1 has a tail but nothing pulls the other way: neither a pass (Y1 inside a "
+               "walk) nor a becket (Y1k)"));
+  EXPECT_EQ(message("1x-W1-2x"), at("1x-W1-2x", 4,
+                                    "bar W1 has arms but nothing at its pivot: W1 as the end of a "
+                                    "walk, as in M-W1+1x-W1-2x"));
+  EXPECT_EQ(message("M-W1+1x-W1+2x-M"),
+            at("M-W1+1x-W1+2x-M", 3,
+               "bar W1 has a pivot but no arms: they are its neighbours inside a walk, as in "
+               "1x-W1-2x"));
+}
+
+TEST(NotationError, BlocksThatHangOnThemselves) {
+  const auto hangs = [](const std::string& name) {
+    return name + " hangs on itself: its tail is pulled by a tendon that " + name.substr(6) +
+           " carries, directly or over other blocks";
+  };
+  EXPECT_EQ(message("Y1-1-Y1-2x+M-F"), at("Y1-1-Y1-2x+M-F", 1, hangs("block Y1")));
+  EXPECT_EQ(message("M-1-F+Y1-Y1k"), at("M-1-F+Y1-Y1k", 7, hangs("block Y1")));
+  EXPECT_EQ(message("Y1-Y2-1x+Y2-Y1-2x"), at("Y1-Y2-1x+Y2-Y1-2x", 1, hangs("block Y1")));
+}
+
+TEST(NotationError, NumbersOfBlocksAndBars) {
+  EXPECT_EQ(message("M-Y2+1x-Y2-2x"),
+            "routing 'M-Y2+1x-Y2-2x': block Y1 is missing; blocks are numbered Y1 to Y2 without a "
+            "gap");
+  EXPECT_EQ(message("M-W2+1x-W2-2x"),
+            "routing 'M-W2+1x-W2-2x': bar W1 is missing; bars are numbered W1 to W2 without a gap");
+  const std::string range = " number from 1 to 32 behind ";
+  EXPECT_EQ(message("M-Y0"), at("M-Y0", 3, "'Y0': expected a block" + range + "Y"));
+  EXPECT_EQ(message("M-Y33k"), at("M-Y33k", 3, "'Y33k': expected a block" + range + "Y"));
+  EXPECT_EQ(message("M-W01"), at("M-W01", 3, "'W01': expected a bar" + range + "W"));
+  EXPECT_EQ(message("M-Y-1x"), at("M-Y-1x", 3, "unknown token 'Y'" + expected_tokens));
+}
+
+TEST(NotationError, SuffixesOfBlocksAndBars) {
+  EXPECT_EQ(message("M-Y1b"),
+            at("M-Y1b", 3, "'Y1b': expected behind the block number nothing, or k for a becket"));
+  EXPECT_EQ(message("M-Y1/2:1+1x-Y1-2x"),
+            at("M-Y1/2:1+1x-Y1-2x", 3,
+               "'Y1/2:1': expected behind the block number nothing, or k for a becket"));
+  EXPECT_EQ(message("M-W1+1x-W1-2x+W1k-3x"),
+            at("M-W1+1x-W1-2x+W1k-3x", 15,
+               "'W1k': a bar has no becket; its two arms are its neighbours inside a walk, as in "
+               "1x-W1-2x"));
+  EXPECT_EQ(message("M-W1/2:1+1x-W1-2x"),
+            at("M-W1/2:1+1x-W1-2x", 3,
+               "'W1/2:1': expected W1 alone: the end of a walk is tied to the bar's pivot, and a "
+               "ratio belongs to its arms"));
+  for (const std::string ratio : {"/2", "/0:1", "/1:-1", "/1:nan", "/1e3:1", "/1:2:3", "/", "b",
+                                  "/1:0.0001", "/9999.999:1"}) {
+    const std::string word = "M-W1+1x-W1" + ratio + "-2x";
+    EXPECT_NE(message(word).find("column 9: "), std::string::npos) << message(word);
+  }
+}
+
+TEST(NotationError, AnchoredTipsAndBecketsStandAtEnds) {
+  const std::string inside = " ends a walk and cannot stand inside it; join tendons with +";
+  EXPECT_EQ(message("M-1x-T-2-F"), at("M-1x-T-2-F", 3, "'1x'" + inside));
+  EXPECT_EQ(message("M-Y1k-1x"), at("M-Y1k-1x", 3, "'Y1k'" + inside));
+  EXPECT_EQ(message("1x-2-F"),
+            at("1x-2-F", 4, "between two fingers a join is needed: T, B, P or a block before '2'"));
+  EXPECT_EQ(message("1x-P-1x"),
+            at("1x-P-1x", 6, "finger 1 is passed twice; a finger has two strands and one tendon"));
+}
+
+TEST(NotationError, ABarHasTwoArms) {
+  EXPECT_EQ(message("M-W1+1x-W1-2x+3x-W1-F"),
+            at("M-W1+1x-W1-2x+3x-W1-F", 18, "'W1' stands inside walks twice; a bar has two arms"));
+  EXPECT_EQ(message("M-W1+1-W1/2:1-1"),
+            at("M-W1+1-W1/2:1-1", 8,
+               "'W1/2:1': a loop that is tied to both arms of a bar needs equal arms"));
+}
+
 TEST(Notation, ReadsAsManyFingersAsAGraspCanHold) {
   std::string word = "M-1";
   for (int f = 2; f <= max_fingers; ++f) word += "-T-" + std::to_string(f);
@@ -196,9 +300,10 @@ TEST(NotationFault, HasTheTokenInParts) {
   const auto parts = [](const std::string& word) {
     return testing::input_fault([&] { parse_routing(word); });
   };
-  EXPECT_EQ(parts("M-1-Q"),
-            "routing 'M-1-Q', column 5 | unknown token | Q | M, F, T, B, P or a finger number such "
-            "as 1 or 2b");
+  EXPECT_EQ(
+      parts("M-1-Q"),
+      "routing 'M-1-Q', column 5 | unknown token | Q | M, F, T, B, P, a finger such as 1, 2b or 3x, a "
+      "block such as Y1 or Y1k, or a bar such as W1");
   EXPECT_EQ(parts("M-65-F"), "routing 'M-65-F', column 3 |  | 65 | a finger number from 1 to 64");
   EXPECT_EQ(
       parts("M-1-1-F"),

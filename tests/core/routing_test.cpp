@@ -28,6 +28,20 @@ TEST(Routing, IsActuatedOnlyIfEveryTendonIs) {
   EXPECT_TRUE(is_actuated(parse_routing("2-P-2+M-1-F")));
 }
 
+TEST(Routing, ATreeIsActuatedByAnyOfItsTendons) {
+  EXPECT_TRUE(is_actuated(parse_routing("M-Y1+1x-Y1-2x")));
+  EXPECT_TRUE(is_actuated(parse_routing("F-1-Y1+M-2-Y1-F")));
+  EXPECT_FALSE(is_actuated(parse_routing("F-Y1+1x-Y1-2x")));
+  EXPECT_FALSE(is_actuated(parse_routing("M-Y1+1x-Y1-2x+F-Y2+3x-Y2-4x")));
+}
+
+TEST(Routing, CountsBlocksAndBarsAndTheFingersThatAreTied) {
+  const Routing routing = parse_routing("1x-W1-2x+3x-W2-4x+W1-Y1-W2+Y1-M");
+  EXPECT_EQ(block_count(routing).blocks, 1);
+  EXPECT_EQ(block_count(routing).bars, 2);
+  EXPECT_EQ(finger_count(routing), 4);
+}
+
 TEST(Routing, PartsOnTheCarriageAreMAndP) {
   EXPECT_TRUE(is_on_carriage(TokenKind::motor_end));
   EXPECT_TRUE(is_on_carriage(TokenKind::movable_pulley));

@@ -69,8 +69,9 @@ inline int token_rank(const Token& token) {
       return 5;
     case TokenKind::movable_pulley:
       return 6;
+    default:
+      return 7;
   }
-  return 7;
 }
 
 // Compares as canonical.hpp says: the tendons' shapes, and then the numbers of the fingers.
