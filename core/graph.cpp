@@ -17,7 +17,7 @@ void add_ties(const Network& network, std::size_t block, NetworkGraph& result) {
   std::vector<std::size_t> tails;
   std::vector<std::size_t> others;
   for (const TendonSpan& tendon : network.tendons) {
-    for_each_pull(network, tendon, [&](std::size_t segment, std::size_t of, double sign) {
+    for_each_pull(network, tendon, [&](std::size_t segment, std::size_t of, double sign, double) {
       if (of == block) (sign < 0 ? tails : others).push_back(segment);
     });
   }

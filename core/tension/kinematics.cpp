@@ -81,7 +81,7 @@ void accumulate_slip(const TendonSpan& tendon, Motion& motion) {
 void impose_blocks(const Network& network, const TendonSpan& tendon, Direction direction,
                    Motion& motion) {
   const double way = direction == Direction::pull ? 1 : -1;
-  for_each_pull(network, tendon, [&](std::size_t segment, std::size_t block, double sign) {
+  for_each_pull(network, tendon, [&](std::size_t segment, std::size_t block, double sign, double) {
     motion.imposed[segment] += way * sign * motion.block_travel[block];
   });
 }
@@ -94,9 +94,7 @@ void accumulate_slip_at_bars(const Network& network, const TendonSpan& tendon, M
     const Contact& contact = network.contacts[tendon.first_contact + k];
     slip -= motion.imposed[tendon.first_segment + k];
     motion.slip[tendon.first_contact + k] = std::abs(slip) < slip_tolerance ? 0 : slip;
-    if (contact.kind != ContactKind::bar) continue;
-    const ArmRatio& arms = network.blocks[contact.block].arms;
-    slip *= static_cast<double>(arms.left) / arms.right;
+    if (contact.kind == ContactKind::bar) slip /= behind_bar(network, contact);
   }
 }
 

@@ -35,19 +35,17 @@ Constraints constraints(const Network& network, const Mechanics& mechanics, Gras
   for (Eigen::Index f = 0; f < fingers; ++f) {
     result.cost(f) = 1 / mechanics.closing[static_cast<std::size_t>(f)];
   }
-  std::vector<double> weight(network.segments.size(), 1);
   for (Eigen::Index row = 0; row < rows; ++row) {
     const TendonSpan& tendon = network.tendons[static_cast<std::size_t>(row)];
     for_each_weighted_segment(network, tendon, [&](std::size_t i, double of_segment) {
-      weight[i] = of_segment;
       const Segment& segment = network.segments[i];
       if (segment.kind == SegmentKind::motor_side) result.motor(row) += of_segment;
       if (segment.kind == SegmentKind::strand && !grasp.holds(segment.finger)) {
         result.give(row, segment.finger - 1) += of_segment;
       }
     });
-    for_each_pull(network, tendon, [&](std::size_t i, std::size_t block, double sign) {
-      result.give(row, fingers + static_cast<Eigen::Index>(block)) -= sign * weight[i];
+    for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
+      result.give(row, fingers + static_cast<Eigen::Index>(block)) -= sign * weight;
     });
   }
   return result;

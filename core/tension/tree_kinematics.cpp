@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 
 namespace reeve::core {
 namespace {
@@ -10,107 +11,172 @@ namespace {
 // Of lengths of order one, sums of a few tens of terms.
 constexpr double length_tolerance = 1e-9;
 
-// One row for each tendon, one column for each block and each closing finger of the tree.
-struct Equations {
-  Eigen::MatrixXd blocks;    // take-up for each block's z
-  Eigen::MatrixXd closings;  // giving up, for each finger's dl
-  Eigen::VectorXd motor;     // motor-side lengths
-  std::vector<std::size_t> block;
-  std::vector<int> finger;
-};
-
-std::vector<const TendonSpan*> tendons_of(const Network& network, std::size_t tree) {
-  std::vector<const TendonSpan*> tendons;
-  for (const TendonSpan& tendon : network.tendons) {
-    if (tendon.tree == tree) tendons.push_back(&tendon);
-  }
-  return tendons;
+bool closes(const Segment& segment, Grasp grasp) {
+  return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
 }
 
-template <typename Thing>
-Eigen::Index column(std::vector<Thing>& columns, Thing thing) {
-  const auto found = std::find(columns.begin(), columns.end(), thing);
-  if (found != columns.end()) return found - columns.begin();
-  columns.push_back(thing);
-  return static_cast<Eigen::Index>(columns.size()) - 1;
+double closing_weight(const Mechanics& mechanics, int finger) {
+  return mechanics.closing[static_cast<std::size_t>(finger) - 1];
 }
 
-Equations equations(const Network& network, Grasp grasp,
-                    const std::vector<const TendonSpan*>& tendons) {
-  Equations result;
-  const auto closes = [&](const Segment& segment) {
-    return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
-  };
-  for (const TendonSpan* tendon : tendons) {
-    for_each_pull(network, *tendon,
-                  [&](std::size_t, std::size_t block, double) { column(result.block, block); });
-    for (std::size_t i = 0; i < tendon->segments; ++i) {
-      const Segment& segment = network.segments[tendon->first_segment + i];
-      if (closes(segment)) column(result.finger, segment.finger);
+// The tendons and blocks of a tree as rows and columns of equations, in the order of the network.
+struct TreeColumns {
+  Eigen::Index tendons = 0;
+  Eigen::Index blocks = 0;
+  std::array<Eigen::Index, block_keys> of_block{};
+
+  TreeColumns(const Network& network, std::size_t tree) {
+    of_block.fill(-1);
+    for (const TendonSpan& tendon : network.tendons) {
+      if (tendon.tree != tree) continue;
+      ++tendons;
+      for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double, double) {
+        if (of_block[block] < 0) of_block[block] = blocks++;
+      });
     }
   }
-  const auto rows = static_cast<Eigen::Index>(tendons.size());
-  result.blocks.setZero(rows, static_cast<Eigen::Index>(result.block.size()));
-  result.closings.setZero(rows, static_cast<Eigen::Index>(result.finger.size()));
-  result.motor.setZero(rows);
-  std::vector<double> weight(network.segments.size(), 0);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const TendonSpan& tendon = *tendons[static_cast<std::size_t>(row)];
-    for_each_weighted_segment(network, tendon, [&](std::size_t i, double of_segment) {
-      weight[i] = of_segment;
-      const Segment& segment = network.segments[i];
-      if (segment.kind == SegmentKind::motor_side) result.motor(row) += of_segment;
-      if (closes(segment))
-        result.closings(row, column(result.finger, segment.finger)) += of_segment;
-    });
-    for_each_pull(network, tendon, [&](std::size_t i, std::size_t block, double sign) {
-      result.blocks(row, column(result.block, block)) += sign * weight[i];
-    });
-  }
-  return result;
-}
-
-struct Solved {
-  bool exact = false;
-  bool unique = false;
-  Eigen::VectorXd blocks;
-  Eigen::VectorXd closings;
 };
 
-// All closing fingers share one dl.
-Solved with_one_closing(const Equations& e, const Eigen::VectorXd& weights) {
-  const Eigen::Index m = e.blocks.cols();
-  Eigen::MatrixXd matrix(e.blocks.rows(), m + 1);
-  matrix << e.blocks, -e.closings * weights;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
-  const Eigen::VectorXd x = qr.solve(-e.motor);
-  const double miss = (matrix * x + e.motor).cwiseAbs().maxCoeff();
-  return {miss < length_tolerance, qr.rank() == m + 1, x.head(m), weights * x(m)};
-}
+// One row for each tendon: take-ups for each block's z, what the closing fingers give up for one
+// common dl, and the motor-side lengths. At most `Most` tendons or blocks; small ones need no
+// memory from the heap.
+template <int Most>
+struct CommonClosing {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Most, Most>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Most, 1>;
+
+  bool any_closes = false;
+  bool exact = false;
+  bool unique = false;
+  Vector blocks;
+  double closing = 0;
+
+  CommonClosing(const Network& network, const Mechanics& mechanics, Grasp grasp, std::size_t tree,
+                const TreeColumns& columns) {
+    Matrix matrix = Matrix::Zero(columns.tendons, columns.blocks + 1);
+    Vector motor = Vector::Zero(columns.tendons);
+    Eigen::Index row = 0;
+    for (const TendonSpan& tendon : network.tendons) {
+      if (tendon.tree != tree) continue;
+      for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
+        const Segment& segment = network.segments[i];
+        if (segment.kind == SegmentKind::motor_side) motor(row) += weight;
+        if (!closes(segment, grasp)) return;
+        any_closes = true;
+        matrix(row, columns.blocks) -= weight * closing_weight(mechanics, segment.finger);
+      });
+      for_each_pull(network, tendon,
+                    [&](std::size_t, std::size_t block, double sign, double weight) {
+                      matrix(row, columns.of_block[block]) += sign * weight;
+                    });
+      ++row;
+    }
+    if (!any_closes) return;
+    const Eigen::ColPivHouseholderQR<Matrix> qr(matrix);
+    const Vector x = qr.solve(-motor);
+    exact = (matrix * x + motor).cwiseAbs().maxCoeff() < length_tolerance;
+    unique = qr.rank() == columns.blocks + 1;
+    blocks = x.head(columns.blocks);
+    closing = x(columns.blocks);
+  }
+};
+
+struct TreeMotion {
+  TreeState state = TreeState::jams;
+  std::vector<double> blocks;    // by column
+  std::vector<double> closings;  // of fingers 1 … n
+};
 
 // The closings as equal as the tendons let them: the conditions of a stationary variance.
-Solved with_equal_closings(const Equations& e, const Eigen::VectorXd& weights) {
-  const Eigen::Index m = e.blocks.cols();
-  const Eigen::Index f = e.closings.cols();
-  const Eigen::Index n = e.blocks.rows();
+TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                 std::size_t tree, const TreeColumns& columns) {
+  const Eigen::Index m = columns.blocks;
+  const Eigen::Index f = network.fingers;
+  const Eigen::Index n = columns.tendons;
   const Eigen::Index common = m + f;  // the dl that all would share
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(common + 1 + n, common + 1 + n);
-  for (Eigen::Index i = 0; i < f; ++i) {
-    matrix(m + i, m + i) = 1 / weights(i);
-    matrix(m + i, common) = matrix(common, m + i) = -1;
-    matrix(common, common) += weights(i);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(common + 1 + n);
+  std::vector<bool> free(static_cast<std::size_t>(f), false);
+  Eigen::Index row = common + 1;
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.tree != tree) continue;
+    for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
+      const Segment& segment = network.segments[i];
+      if (segment.kind == SegmentKind::motor_side) right(row) -= weight;
+      if (!closes(segment, grasp)) return;
+      free[static_cast<std::size_t>(segment.finger) - 1] = true;
+      matrix(row, m + segment.finger - 1) -= weight;
+    });
+    for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
+      matrix(row, columns.of_block[block]) += sign * weight;
+    });
+    ++row;
   }
-  Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(n, common + 1);
-  constraints.leftCols(m) = e.blocks;
-  constraints.middleCols(m, f) = -e.closings;
-  matrix.bottomLeftCorner(n, common + 1) = constraints;
-  matrix.topRightCorner(common + 1, n) = constraints.transpose();
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
-  right.tail(n) = -e.motor;
+  const Eigen::MatrixXd tendons = matrix.bottomRows(n);
+  matrix.topRightCorner(common + 1, n) = tendons.leftCols(common + 1).transpose();
+  for (Eigen::Index i = 0; i < f; ++i) {
+    if (!free[static_cast<std::size_t>(i)]) continue;
+    const double weight = closing_weight(mechanics, static_cast<int>(i) + 1);
+    matrix(m + i, m + i) = 1 / weight;
+    matrix(m + i, common) = matrix(common, m + i) = -1;
+    matrix(common, common) += weight;
+  }
   const Eigen::VectorXd x = matrix.completeOrthogonalDecomposition().solve(right);
-  const double miss = (constraints * x.head(common + 1) + e.motor).cwiseAbs().maxCoeff();
-  const bool unique = e.blocks.colPivHouseholderQr().rank() == m;
-  return {miss < length_tolerance, unique, x.head(m), x.segment(m, f)};
+  const double miss = (tendons * x - right.tail(n)).cwiseAbs().maxCoeff();
+  if (!(miss < length_tolerance)) return {};
+  const bool unique = tendons.leftCols(m).colPivHouseholderQr().rank() == m;
+  return {unique ? TreeState::moves : TreeState::undetermined,
+          {x.data(), x.data() + m},
+          {x.data() + m, x.data() + common}};
+}
+
+void write_blocks(const TreeColumns& columns, const double* travel,
+                  std::vector<double>& block_travel) {
+  for (std::size_t block = 0; block < block_travel.size(); ++block) {
+    if (columns.of_block[block] >= 0) block_travel[block] = travel[columns.of_block[block]];
+  }
+}
+
+// False if a finger would have to open.
+template <typename ClosingOf>
+bool write_closings(const Network& network, Grasp grasp, std::size_t tree, ClosingOf closing_of,
+                    std::vector<double>& closing) {
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.tree != tree) continue;
+    for (std::size_t i = 0; i < tendon.segments; ++i) {
+      const Segment& segment = network.segments[tendon.first_segment + i];
+      if (!closes(segment, grasp)) continue;
+      const double dl = closing_of(segment.finger);
+      if (dl < -length_tolerance) return false;
+      closing[static_cast<std::size_t>(segment.finger) - 1] = std::max(dl, 0.0);
+    }
+  }
+  return true;
+}
+
+template <int Most>
+TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                     std::size_t tree, const TreeColumns& columns, std::vector<double>& closing,
+                     std::vector<double>& block_travel) {
+  const CommonClosing<Most> common(network, mechanics, grasp, tree, columns);
+  if (!common.any_closes) return TreeState::jams;
+  if (common.exact) {
+    if (!common.unique) return TreeState::undetermined;
+    write_blocks(columns, common.blocks.data(), block_travel);
+    const auto shared = [&](int finger) {
+      return common.closing * closing_weight(mechanics, finger);
+    };
+    const bool closing_only = write_closings(network, grasp, tree, shared, closing);
+    return closing_only ? TreeState::moves : TreeState::undetermined;
+  }
+  const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
+  if (nearly.state != TreeState::moves) return nearly.state;
+  write_blocks(columns, nearly.blocks.data(), block_travel);
+  const auto found = [&](int finger) {
+    return nearly.closings[static_cast<std::size_t>(finger) - 1];
+  };
+  const bool closing_only = write_closings(network, grasp, tree, found, closing);
+  return closing_only ? TreeState::moves : TreeState::undetermined;
 }
 
 }  // namespace
@@ -118,28 +184,13 @@ Solved with_equal_closings(const Equations& e, const Eigen::VectorXd& weights) {
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,
                                 std::size_t tree, std::vector<double>& closing,
                                 std::vector<double>& block_travel) {
-  const Equations e = equations(network, grasp, tendons_of(network, tree));
-  for (const std::size_t block : e.block) block_travel[block] = 0;
-  if (e.finger.empty()) return TreeState::jams;
-  Eigen::VectorXd weights(static_cast<Eigen::Index>(e.finger.size()));
-  for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    weights(i) =
-        mechanics.closing[static_cast<std::size_t>(e.finger[static_cast<std::size_t>(i)]) - 1];
+  constexpr int small = 8;
+  const TreeColumns columns(network, tree);
+  if (columns.tendons <= small && columns.blocks < small) {
+    return solve_with<small>(network, mechanics, grasp, tree, columns, closing, block_travel);
   }
-  Solved solved = with_one_closing(e, weights);
-  if (!solved.exact) solved = with_equal_closings(e, weights);
-  if (!solved.exact) return TreeState::jams;
-  if (!solved.unique || solved.closings.minCoeff() < -length_tolerance) {
-    return TreeState::undetermined;
-  }
-  for (std::size_t i = 0; i < e.block.size(); ++i) {
-    block_travel[e.block[i]] = solved.blocks(static_cast<Eigen::Index>(i));
-  }
-  for (std::size_t i = 0; i < e.finger.size(); ++i) {
-    const double dl = solved.closings(static_cast<Eigen::Index>(i));
-    closing[static_cast<std::size_t>(e.finger[i]) - 1] = std::max(dl, 0.0);
-  }
-  return TreeState::moves;
+  return solve_with<Eigen::Dynamic>(network, mechanics, grasp, tree, columns, closing,
+                                    block_travel);
 }
 
 }  // namespace reeve::core

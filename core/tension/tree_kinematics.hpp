@@ -30,6 +30,12 @@ enum class TreeState {
   undetermined,
 };
 
+// The weight behind a bar over that before it.
+inline double behind_bar(const Network& network, const Contact& bar) {
+  const ArmRatio& arms = network.blocks[bar.block].arms;
+  return static_cast<double>(arms.right) / arms.left;
+}
+
 // The weight of each segment's length in its tendon's equation: 1 but behind unequal bars. Calls
 // visit(segment, weight) from the first segment to the last.
 template <typename Visit>
@@ -39,28 +45,29 @@ void for_each_weighted_segment(const Network& network, const TendonSpan& tendon,
     visit(tendon.first_segment + i, weight);
     if (i >= tendon.contacts) continue;
     const Contact& contact = network.contacts[tendon.first_contact + i];
-    if (contact.kind != ContactKind::bar) continue;
-    const ArmRatio& arms = network.blocks[contact.block].arms;
-    weight *= static_cast<double>(arms.right) / arms.left;
+    if (contact.kind == ContactKind::bar) weight *= behind_bar(network, contact);
   }
 }
 
-// Calls visit(segment, block, sign) wherever a block pulls at a tendon: sign +1 at passes, arms and
-// beckets, −1 at tails.
+// Calls visit(segment, block, sign, weight) wherever a block pulls at a tendon: sign +1 at passes,
+// arms and beckets, −1 at tails; the weight is the segment's.
 template <typename Visit>
 void for_each_pull(const Network& network, const TendonSpan& tendon, Visit visit) {
-  const auto at_end = [&](const TendonEnd& end, std::size_t segment) {
-    if (end.tie != EndTie::none) visit(segment, end.block, end.tie == EndTie::tail ? -1.0 : 1.0);
+  const auto at_end = [&](const TendonEnd& end, std::size_t segment, double weight) {
+    if (end.tie == EndTie::none) return;
+    visit(segment, end.block, end.tie == EndTie::tail ? -1.0 : 1.0, weight);
   };
-  at_end(tendon.left, tendon.first_segment);
+  double weight = 1;
+  at_end(tendon.left, tendon.first_segment, weight);
   for (std::size_t k = 0; k < tendon.contacts; ++k) {
-    const std::size_t block = network.contacts[tendon.first_contact + k].block;
-    if (block == no_block) continue;
+    const Contact& contact = network.contacts[tendon.first_contact + k];
+    if (contact.block == no_block) continue;
     const auto [left, right] = ends_of(tendon, k);
-    visit(left, block, 1.0);
-    visit(right, block, 1.0);
+    visit(left, contact.block, 1.0, weight);
+    if (contact.kind == ContactKind::bar) weight *= behind_bar(network, contact);
+    visit(right, contact.block, 1.0, weight);
   }
-  at_end(tendon.right, tendon.first_segment + tendon.segments - 1);
+  at_end(tendon.right, tendon.first_segment + tendon.segments - 1, weight);
 }
 
 // Writes the tree's part of `closing` (of fingers 1 … n) and of `block_travel` (of the network's

@@ -23,21 +23,22 @@ using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_in_tree, 1>;
 
 void TreeTension::find_loops(const Network& network, const Motion& motion, std::size_t tree) {
   loops_.clear();
+  openings_.clear();
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
     if (tendon.tree != tree || !tendon.closed || motion.is_slack(t)) continue;
-    Loop loop{t, {}, 0};
+    const std::size_t first = openings_.size();
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      if (motion.slip[tendon.first_contact + k] == 0) loop.openings.push_back(k);
+      if (motion.slip[tendon.first_contact + k] == 0) openings_.push_back(k);
     }
-    loops_.push_back(std::move(loop));
+    loops_.push_back({t, first, openings_.size(), first});
   }
 }
 
 bool TreeTension::next_openings() {
   for (Loop& loop : loops_) {
-    if (++loop.chosen < loop.openings.size()) return true;
-    loop.chosen = 0;
+    if (++loop.chosen < loop.end_opening) return true;
+    loop.chosen = loop.first_opening;
   }
   return false;
 }
@@ -101,7 +102,7 @@ void TreeTension::build(const Network& network, const Mechanics& mechanics, cons
     if (tendon.tree != tree || motion.is_slack(t)) continue;
     std::size_t first = 0;
     if (tendon.closed) {
-      first = (loop->openings[loop->chosen] + 1) % tendon.segments;
+      first = (openings_[loop->chosen] + 1) % tendon.segments;
       ++loop;
     }
     add_chain(network, mechanics, motion, tendon, first);
@@ -214,7 +215,7 @@ bool TreeTension::loops_fit(const Network& network, const Mechanics& mechanics,
                             const std::vector<double>& tension) const {
   return std::all_of(loops_.begin(), loops_.end(), [&](const Loop& loop) {
     const TendonSpan& tendon = network.tendons[loop.tendon];
-    const std::size_t k = loop.openings[loop.chosen];
+    const std::size_t k = openings_[loop.chosen];
     const auto [left, right] = ends_of(tendon, k);
     const auto [low, high] = std::minmax(tension[left], tension[right]);
     return high * mechanics.decay[tendon.first_contact + k] <= low * (1 + rounding);

@@ -64,10 +64,12 @@ class TreeTension {
     double tension = 0;
   };
 
+  // openings_ holds the contacts at which a loop may be opened.
   struct Loop {
     std::size_t tendon;
-    std::vector<std::size_t> openings;  // contacts at which it may be opened
-    std::size_t chosen = 0;
+    std::size_t first_opening;
+    std::size_t end_opening;
+    std::size_t chosen;
   };
 
   void find_loops(const Network& network, const Motion& motion, std::size_t tree);
@@ -86,6 +88,7 @@ class TreeTension {
   std::vector<Cell> cells_;
   std::vector<Pull> pulls_;
   std::vector<Loop> loops_;
+  std::vector<std::size_t> openings_;
   std::vector<double> travel_;        // of the tree's blocks, by their number in the network
   std::vector<std::size_t> in_tree_;  // the tree's blocks
 };
