@@ -59,18 +59,21 @@ class TreeInterior {
     if (!begin()) return {};
     int settled = 0;
     for (int step = 0; step < limit; ++step) {
-      const bool done = gap() <= goal * scale_;
-      const Real length = advance(done ? gap() : centring_ * gap());
+      const Vector carried = groups_.stretch.array() * u_.array().exp();
+      const Vector beside = smaller_side(carried);
+      const Real gap = mean_gap(beside);
+      const bool done = gap <= goal;
+      const Real length = advance(carried, beside * (done ? gap : centring_ * gap));
       if (!(length > 0) || !u_.allFinite()) return {};
       centring_ = length > 0.5L ? 0.1L : length > 0.1L ? 0.5L : 1;
-      settled = done && length == 1 && change_ < 1e-8L ? settled + 1 : 0;
+      settled = done && length == 1 && change_ < 1e-6L ? settled + 1 : 0;
       if (settled > 1) return {true, verdicts()};
     }
     return {};
   }
 
  private:
-  static constexpr Real goal = 1e-28L;
+  static constexpr Real goal = 1e-12L;
   static constexpr int limit = 300;
 
   void find_open() {
@@ -118,7 +121,20 @@ class TreeInterior {
     return d;
   }
 
-  Real gap() const { return (q_.dot(right_) + p_.dot(left_)) / static_cast<Real>(2 * phi_.size()); }
+  // Of the stretch on either side of each contact, by which its slip is small or not.
+  Vector smaller_side(const Vector& carried) const {
+    Vector smaller(phi_.size());
+    for (Index k = 0; k < smaller.size(); ++k) {
+      const Open& open = open_[static_cast<std::size_t>(k)];
+      smaller(k) = std::min(carried(open.left), carried(open.right));
+    }
+    return smaller;
+  }
+
+  Real mean_gap(const Vector& beside) const {
+    const Vector gaps = q_.cwiseProduct(right_) + p_.cwiseProduct(left_);
+    return gaps.cwiseQuotient(beside).mean() / 2;
+  }
 
   // The slips s out of the left group and into the right one, as lengths that each needs more.
   Vector spread(const Vector& s) const {
@@ -159,11 +175,10 @@ class TreeInterior {
     return off;
   }
 
-  Real advance(Real target) {
-    const Vector carried = groups_.stretch.array() * u_.array().exp();
+  Real advance(const Vector& carried, const Vector& target) {
     const Eigen::LLT<Matrix> factor(stiffness(carried));
     const Vector out = groups_.elastic + groups_.imposed * z_ +
-                       spread(target * (q_.cwiseInverse() - p_.cwiseInverse())) - carried;
+                       spread(target.cwiseQuotient(q_) - target.cwiseQuotient(p_)) - carried;
     Matrix gradient;
     const Vector off = balances(gradient);
     const Matrix moved = factor.solve(groups_.imposed);
@@ -176,10 +191,11 @@ class TreeInterior {
     return move(du, dz, target);
   }
 
-  Real move(const Vector& du, const Vector& dz, Real target) {
+  Real move(const Vector& du, const Vector& dz, const Vector& target) {
     const Vector d = differences(du);
-    const Vector right = (target - right_.array() * d.array()) / q_.array() - right_.array();
-    const Vector left = (target + left_.array() * d.array()) / p_.array() - left_.array();
+    const Vector right =
+        (target.array() - right_.array() * d.array()) / q_.array() - right_.array();
+    const Vector left = (target.array() + left_.array() * d.array()) / p_.array() - left_.array();
     change_ = du.cwiseAbs().maxCoeff();
     const Real length = std::min({std::min(Real(1), 3 / change_), within(q_, d), within(p_, -d),
                                   within(right_, right), within(left_, left)});
@@ -200,17 +216,16 @@ class TreeInterior {
     return length;
   }
 
-  // A slip is small or not by the stretch beside it, a room by phi.
   std::vector<Verdict> verdicts() const {
     const Vector carried = groups_.stretch.array() * u_.array().exp();
+    const Vector beside = smaller_side(carried);
     std::vector<Verdict> found;
     for (Index k = 0; k < phi_.size(); ++k) {
-      const Open& open = open_[static_cast<std::size_t>(k)];
-      const Real beside = std::min(carried(open.left), carried(open.right));
-      const Real to_right = std::log(right_(k) / beside) - std::log(q_(k) / phi_(k));
-      const Real to_left = std::log(left_(k) / beside) - std::log(p_(k) / phi_(k));
+      const Real to_right = std::log(right_(k) / beside(k)) - std::log(q_(k) / phi_(k));
+      const Real to_left = std::log(left_(k) / beside(k)) - std::log(p_(k) / phi_(k));
       const int side = to_right > 0 ? -1 : to_left > 0 ? 1 : 0;
-      found.push_back({open.contact, side, std::max(to_right, to_left)});
+      found.push_back(
+          {open_[static_cast<std::size_t>(k)].contact, side, std::max(to_right, to_left)});
     }
     return found;
   }
