@@ -162,18 +162,66 @@ class TreeCheck {
   TreeFaults faults_;
 };
 
+// factor . z <= most, a sum of terms of that size.
+struct Inequality {
+  Vector factor;
+  Real most, size;
+};
+
+Vector block_column(const Tree& tree, const Span& span, Index block) {
+  return tree.hangs.col(block).segment(span.segment, span.segments);
+}
+
+Inequality room_of(const Tree& tree, const Span& span, const std::vector<bool>& held,
+                   const Vector& z) {
+  const Vector c = tree.c.segment(span.segment, span.segments);
+  const Real elastic = c.dot(tree.elastic.segment(span.segment, span.segments));
+  Inequality room{Vector::Zero(z.size()), -elastic, std::abs(elastic)};
+  for (Index b = 0; b < z.size(); ++b) {
+    const Real factor = c.dot(block_column(tree, span, b));
+    if (!held[static_cast<std::size_t>(b)]) {
+      room.factor(b) = factor;
+    } else {
+      room.most -= factor * z(b);
+      room.size += std::abs(factor * z(b));
+    }
+  }
+  return room;
+}
+
+// Fourier-Motzkin: what the inequalities say without that unknown.
+std::vector<Inequality> without_unknown(const std::vector<Inequality>& all, Index unknown) {
+  std::vector<Inequality> rest;
+  for (const Inequality& one : all) {
+    const Real up = one.factor(unknown);
+    if (up == 0) rest.push_back(one);
+    for (const Inequality& other : all) {
+      const Real down = -other.factor(unknown);
+      if (!(up > 0 && down > 0)) continue;
+      rest.push_back({one.factor / up + other.factor / down, one.most / up + other.most / down,
+                      one.size / up + other.size / down});
+    }
+  }
+  return rest;
+}
+
 }  // namespace
 
 TreeFaults check(const Tree& tree, const TreeState& state) { return TreeCheck(tree, state).run(); }
 
-bool is_slack(const Tree& tree, const Span& span, const Vector& z) {
-  Real total = 0, size = 0;
-  for (Index i = span.segment; i < span.segment + span.segments; ++i) {
-    const Vector moved = tree.hangs.row(i).transpose().cwiseProduct(z);
-    total += tree.c(i) * (tree.elastic(i) + moved.sum());
-    size += tree.c(i) * (tree.elastic(i) + moved.cwiseAbs().sum());
-  }
-  return total <= length_tolerance * size;
+bool slack_fits(const Tree& tree, const std::vector<bool>& slack, const Vector& z) {
+  const Index blocks = tree.hangs.cols();
+  std::vector<bool> held(static_cast<std::size_t>(blocks), false);
+  for (std::size_t t = 0; t < slack.size(); ++t)
+    for (Index b = 0; b < blocks; ++b)
+      if (!slack[t] && !block_column(tree, tree.spans[t], b).isZero(0))
+        held[static_cast<std::size_t>(b)] = true;
+  std::vector<Inequality> all;
+  for (std::size_t t = 0; t < slack.size(); ++t)
+    if (slack[t]) all.push_back(room_of(tree, tree.spans[t], held, z));
+  for (Index b = 0; b < blocks; ++b) all = without_unknown(all, b);
+  return std::all_of(all.begin(), all.end(),
+                     [](const Inequality& i) { return i.most >= -length_tolerance * i.size; });
 }
 
 }  // namespace reeve::testing::reference

@@ -30,7 +30,8 @@ struct TreeFaults {
 
 TreeFaults check(const Tree& tree, const TreeState& state);
 
-// Whether a tendon is no shorter than what it has to span: sum_i c_i (E_i + C_i z) <= 0.
-bool is_slack(const Tree& tree, const Span& span, const Vector& z);
+// Whether no slack tendon is shorter than what it has to span: sum_i c_i (E_i + C_i z) <= 0, with
+// the z of blocks that slack tendons alone hold wherever that allows it.
+bool slack_fits(const Tree& tree, const std::vector<bool>& slack, const Vector& z);
 
 }  // namespace reeve::testing::reference

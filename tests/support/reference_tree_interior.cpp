@@ -64,7 +64,8 @@ class TreeInterior {
       const Real gap = mean_gap(beside);
       const bool done = gap <= goal;
       const Real length = advance(carried, beside * (done ? gap : centring_ * gap));
-      if (!(length > 0) || !u_.allFinite()) return {};
+      if (!(length > 0) || !(u_.minCoeff() > lost)) return {};
+      damping_ = length < 0.05L ? std::max(10 * damping_, 0.01L) : damping_ / 10;
       centring_ = length > 0.5L ? 0.1L : length > 0.1L ? 0.5L : 1;
       settled = done && length == 1 && change_ < 1e-6L ? settled + 1 : 0;
       if (settled > 1) return {true, verdicts()};
@@ -75,6 +76,7 @@ class TreeInterior {
  private:
   static constexpr Real goal = 1e-12L;
   static constexpr int limit = 300;
+  static constexpr Real lost = -300;  // ln T of what goes slack
 
   void find_open() {
     known_.assign(tree_.contacts.size(), 0);
@@ -186,6 +188,7 @@ class TreeInterior {
     Matrix response = gradient * moved;
     for (Index b = 0; b < z_.size(); ++b)
       if (response.row(b).isZero(0)) response(b, b) = 1;
+    response.diagonal().array() += damping_ * response.norm();
     const Vector dz = response.fullPivLu().solve(-off - gradient * alone);
     const Vector du = alone + moved * dz;
     return move(du, dz, target);
@@ -236,6 +239,7 @@ class TreeInterior {
   std::vector<bool> is_open_;
   std::vector<Open> open_;
   Real scale_ = 0, centring_ = 0.1L, change_ = 0;
+  Real damping_ = 0;  // of the blocks, where a step led out of bounds
   Vector u_, z_, phi_;
   Vector q_, p_;         // rooms; kept, as differences of u would lose the small ones
   Vector right_, left_;  // s+, s-

@@ -65,7 +65,7 @@ std::optional<TreeState> taut(const Tree& tree) {
   return std::nullopt;
 }
 
-// The tree with some of its tendons left out. Blocks that only they hold stay where they are.
+// The tree with some of its tendons left out.
 struct Part {
   Tree tree;
   std::vector<Index> segments;  // in the whole
@@ -108,9 +108,7 @@ std::optional<Vector> with_slack(const Tree& tree, const std::vector<bool>& slac
   const Part part = part_without(tree, slack);
   if (!can_balance(part.tree.hangs) || !(part.tree.elastic.sum() > 0)) return std::nullopt;
   const std::optional<TreeState> found = taut(part.tree);
-  if (!found) return std::nullopt;
-  for (std::size_t t = 0; t < slack.size(); ++t)
-    if (slack[t] && !is_slack(tree, tree.spans[t], found->z)) return std::nullopt;
+  if (!found || !slack_fits(tree, slack, found->z)) return std::nullopt;
   Vector tension = Vector::Zero(tree.length.size());
   tension(part.segments) = found->tension;
   return tension;
