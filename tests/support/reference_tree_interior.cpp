@@ -76,7 +76,8 @@ class TreeInterior {
  private:
   static constexpr Real goal = 1e-12L;
   static constexpr int limit = 300;
-  static constexpr Real lost = -300;  // ln T of what goes slack
+  static constexpr Real farthest = 2;  // in ln T, by a step
+  static constexpr Real lost = -300;   // ln T of what goes slack
 
   void find_open() {
     known_.assign(tree_.contacts.size(), 0);
@@ -191,7 +192,8 @@ class TreeInterior {
     response.diagonal().array() += damping_ * response.norm();
     const Vector dz = response.fullPivLu().solve(-off - gradient * alone);
     const Vector du = alone + moved * dz;
-    return move(du, dz, target);
+    change_ = du.cwiseAbs().maxCoeff();
+    return move(du.cwiseMax(-farthest).cwiseMin(farthest), dz, target);
   }
 
   Real move(const Vector& du, const Vector& dz, const Vector& target) {
@@ -199,9 +201,8 @@ class TreeInterior {
     const Vector right =
         (target.array() - right_.array() * d.array()) / q_.array() - right_.array();
     const Vector left = (target.array() + left_.array() * d.array()) / p_.array() - left_.array();
-    change_ = du.cwiseAbs().maxCoeff();
-    const Real length = std::min({std::min(Real(1), 3 / change_), within(q_, d), within(p_, -d),
-                                  within(right_, right), within(left_, left)});
+    const Real length =
+        std::min({within(q_, d), within(p_, -d), within(right_, right), within(left_, left)});
     u_ += length * du;
     z_ += length * dz;
     q_ += length * d;
