@@ -8,6 +8,7 @@
 
 #include "tests/support/reference_limit.hpp"
 #include "tests/support/reference_problem.hpp"
+#include "tests/support/reference_tree_solve.hpp"
 #include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing {
@@ -51,9 +52,8 @@ void append_closing(const Tendon& tendon, const Problem& problem, bool moves,
   }
 }
 
-ReferenceResult solve(const std::string& word, const std::set<int>& held,
-                      ReferenceDirection direction, const ReferenceHardware& hardware) {
-  const std::vector<Tendon> tendons = read_tendons(word);
+ReferenceResult solve_one_by_one(const std::vector<Tendon>& tendons, const std::set<int>& held,
+                                 ReferenceDirection direction, const ReferenceHardware& hardware) {
   std::vector<Problem> problems;
   problems.reserve(tendons.size());
   for (const auto& tendon : tendons) problems.push_back(pose(tendon, held, direction, hardware));
@@ -87,7 +87,12 @@ ReferenceResult solve(const std::string& word, const std::set<int>& held,
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction,
                                    const ReferenceHardware& hardware) {
-  return reference::solve(word, held, direction, hardware);
+  const std::vector<reference::Tendon> tendons = reference::read_tendons(word);
+  const bool blocks = std::any_of(tendons.begin(), tendons.end(), [](const auto& tendon) {
+    return !tendon.passes.empty() || !tendon.ends.empty();
+  });
+  return blocks ? reference::solve_trees(tendons, held, direction, hardware)
+                : reference::solve_one_by_one(tendons, held, direction, hardware);
 }
 
 }  // namespace reeve::testing

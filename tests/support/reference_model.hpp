@@ -22,10 +22,21 @@
 // linear program that e0 poses), so that nothing is extrapolated. An interior-point method at one
 // eps finds which contacts are at a bound; from these the limit is solved in closed form and its
 // optimality conditions are verified. An unverified answer is never returned.
+//
+// Blocks (reference_tree.hpp) join tendons into trees. With z_b the movement of block b,
+//
+//     sum of c_i (e0_i + C_i z) = 0 along each tendon     gives dl, one for the closing fingers of
+//     a
+//                                                         tree, and z; D = 1
+//     sum_i C_ib T_i = 0 for each block                   gives the z at order eps
+//
+// The balances are no part of the potential, so cones, lengths and balances are solved together
+// (reference_tree_interior.hpp), and again the limit in closed form and its conditions decide.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -47,16 +58,19 @@ struct ReferenceHardware {
   std::function<double(const std::string& segment, double nominal)> length_override;
   /// Fingers that are not listed have weight 1.
   std::map<int, double> closing_weight;
+  /// Of a sheave of a floating block; the bearing's if it is not given.
+  std::optional<ReferenceLaw> block = std::nullopt;
 };
 
 enum class ReferenceDirection { pull, release };
 
 struct ReferenceContact {
   std::string left, right;
-  std::string kind;  ///< "tube", "bearing" or "sheath"
+  std::string kind;  ///< "tube", "bearing", "sheath", "block" or "bar"
   double phi;
   /// From left to right, in the limit, at D = 1; 0 everywhere if the grasp jams. The free
   /// circulation of a loop minimises sum phi |slip|; from an interval of minimisers, its middle.
+  /// At a block, relative to it; of a bar, half the difference of its arms' movements.
   double slip;
 };
 
@@ -69,9 +83,12 @@ struct ReferenceResult {
   std::map<int, double> closing;
 };
 
-/// `word` must be valid: tokens M F T B P and fingers, plain or with suffix b.
-/// Throws std::invalid_argument on any other token and on a tendon without motor-side segment,
-/// std::logic_error if the optimality conditions could not be met.
+/// `word` must be valid: tokens M F T B P, fingers, plain or with suffix b, 1x at an end, and
+/// blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other token, on a tendon (a
+/// tree) without motor-side segment, and with blocks: on one without tail or without pass and
+/// becket or that hangs on itself, on a bar with more than one pass or with unequal arms in a loop,
+/// where the motion of the blocks is not determined and where it would open a finger.
+/// std::logic_error if the conditions could not be met.
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction, const ReferenceHardware& hardware);
 

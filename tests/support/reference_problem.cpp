@@ -11,18 +11,27 @@ namespace reeve::testing::reference {
 
 namespace {
 
-constexpr Real tied_phi = 1e-15L;  // below it a contact is taken as frictionless
-
 Real nominal_phi(const std::string& kind, const ReferenceHardware& hardware) {
   const ReferenceLaw& law = kind == "tube"      ? hardware.tube
                             : kind == "bearing" ? hardware.bearing
+                            : kind == "block"   ? hardware.block.value_or(hardware.bearing)
                                                 : hardware.sheath;
   return law.mu * law.angle;
 }
 
+}  // namespace
+
+bool tied(Real phi) { return phi < 1e-15L; }
+
+bool tied(const Problem& problem, Index k) { return tied(problem.phi(k)); }
+
 Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware) {
   Vector phi(static_cast<Index>(tendon.kinds.size()));
   for (std::size_t k = 0; k < tendon.kinds.size(); ++k) {
+    if (tendon.kinds[k] == "bar") {
+      phi(static_cast<Index>(k)) = 0;
+      continue;
+    }
     const auto nominal = static_cast<double>(nominal_phi(tendon.kinds[k], hardware));
     const auto& left = tendon.segments[k].name;
     const auto& right = tendon.segments[(k + 1) % tendon.segments.size()].name;
@@ -45,11 +54,15 @@ Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
   return length;
 }
 
-// The c that minimises sum_k phi_k |slip_k + c|; the middle of them all if there are many.
+double weight(int finger, const ReferenceHardware& hardware) {
+  const auto found = hardware.closing_weight.find(finger);
+  return found == hardware.closing_weight.end() ? 1.0 : found->second;
+}
+
 Real median_circulation(const Vector& phi, const Vector& slip) {
   std::vector<std::pair<Real, Real>> points;
   for (Index k = 0; k < phi.size(); ++k)
-    if (phi(k) >= tied_phi) points.emplace_back(-slip(k), phi(k));
+    if (!tied(phi(k))) points.emplace_back(-slip(k), phi(k));
   if (points.empty()) return 0;
   std::sort(points.begin(), points.end());
   const Real total = phi.sum();
@@ -61,6 +74,8 @@ Real median_circulation(const Vector& phi, const Vector& slip) {
   return tie ? (points[at].first + points[next].first) / 2 : points[at].first;
 }
 
+namespace {
+
 // Slips that cancel e0: 0 = e0_i + s_i - s_{i-1}. Rounding must not turn rest into motion.
 Vector zero_order_slips(const Vector& e0, const Vector& phi, bool loop) {
   Vector slip(phi.size());
@@ -69,11 +84,6 @@ Vector zero_order_slips(const Vector& e0, const Vector& phi, bool loop) {
   if (loop) slip.array() += median_circulation(phi, slip);
   const Real noise = 1e-16L * e0.cwiseAbs().sum();
   return slip.unaryExpr([noise](Real s) { return std::abs(s) <= noise ? Real(0) : s; });
-}
-
-double weight(int finger, const ReferenceHardware& hardware) {
-  const auto found = hardware.closing_weight.find(finger);
-  return found == hardware.closing_weight.end() ? 1.0 : found->second;
 }
 
 void impose_jam(const Tendon& tendon, ReferenceDirection direction, Problem& problem) {
@@ -86,12 +96,15 @@ void impose_jam(const Tendon& tendon, ReferenceDirection direction, Problem& pro
   }
 }
 
-// e0 is built in units of 1 / (2 total weight), in which it is exact, and divided afterwards.
+// e0 is built in units of 1 / (the weights of all closing strands), in which it is exact, and
+// divided afterwards.
 void impose_motion(const Tendon& tendon, const std::map<int, Real>& weights, Real motor_sides,
                    ReferenceDirection direction, Problem& problem) {
   const bool pull = direction == ReferenceDirection::pull;
   Real unit = 0;
-  for (const auto& [finger, w] : weights) unit += 2 * w;
+  for (const auto& segment : tendon.segments)
+    if (const auto closing = weights.find(segment.finger); closing != weights.end())
+      unit += closing->second;
   Vector e0 = Vector::Zero(problem.elastic.size());
   for (Index i = 0; i < e0.size(); ++i) {
     const auto& [name, place, finger] = tendon.segments[static_cast<std::size_t>(i)];
@@ -110,8 +123,6 @@ void impose_motion(const Tendon& tendon, const std::map<int, Real>& weights, Rea
 }
 
 }  // namespace
-
-bool tied(const Problem& problem, Index k) { return problem.phi(k) < tied_phi; }
 
 Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
              const ReferenceHardware& hardware) {

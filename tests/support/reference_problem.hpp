@@ -23,7 +23,18 @@ struct Problem {
   std::map<int, double> closing;  // of the fingers that close
 };
 
+// Of the segments and contacts of one tendon. A bar has no friction.
+Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
+Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware);
+
+double weight(int finger, const ReferenceHardware& hardware);
+
+// The c that minimises sum_k phi_k |slip_k + c| over the contacts with friction; the middle of them
+// all if there are many.
+Real median_circulation(const Vector& phi, const Vector& slip);
+
 // Whether a contact is taken as frictionless.
+bool tied(Real phi);
 bool tied(const Problem& problem, Index k);
 
 // Throws std::invalid_argument for a tendon without a motor-side segment.

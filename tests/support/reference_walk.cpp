@@ -20,6 +20,10 @@ int finger_of(const std::string& token) {
   return std::isdigit(static_cast<unsigned char>(token.at(0))) ? std::stoi(token) : 0;
 }
 
+bool is_anchored(const std::string& token) { return finger_of(token) != 0 && token.back() == 'x'; }
+
+bool is_block(const std::string& token) { return token.at(0) == 'Y' || token.at(0) == 'W'; }
+
 std::string tip_kind(const std::string& token) { return token.back() == 'b' ? "bearing" : "tube"; }
 
 // 0 -> a, 25 -> z, 26 -> aa, ...
@@ -41,8 +45,8 @@ class Reader {
  private:
   Tendon read_walk(const std::vector<std::string>& tokens) {
     Tendon tendon;
-    tendon.loop =
-        tokens.size() > 1 && finger_of(tokens.front()) != 0 && tokens.front() == tokens.back();
+    tendon.loop = tokens.size() > 1 && finger_of(tokens.front()) != 0 &&
+                  !is_anchored(tokens.front()) && tokens.front() == tokens.back();
     if (tokens.front() == "M") {
       tendon.segments.push_back(motor_side());
       tendon.kinds.emplace_back("sheath");
@@ -55,14 +59,51 @@ class Reader {
       tendon.kinds.emplace_back("sheath");
       tendon.segments.push_back(motor_side());
     }
+    tie(tokens.front(), 0, tendon);
+    tie(tokens.back(), tendon.segments.size() - 1, tendon);
     if (tendon.loop) tendon.kinds.push_back(tip_kind(tokens.front()));
     for (const auto& segment : tendon.segments)
       if (segment.finger != 0) tendon.fingers.insert(segment.finger);
     return tendon;
   }
 
+  static void tie(const std::string& end, std::size_t segment, Tendon& tendon) {
+    if (!is_block(end)) return;
+    const bool becket = end.back() == 'k';
+    const std::string block = becket ? end.substr(0, end.size() - 1) : end;
+    check_name(block, end);
+    tendon.ends.push_back({block, segment, becket});
+  }
+
+  static void pass_block(const std::string& token, Tendon& tendon) {
+    const bool bar = token[0] == 'W';
+    const std::size_t slash = bar ? token.find('/') : std::string::npos;
+    BlockPass pass{token.substr(0, slash), tendon.kinds.size(), bar, 1, 1};
+    check_name(pass.block, token);
+    if (slash != std::string::npos) {
+      std::istringstream ratio(token.substr(slash + 1));
+      char colon = 0;
+      ratio >> pass.left >> colon >> pass.right;
+      if (!ratio || colon != ':' || !(pass.left > 0 && pass.right > 0)) unknown(token);
+    }
+    tendon.passes.push_back(pass);
+    tendon.kinds.emplace_back(bar ? "bar" : "block");
+  }
+
+  static void check_name(const std::string& block, const std::string& token) {
+    const bool number =
+        block.size() > 1 && block.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (!number) unknown(token);
+  }
+
+  [[noreturn]] static void unknown(const std::string& token) {
+    throw std::invalid_argument("the reference model does not know the token " + token);
+  }
+
   void pass(const std::string& token, Tendon& tendon) {
-    if (finger_of(token) != 0) {
+    if (is_block(token)) {
+      pass_block(token, tendon);
+    } else if (finger_of(token) != 0 && !is_anchored(token)) {
       tendon.kinds.push_back(tip_kind(token));
     } else if (token == "T") {
       tendon.kinds.emplace_back("tube");
@@ -72,14 +113,15 @@ class Reader {
       for (const char* kind : {"sheath", "bearing", "sheath"}) tendon.kinds.emplace_back(kind);
       for (int side = 0; side < 2; ++side) tendon.segments.push_back(motor_side());
     } else {
-      throw std::invalid_argument("the reference model does not know the token " + token);
+      unknown(token);
     }
   }
 
   Segment motor_side() { return {letters(motor_sides_++), Place::motor_side, 0}; }
 
   Segment stretch(const std::string& before, const std::string& after) {
-    if (const int f = finger_of(before)) return {"T" + std::to_string(2 * f), Place::strand, f};
+    if (const int f = finger_of(before))
+      return {"T" + std::to_string(is_anchored(before) ? 2 * f - 1 : 2 * f), Place::strand, f};
     if (const int f = finger_of(after)) return {"T" + std::to_string(2 * f - 1), Place::strand, f};
     return {"h" + std::to_string(++hands_), Place::hand, 0};
   }

@@ -1,0 +1,340 @@
+// The reference model with floating blocks, anchored tips and bars: against values worked out by
+// hand or by other programs, against its solver of single tendons, and against what holds for any
+// mechanism. The library has no part in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "tests/support/random_mechanism.hpp"
+#include "tests/support/random_routing.hpp"
+#include "tests/support/reference_comparison.hpp"
+#include "tests/support/reference_model.hpp"
+#include "tests/support/reference_tree_solve.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::ReferenceDirection;
+using testing::ReferenceHardware;
+using testing::ReferenceResult;
+
+constexpr double pi = std::numbers::pi;
+
+ReferenceHardware paper_hardware() {
+  ReferenceHardware hardware{};
+  hardware.tube = {0.18, pi};
+  hardware.bearing = {0.001, pi};
+  hardware.sheath = {0.18, 2 * pi};
+  return hardware;
+}
+
+ReferenceResult pulled(const std::string& word, const std::set<int>& held = {},
+                       const ReferenceHardware& hardware = paper_hardware()) {
+  return testing::reference_tensions(word, held, ReferenceDirection::pull, hardware);
+}
+
+std::vector<double> strands(const ReferenceResult& result) {
+  std::vector<double> found;
+  for (const auto& [segment, tension] : result.tension)
+    if (segment.front() == 'T') found.push_back(tension);
+  return found;
+}
+
+int finger_of_strand(const std::string& segment) { return (std::stoi(segment.substr(1)) + 1) / 2; }
+
+// Work done on the fingers by the work of the carriage, D = 1 and T_M = 1.
+double efficiency(const ReferenceResult& result) {
+  double work = 0;
+  for (const auto& [segment, tension] : result.tension)
+    if (segment.front() == 'T') work += tension * result.closing.at(finger_of_strand(segment));
+  return work;
+}
+
+struct Indicators {
+  double uniformity = 0, efficiency = 0;
+};
+
+Indicators mean_of_grasps(const std::string& word) {
+  Indicators mean;
+  for (const std::set<int>& held : {std::set<int>{}, {1}, {2}}) {
+    const ReferenceResult result = pulled(word, held);
+    const std::vector<double> tensions = strands(result);
+    const auto [least, most] = std::minmax_element(tensions.begin(), tensions.end());
+    mean.uniformity += *least / *most / 3;
+    mean.efficiency += efficiency(result) / 3;
+  }
+  return mean;
+}
+
+void expect_tensions(const ReferenceResult& result, const std::map<std::string, double>& expected) {
+  for (const auto& [segment, tension] : expected)
+    EXPECT_NEAR(result.tension.at(segment), tension, 5e-5) << segment;
+}
+
+// ---- values ----
+
+TEST(ReferenceBlocks, UniformityAndEfficiencyAreThoseOfTheDesign) {
+  const struct {
+    const char* word;
+    double uniformity, efficiency;
+  } rows[] = {{"1-P-2-P-1", 0.998, 0.322},
+              {"M-Y1+1x-Y1-2x", 0.998, 0.322},
+              {"1x-P-2x", 0.998, 0.322},
+              {"M-Y1+F-1b-Y1-2b-F", 0.995, 0.322},
+              {"M-Y1+F-1-Y1-2-F", 0.567, 0.253}};
+  for (const auto& [word, uniformity, efficiency] : rows) {
+    const Indicators found = mean_of_grasps(word);
+    EXPECT_NEAR(found.uniformity, uniformity, 6e-4) << word;
+    EXPECT_NEAR(found.efficiency, efficiency, 6e-4) << word;
+  }
+}
+
+TEST(ReferenceBlocks, ATreeOfThreeBlocksHasTheTensionsOfTheDesign) {
+  expect_tensions(pulled("M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x", {1}),
+                  {{"h1", 0.3227}, {"T1", 0.0809}, {"T3", 0.0807}, {"T5", 0.0806}, {"T7", 0.0806}});
+}
+
+TEST(ReferenceBlocks, ALoopThroughABlockBelowAMotorHasTheTensionsOfTheDesign) {
+  const ReferenceResult result = pulled("M-1-Y1+2-Y1-3-T-2", {2});
+  expect_tensions(result, {{"T1", 0.3227},
+                           {"T2", 0.1833},
+                           {"T3", 0.0522},
+                           {"T4", 0.0918},
+                           {"T5", 0.0915},
+                           {"T6", 0.0520}});
+  EXPECT_NEAR(efficiency(result), 0.2165, 5e-5);
+}
+
+TEST(ReferenceBlocks, ALuffTackleLosesOneBearingMoreWithEachPart) {
+  const ReferenceResult result = pulled("M-B-Y1-B-Y1k+Y1-1x");
+  const double r = std::exp(-0.001 * pi);
+  EXPECT_NEAR(result.tension.at("T1") / result.tension.at("h1"), r + r * r + r * r * r, 1e-12);
+  EXPECT_NEAR(result.closing.at(1), 1.0 / 3, 1e-15);
+}
+
+TEST(ReferenceBlocks, WithoutFrictionATackleMultipliesByItsParts) {
+  const struct {
+    const char* word;
+    double parts;
+  } tackles[] = {{"M-B-Y1-B-Y1k+Y1-1x", 3},
+                 {"M-Y1-F+Y1-1x", 2},
+                 {"M-Y1k+Y1-1x", 1},
+                 {"M-Y1-F+Y1-Y2-F+Y2-1x", 4},
+                 {"M-Y2-B-Y1k+Y2-Y1-F+Y1-1x", 5},
+                 {"M-Y2-Y3k+Y2-Y1-Y3k+Y3-B-Y1k+Y1-1x", 7},
+                 {"M-B-Y1-B-Y1-F+Y1-1x", 4},
+                 {"M-Y1+F-Y1-1x", 0.5}};
+  for (const auto& [word, parts] : tackles)
+    for (const auto direction : {ReferenceDirection::pull, ReferenceDirection::release}) {
+      const ReferenceResult result = testing::reference_tensions(word, {}, direction, {});
+      EXPECT_NEAR(result.tension.at("T1"), parts, 1e-12) << word;
+      EXPECT_NEAR(result.closing.at(1), 1 / parts, 1e-12) << word;
+    }
+}
+
+TEST(ReferenceBlocks, ABarSharesInItsRatioWhateverTheFriction) {
+  for (const std::set<int>& held : {std::set<int>{}, {1}, {2}, {1, 2}}) {
+    const ReferenceResult result = pulled("1x-W1/2:1-2x+W1-M", held);
+    EXPECT_NEAR(result.tension.at("T1"), 2 * result.tension.at("T3"), 1e-15);
+    EXPECT_NEAR(result.tension.at("T1") + result.tension.at("T3"), result.tension.at("h1"), 1e-15);
+  }
+  EXPECT_NEAR(pulled("1x-W1/2:1-2x+W1-M", {2}).closing.at(1), 1.5, 1e-15);
+  EXPECT_NEAR(pulled("1x-W1/2:1-2x+W1-M", {1}).closing.at(2), 3, 1e-15);
+}
+
+TEST(ReferenceBlocks, AWhiffletreeMovesWithItsFreeFingers) {
+  const ReferenceResult result = pulled("1x-W1-2x+3x-W2-4x+W1-W3-W2+W3-M", {1});
+  for (const char* strand : {"T1", "T3", "T5", "T7"})
+    EXPECT_NEAR(result.tension.at(strand), std::exp(-0.36 * pi) / 4, 1e-15);
+  for (const int finger : {2, 3, 4}) EXPECT_NEAR(result.closing.at(finger), 4.0 / 3, 1e-15);
+}
+
+TEST(ReferenceBlocks, FingersCloseAsAlikeAsABlockOfSeveralTendonsLets) {
+  const ReferenceResult result = pulled("M-Y1+1x-Y1-2x+3x-Y1-4x", {3});
+  EXPECT_NEAR(result.closing.at(1), 1, 1e-15);
+  EXPECT_NEAR(result.closing.at(2), 1, 1e-15);
+  EXPECT_NEAR(result.closing.at(4), 2, 1e-15);
+}
+
+// ---- jams and slack ----
+
+TEST(ReferenceBlocks, ABranchThatIsHeldAnchorsTheOthersAndNoneIsAJam) {
+  const char* word = "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x";
+  EXPECT_FALSE(pulled(word, {1, 2}).jams);
+  EXPECT_EQ(pulled(word, {1, 2}).closing.at(3), 2);
+  const ReferenceResult jammed = pulled(word, {1, 2, 3, 4});
+  EXPECT_TRUE(jammed.jams);
+  for (const auto& contact : jammed.contacts) EXPECT_EQ(contact.slip, 0);
+}
+
+TEST(ReferenceBlocks, AJammedTreeTakesAllFromTheTreesThatMove) {
+  const ReferenceResult result = pulled("M-Y1+1x-Y1-2x+M-Y2+3x-Y2-4x", {1, 2});
+  EXPECT_TRUE(result.jams);
+  EXPECT_EQ(result.tension.at("a"), 1);
+  EXPECT_EQ(result.tension.at("T5"), 0);
+}
+
+TEST(ReferenceBlocks, ATailOfTwoWhoseFingersDifferJams) {
+  EXPECT_FALSE(pulled("M-Y1-F+Y1-1x+Y1-2x").jams);
+  EXPECT_TRUE(pulled("M-Y1-F+Y1-1x+Y1-2x", {1}).jams);
+}
+
+// The third tendon, twice as stiff against the block as the motor on its tail, pulls the block up.
+TEST(ReferenceBlocks, ATendonThatTheOthersSlackenCarriesNothing) {
+  const ReferenceResult result = pulled("M-Y1+1x-Y1-2x+M-Y1-3x", {1, 2, 3});
+  EXPECT_EQ(result.tension.at("T1"), 0);
+  EXPECT_EQ(result.tension.at("T3"), 0);
+  EXPECT_NEAR(result.tension.at("h2") + result.tension.at("T5"), result.tension.at("h1"), 1e-12);
+}
+
+// ---- any mechanism ----
+
+TEST(ReferenceBlocks, SingleTendonsAreSolvedAlikeByBothSolvers) {
+  int jams = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Dice dice(seed);
+    const std::string word = to_word(testing::random_routing(dice));
+    const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+    std::set<int> held;
+    for (int finger = 1; finger <= 6; ++finger)
+      if (dice.chance(0.4)) held.insert(finger);
+    const auto direction =
+        dice.chance(0.5) ? ReferenceDirection::pull : ReferenceDirection::release;
+    const ReferenceResult single = testing::reference_tensions(word, held, direction, hardware);
+    const ReferenceResult tree = testing::reference::solve_trees(
+        testing::reference::read_tendons(word), held, direction, hardware);
+    EXPECT_EQ(testing::disagreement(word, single, tree, {1e-9, 0, 1e-12}), "")
+        << seed << " " << word;
+    jams += single.jams;
+  }
+  EXPECT_GT(jams, 50);
+  EXPECT_LT(jams, 450);
+}
+
+struct Tally {
+  int moving = 0, jammed = 0, slack = 0, refused = 0;
+};
+
+// Strands and beckets of each block less its tails, by the tensions of the result.
+void expect_blocks_in_balance(const std::string& word, const ReferenceResult& result) {
+  std::map<std::string, double> pull, size;
+  for (const auto& tendon : testing::reference::read_tendons(word)) {
+    const auto add = [&](const std::string& block, std::size_t segment, double sign) {
+      const double tension = result.tension.at(tendon.segments[segment].name);
+      pull[block] += sign * tension;
+      size[block] += tension;
+    };
+    for (const auto& pass : tendon.passes) {
+      add(pass.block, pass.contact, 1);
+      add(pass.block, (pass.contact + 1) % tendon.segments.size(), 1);
+    }
+    for (const auto& end : tendon.ends) add(end.block, end.segment, end.becket ? 1 : -1);
+  }
+  for (const auto& [block, off] : pull) EXPECT_LE(std::abs(off), 1e-12 * size[block]) << block;
+}
+
+void expect_contacts_in_their_cones(const ReferenceResult& result) {
+  for (const auto& contact : result.contacts) {
+    const double left = result.tension.at(contact.left), right = result.tension.at(contact.right);
+    if (contact.kind == "bar" || left == 0) continue;
+    const double difference = std::log(left / right);
+    EXPECT_LE(std::abs(difference), contact.phi + 1e-9) << contact.left << "-" << contact.right;
+    if (contact.slip == 0) continue;
+    EXPECT_NEAR(difference, std::copysign(contact.phi, -contact.slip), 1e-9)
+        << contact.left << "-" << contact.right;
+  }
+}
+
+void try_mechanism(std::uint64_t seed, bool friction, Tally& tally) {
+  Dice dice(seed);
+  const std::string word = testing::random_mechanism(dice);
+  ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+  if (!friction)
+    hardware.phi_override = [](const std::string&, const std::string&, double) { return 0.0; };
+  std::set<int> held;
+  for (int finger = 1; finger <= 5; ++finger)
+    if (dice.chance(0.3)) held.insert(finger);
+  const auto direction = dice.chance(0.5) ? ReferenceDirection::pull : ReferenceDirection::release;
+  SCOPED_TRACE(std::to_string(seed) + " " + word);
+  ReferenceResult result;
+  try {
+    result = testing::reference_tensions(word, held, direction, hardware);
+  } catch (const std::invalid_argument&) {
+    ++tally.refused;
+    return;
+  }
+  expect_blocks_in_balance(word, result);
+  expect_contacts_in_their_cones(result);
+  const bool slack = std::any_of(result.tension.begin(), result.tension.end(),
+                                 [](const auto& segment) { return segment.second == 0; });
+  ++(result.jams ? tally.jammed : slack ? tally.slack : tally.moving);
+  if (result.jams || slack) return;
+  const double work = efficiency(result);
+  if (!friction) {
+    EXPECT_NEAR(work, 1, 1e-9);
+  } else if (direction == ReferenceDirection::pull) {
+    EXPECT_LE(work, 1 + 1e-12);
+  } else {
+    EXPECT_GE(work, 1 - 1e-12);
+  }
+}
+
+TEST(ReferenceBlocks, AnyMechanismIsSolvedWithBlocksInBalanceAndNoWorkWon) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) try_mechanism(seed, true, tally);
+  EXPECT_GT(tally.moving, 2000);
+  EXPECT_GT(tally.jammed, 200);
+  EXPECT_LT(tally.refused, 30);
+}
+
+TEST(ReferenceBlocks, WithoutFrictionAllWorkArrivesAtTheFingers) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) try_mechanism(seed, false, tally);
+  EXPECT_GT(tally.moving, 1300);
+  EXPECT_LT(tally.refused, 20);
+}
+
+// ---- what is refused ----
+
+TEST(ReferenceBlocks, IllFormedWordsAreRefused) {
+  for (const char* word : {"M-Y1",              // neither pass nor becket
+                           "M-Y1-1x",           // no tail
+                           "Y1-T-Y1-M",         // hangs on itself
+                           "M-Y1+1x-T-Y1k-2x",  // a becket inside a walk
+                           "M-1x-2x",           // an anchored tip inside a walk
+                           "M-Yx+1x-Y1-2x", "M-W1+1x-W1/0:1-2x", "M-W1+1x-W1/2-2x",
+                           "M-W1+1-W1/2:1-2-T-1",     // unequal arms in a loop
+                           "M-W1+1x-W1-2x+3x-W1-4x",  // four arms
+                           "F-Y1+1x-Y1-2x",           // no motor
+                           "M-Y1-Y2-F+Y1-1-Y2"})      // which block moves is open
+    EXPECT_THROW(pulled(word), std::invalid_argument) << word;
+}
+
+TEST(ReferenceBlocks, TheFirstDisagreementOfTwoAnswersIsNamed) {
+  const char* word = "M-Y1+1x-Y1-2x";
+  const ReferenceResult expected = pulled(word, {1});
+  EXPECT_EQ(testing::disagreement(word, expected, expected), "");
+  ReferenceResult other = expected;
+  other.tension["T3"] *= 1.00001;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 3), "T3:");
+  other = expected;
+  other.contacts.back().slip = 1;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 13), "slip at T1-T3");
+  other = expected;
+  other.closing[2] = 1;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 19), "closing of finger 2");
+  other = expected;
+  other.jams = true;
+  EXPECT_EQ(testing::disagreement(word, expected, other), "jams");
+}
+
+}  // namespace
+}  // namespace reeve
