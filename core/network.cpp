@@ -13,9 +13,23 @@ namespace {
 
 class Expansion {
  public:
-  Expansion(Network& network, BlockCount count) : net_(network), blocks_(count.blocks) {
-    for (int i = 1; i <= count.blocks; ++i) net_.blocks.push_back({false, i, {}});
-    for (int i = 1; i <= count.bars; ++i) net_.blocks.push_back({true, i, {}});
+  explicit Expansion(Network& network) : net_(network) { index_.fill(no_block); }
+
+  // Blocks by number, then the bars.
+  void number_blocks(const Routing& routing) {
+    std::array<bool, block_keys> named{};
+    for (const Tendon& tendon : routing.tendons) {
+      for (const Token& token : tendon.walk) {
+        if (is_of_block(token.kind)) named[block_key(token)] = true;
+      }
+    }
+    constexpr auto bars = static_cast<std::size_t>(max_blocks);
+    for (std::size_t key = 0; key < block_keys; ++key) {
+      if (!named[key]) continue;
+      index_[key] = net_.blocks.size();
+      const bool is_bar = key >= bars;
+      net_.blocks.push_back({is_bar, static_cast<int>(is_bar ? key - bars : key) + 1, {}});
+    }
   }
 
   void add(const Tendon& tendon) {
@@ -39,9 +53,7 @@ class Expansion {
  private:
   static int finger_of(const Token& token) { return is_of_finger(token.kind) ? token.finger : 0; }
 
-  std::size_t block_index(const Token& token) const {
-    return static_cast<std::size_t>((is_of_bar(token.kind) ? blocks_ : 0) + token.block - 1);
-  }
+  std::size_t block_index(const Token& token) const { return index_[block_key(token)]; }
 
   TendonEnd end_of(const Token& token) const {
     if (!is_of_block(token.kind)) return {};
@@ -118,7 +130,7 @@ class Expansion {
   }
 
   Network& net_;
-  int blocks_ = 0;
+  std::array<std::size_t, block_keys> index_{};
   int motor_side_ = 0;
   int hand_ = 0;
 };
@@ -175,7 +187,8 @@ void expand(const Routing& routing, Network& network) {
   network.blocks.clear();
   network.fingers = 0;
   network.split = false;
-  Expansion expansion(network, block_count(routing));
+  Expansion expansion(network);
+  expansion.number_blocks(routing);
   for (const Tendon& tendon : routing.tendons) expansion.add(tendon);
   number_trees(network);
   for (const Segment& segment : network.segments) {

@@ -50,10 +50,13 @@ int finger_count(const Routing& routing) {
 
 BlockCount block_count(const Routing& routing) {
   BlockCount count;
+  std::uint64_t seen = 0;
   for (const Tendon& tendon : routing.tendons) {
     for (const Token& token : tendon.walk) {
-      int& highest = is_of_bar(token.kind) ? count.bars : count.blocks;
-      highest = std::max<int>(highest, token.block);
+      if (!is_of_block(token.kind)) continue;
+      const std::uint64_t bit = std::uint64_t{1} << block_key(token);
+      if ((seen & bit) == 0) ++(is_of_bar(token.kind) ? count.bars : count.blocks);
+      seen |= bit;
     }
   }
   return count;

@@ -48,7 +48,7 @@ struct Token {
   TokenKind kind = TokenKind::fixed_end;
   TipKind tip = TipKind::tube;  // fingers only
   std::uint8_t finger = 0;      // fingers and anchored tips only, from 1
-  std::uint8_t block = 0;       // blocks and bars only, each from 1
+  std::uint8_t block = 0;       // blocks and bars only, from 1
   ArmRatio arms = {};           // bar_arms only
 
   friend bool operator==(const Token&, const Token&) = default;
@@ -110,9 +110,9 @@ struct Tendon {
 };
 
 // Fingers are numbered 1 … n without a gap, and each is passed, or anchors a tendon, once. Blocks
-// are numbered likewise, and so are bars. Each has a tail and a pass, a becket or arms, and none
-// hangs on itself: from a block to the blocks that its tails' tendons pass, and so on, there is no
-// way back.
+// have any numbers, and so have bars: Y1 and W1 are two things. Each has a tail and a pass, a
+// becket or arms, and none hangs on itself: from a block to the blocks that its tails' tendons
+// pass, and so on, there is no way back.
 struct Routing {
   std::vector<Tendon> tendons;
 

@@ -79,13 +79,6 @@ void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mech
 void TensionSolver::solve_tree(const Network& network, const Mechanics& mechanics, std::size_t tree,
                                TensionState& state) {
   state.in_range &= tree_tension_.solve(network, mechanics, motion_, tree, state.tension);
-  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
-    const TendonSpan& tendon = network.tendons[t];
-    if (tendon.tree != tree || motion_.is_slack(t)) continue;
-    for (std::size_t i = 0; i < tendon.segments; ++i) {
-      state.in_range &= std::isnormal(state.tension[tendon.first_segment + i]);
-    }
-  }
 }
 
 // A tree is solved with the first of its tendons that is taut.

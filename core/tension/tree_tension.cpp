@@ -19,6 +19,12 @@ constexpr int most_in_tree = static_cast<int>(block_keys);
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_in_tree, most_in_tree>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_in_tree, 1>;
 
+// Cells whose tensions have given ratios.
+struct Run {
+  double stiff = 0;  // Λ
+  double take_up = 0;
+};
+
 }  // namespace
 
 void TreeTension::find_loops(const Network& network, const Motion& motion, std::size_t tree) {
@@ -90,12 +96,14 @@ void TreeTension::add_chain(const Network& network, const Mechanics& mechanics,
     }
     cells_.push_back(cell);
   }
+  chains_.push_back({cells_.size(), pulls_.size(), false});
 }
 
 void TreeTension::build(const Network& network, const Mechanics& mechanics, const Motion& motion,
                         std::size_t tree) {
   cells_.clear();
   pulls_.clear();
+  chains_.clear();
   auto loop = loops_.begin();
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
@@ -127,57 +135,86 @@ void TreeTension::solve_linear() {
   const auto index_of = [&](std::size_t block) {
     return std::find(in_tree_.begin(), in_tree_.end(), block) - in_tree_.begin();
   };
+  // Of the cells from `begin` to the next stick; where they end.
+  const auto sum_up = [&](std::size_t begin, std::size_t& pull, Run& run) {
+    double relative = 1;
+    double weight = 1;
+    run = {};
+    force.setZero();
+    gain.setZero();
+    for (std::size_t i = begin;; ++i) {
+      Cell& cell = cells_[i];
+      cell.relative = relative;
+      run.stiff += weight * cell.length * relative;
+      run.take_up += weight * cell.take_up;
+      for (; pull < cell.pulls; ++pull) {
+        const Eigen::Index b = index_of(pulls_[pull].block);
+        force(b) += pulls_[pull].sign * relative;
+        gain(b) += pulls_[pull].sign * weight;
+      }
+      if (cell.link == Link::none || cell.link == Link::stick) return i + 1;
+      if (cell.is_bar) weight /= cell.arms;
+      relative *= cell.link == Link::ratio            ? cell.ratio
+                  : cell.link == Link::creep_to_right ? 1 / cell.decay
+                                                      : cell.decay;
+    }
+  };
   const auto for_each_run = [&](auto visit) {
     std::size_t begin = 0;
     std::size_t pull = 0;
-    while (begin < cells_.size()) {
-      double relative = 1;
-      double weight = 1;
-      double stiff = 0;
-      double take_up = 0;
-      force.setZero();
-      gain.setZero();
-      std::size_t end = begin;
-      while (true) {
-        Cell& cell = cells_[end++];
-        cell.relative = relative;
-        cell.weight = weight;
-        stiff += weight * cell.length * relative;
-        take_up += weight * cell.take_up;
-        for (; pull < cell.pulls; ++pull) {
-          const Eigen::Index b = index_of(pulls_[pull].block);
-          force(b) += pulls_[pull].sign * relative;
-          gain(b) += pulls_[pull].sign * weight;
-        }
-        if (cell.link == Link::none || cell.link == Link::stick) break;
-        if (cell.is_bar) weight /= cell.arms;
-        relative *= cell.link == Link::ratio            ? cell.ratio
-                    : cell.link == Link::creep_to_right ? 1 / cell.decay
-                                                        : cell.decay;
+    Run run;
+    for (const Chain& chain : chains_) {
+      while (!chain.slack && begin < chain.end_cell) {
+        const std::size_t end = sum_up(begin, pull, run);
+        visit(begin, end, run);
+        begin = end;
       }
-      visit(begin, end, stiff, take_up);
-      begin = end;
+      begin = chain.end_cell;
+      pull = chain.end_pull;
     }
   };
-  for_each_run([&](std::size_t, std::size_t, double stiff, double take_up) {
-    matrix += force * gain.transpose() / stiff;
-    right -= force * (take_up / stiff);
+  for_each_run([&](std::size_t, std::size_t, const Run& run) {
+    matrix += force * gain.transpose() / run.stiff;
+    right -= force * (run.take_up / run.stiff);
   });
+  for (Eigen::Index b = 0; b < m; ++b) {
+    if (matrix(b, b) == 0) matrix(b, b) = 1;  // all its tendons are slack: it stays where it is
+  }
   const Vector travel = matrix.partialPivLu().solve(right);
-  for_each_run([&](std::size_t begin, std::size_t end, double stiff, double take_up) {
-    const double tension = (take_up + gain.dot(travel)) / stiff;
+  for_each_run([&](std::size_t begin, std::size_t end, const Run& run) {
+    const double tension = (run.take_up + gain.dot(travel)) / run.stiff;
     for (std::size_t i = begin; i < end; ++i) cells_[i].tension = tension * cells_[i].relative;
   });
+  scale_ = travel.cwiseAbs().maxCoeff();
+  for (const Cell& cell : cells_) scale_ = std::max(scale_, cell.take_up);
   for (Eigen::Index b = 0; b < m; ++b) travel_[in_tree_[static_cast<std::size_t>(b)]] = travel(b);
 }
 
-// Changes the links whose condition is violated; how many there were.
-std::size_t TreeTension::exchange(bool one_by_one) {
+// How much the tendon is stretched in all; below 0 it is slack.
+double TreeTension::room(std::size_t chain) const {
+  std::size_t i = chain == 0 ? 0 : chains_[chain - 1].end_cell;
+  std::size_t pull = chain == 0 ? 0 : chains_[chain - 1].end_pull;
+  double weight = 1;
+  double stretch = 0;
+  for (; i < chains_[chain].end_cell; ++i) {
+    const Cell& cell = cells_[i];
+    stretch += weight * cell.take_up;
+    for (; pull < cell.pulls; ++pull) {
+      stretch += weight * pulls_[pull].sign * travel_[pulls_[pull].block];
+    }
+    if (cell.is_bar) weight /= cell.arms;
+  }
+  return std::abs(stretch) <= rounding * scale_ ? 0 : stretch;
+}
+
+// Changes the links of a taut tendon whose condition is violated; how many there were.
+std::size_t TreeTension::exchange_links(std::size_t chain, bool one_by_one) {
   std::size_t violated = 0;
   double slip = 0;
   double size = 0;  // of the lengths that slip is a sum of
-  std::size_t pull = 0;
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
+  std::size_t pull = chain == 0 ? 0 : chains_[chain - 1].end_pull;
+  std::size_t i = chain == 0 ? 0 : chains_[chain - 1].end_cell;
+  for (; i < chains_[chain].end_cell; ++i) {
     Cell& cell = cells_[i];
     double take_up = cell.take_up;
     for (; pull < cell.pulls; ++pull) take_up += pulls_[pull].sign * travel_[pulls_[pull].block];
@@ -186,21 +223,52 @@ std::size_t TreeTension::exchange(bool one_by_one) {
     Link wanted = cell.link;
     if (cell.link == Link::stick) {
       const double right = cells_[i + 1].tension;
-      const double slack = rounding * (std::abs(cell.tension) + std::abs(right));
-      if (cell.tension < cell.decay * right - slack) wanted = Link::creep_to_right;
-      if (right < cell.decay * cell.tension - slack) wanted = Link::creep_to_left;
+      const double margin = rounding * (std::abs(cell.tension) + std::abs(right));
+      if (cell.tension < cell.decay * right - margin) wanted = Link::creep_to_right;
+      if (right < cell.decay * cell.tension - margin) wanted = Link::creep_to_left;
+      slip = size = 0;
     } else if ((cell.link == Link::creep_to_right && slip < -rounding * size) ||
                (cell.link == Link::creep_to_left && slip > rounding * size)) {
       wanted = Link::stick;
     }
     if (cell.is_bar) slip *= cell.arms;
-    if (cell.link == Link::none || cell.link == Link::stick) slip = size = 0;
     if (wanted == cell.link) continue;
     ++violated;
     cell.link = wanted;
-    if (one_by_one) return violated;
+    if (one_by_one) break;
   }
   return violated;
+}
+
+// Changes what violates its condition; how much there was. Slack comes last: while links are wrong,
+// tendons only seem to be left room.
+std::size_t TreeTension::exchange(bool one_by_one) {
+  std::size_t violated = 0;
+  for (std::size_t c = 0; c < chains_.size() && !(one_by_one && violated > 0); ++c) {
+    if (!chains_[c].slack) violated += exchange_links(c, one_by_one);
+  }
+  for (std::size_t c = 0; c < chains_.size() && violated == 0; ++c) {
+    Chain& chain = chains_[c];
+    const double stretch = room(c);
+    if (chain.slack ? stretch > 0 : stretch < 0) {
+      chain.slack = !chain.slack;
+      ++violated;
+    }
+  }
+  return violated;
+}
+
+bool TreeTension::write(std::vector<double>& tension) const {
+  bool in_range = true;
+  std::size_t i = 0;
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    const bool taut = room(c) > 0;
+    for (; i < chains_[c].end_cell; ++i) {
+      tension[cells_[i].segment] = taut ? cells_[i].tension : 0;
+      in_range &= !taut || std::isnormal(cells_[i].tension);
+    }
+  }
+  return in_range;
 }
 
 bool TreeTension::settle() {
@@ -228,7 +296,7 @@ bool TreeTension::solve(const Network& network, const Mechanics& mechanics, cons
   do {
     build(network, mechanics, motion, tree);
     if (!settle()) continue;
-    for (const Cell& cell : cells_) tension[cell.segment] = cell.tension;
+    if (!write(tension)) return false;
     if (loops_fit(network, mechanics, tension)) return true;
   } while (next_openings());
   return false;

@@ -9,6 +9,8 @@
 //                                                T_l = e^{-phi} T_r, and s < 0 only at the other
 //   Σ passes (T_l + T_r) + Σ beckets T = Σ tails T      at each block and bar
 //
+//   a tendon that the others leave room is slack: T = 0 along it, and Σ (E + z …) <= 0
+//
 // A block's balance is linear in T, not in ln T, so that this is no minimum of a potential; it
 // stays monotone. Between contacts that stick, tensions are one unknown; eliminated, there is one
 // linear equation for each block. Which contacts stick and which creep is found by exchanging those
@@ -29,8 +31,8 @@ namespace reeve::core {
 
 class TreeTension {
  public:
-  // Writes the tensions of the tree's segments. False if the exchanges do not end; the tensions are
-  // then of no use.
+  // Writes the tensions of the tree's segments. False if the exchanges do not end or tensions leave
+  // the range of a double; they are then of no use.
   bool solve(const Network& network, const Mechanics& mechanics, const Motion& motion,
              std::size_t tree, std::vector<double>& tension);
 
@@ -72,6 +74,13 @@ class TreeTension {
     std::size_t chosen;
   };
 
+  // The cells of one tendon.
+  struct Chain {
+    std::size_t end_cell;
+    std::size_t end_pull;
+    bool slack;
+  };
+
   void find_loops(const Network& network, const Motion& motion, std::size_t tree);
   bool next_openings();
   void build(const Network& network, const Mechanics& mechanics, const Motion& motion,
@@ -82,14 +91,19 @@ class TreeTension {
   bool settle();
   void solve_linear();
   std::size_t exchange(bool one_by_one);
+  double room(std::size_t chain) const;
+  std::size_t exchange_links(std::size_t chain, bool one_by_one);
+  bool write(std::vector<double>& tension) const;
   bool loops_fit(const Network& network, const Mechanics& mechanics,
                  const std::vector<double>& tension) const;
 
   std::vector<Cell> cells_;
   std::vector<Pull> pulls_;
+  std::vector<Chain> chains_;
   std::vector<Loop> loops_;
   std::vector<std::size_t> openings_;
   std::vector<double> travel_;        // of the tree's blocks, by their number in the network
+  double scale_ = 0;                  // of take-ups and travels
   std::vector<std::size_t> in_tree_;  // the tree's blocks
 };
 

@@ -72,20 +72,6 @@ void BlockLedger::pass(const PlacedWalk& walk) {
   }
 }
 
-void BlockLedger::require_no_gap(std::size_t first_key, char letter, const char* thing) const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(max_blocks); ++i) {
-    if (entries_[first_key + i].named) count = i + 1;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (entries_[first_key + i].named) continue;
-    fail_word(word_,
-              {.what = fmt::format("{} {}{} is missing; {}s are numbered {}1 to {}{} without "
-                                   "a gap",
-                                   thing, letter, i + 1, thing, letter, letter, count)});
-  }
-}
-
 void BlockLedger::require_parts(std::size_t key) const {
   const Entry& entry = entries_[key];
   const std::string name = block_name(key);
@@ -136,8 +122,6 @@ void BlockLedger::require_whole(const Routing& routing) const {
   const bool any =
       std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.named; });
   if (!any) return;
-  require_no_gap(0, 'Y', "block");
-  require_no_gap(static_cast<std::size_t>(max_blocks), 'W', "bar");
   for (std::size_t key = 0; key < block_keys; ++key) {
     if (entries_[key].named) require_parts(key);
   }

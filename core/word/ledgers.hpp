@@ -39,7 +39,6 @@ class BlockLedger {
     std::size_t column = 0;
   };
 
-  void require_no_gap(std::size_t first_key, char letter, const char* thing) const;
   void require_parts(std::size_t key) const;
   void require_no_ring(const Routing& routing) const;
 

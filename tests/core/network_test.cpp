@@ -78,6 +78,14 @@ TEST(Network, NumbersBarsBehindBlocks) {
   EXPECT_EQ(network.blocks[2].arms, (ArmRatio{2, 1}));
 }
 
+TEST(Network, HasTheBlocksThatAreNamed) {
+  const Network network = expand(parse_routing("M-Y7+W2-Y7-1x+2x-W2-3x"));
+  ASSERT_EQ(network.blocks.size(), 2U);
+  EXPECT_EQ(block_name(network.blocks[0]), "Y7");
+  EXPECT_EQ(block_name(network.blocks[1]), "W2");
+  EXPECT_EQ(block_count(parse_routing("M-Y7+W2-Y7-1x+2x-W2-3x")).blocks, 1);
+}
+
 TEST(Network, TendonsThatBlocksTieTogetherShareATree) {
   const Network network = expand(parse_routing("M-Y1+M-F+1x-Y1-Y2+3x-Y3-F+2x-Y2-F+M-Y3"));
   std::vector<std::size_t> trees;

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
+#include "tests/property/reference_comparison.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_model.hpp"
 
@@ -22,15 +21,13 @@ using testing::ReferenceHardware;
 using testing::ReferenceResult;
 using testing::Trial;
 
-using ContactName = std::pair<std::string, std::string>;
+using testing::ContactName;
 
 std::map<ContactName, double> exponents_by_name(const Network& network, const Mechanics& m) {
   std::map<ContactName, double> phi;
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
-      phi[{segment_name(network.segments[left]), segment_name(network.segments[right])}] =
-          m.phi[tendon.first_contact + k];
+      phi[testing::name_of(network, tendon, k)] = m.phi[tendon.first_contact + k];
     }
   }
   return phi;
@@ -68,58 +65,6 @@ ReferenceResult reference(const Trial& trial, const Mechanics& m) {
       reference_hardware(trial.network, m));
 }
 
-// ---- comparison ----
-
-void expect_tensions(const Network& network, const TensionState& state,
-                     const ReferenceResult& expected) {
-  ASSERT_EQ(expected.tension.size(), network.segments.size());
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const std::string segment = segment_name(network.segments[i]);
-    const double tension = expected.tension.at(segment);
-    EXPECT_NEAR(state.tension[i], tension, 1e-6 * tension) << segment;
-  }
-}
-
-// Turning a loop changes Σ phi |slip| at once in either direction, so that only one turn is least.
-bool one_circulation_is_least(const TendonSpan& tendon, const Mechanics& m,
-                              const std::vector<double>& slip) {
-  if (!tendon.closed) return true;
-  double still = 0;
-  double forward = 0;
-  for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
-    if (slip[k] == 0) {
-      still += m.phi[k];
-    } else {
-      forward += std::copysign(m.phi[k], slip[k]);
-    }
-  }
-  return std::abs(forward) < still - 1e-9;
-}
-
-void expect_slips(const Network& network, const Mechanics& m, const TensionState& state,
-                  const ReferenceResult& expected) {
-  std::map<ContactName, double> slip;
-  for (const auto& contact : expected.contacts) slip[{contact.left, contact.right}] = contact.slip;
-  for (const TendonSpan& tendon : network.tendons) {
-    if (!one_circulation_is_least(tendon, m, state.slip)) continue;
-    for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
-      const ContactName contact{segment_name(network.segments[left]),
-                                segment_name(network.segments[right])};
-      EXPECT_NEAR(state.slip[tendon.first_contact + k], slip.at(contact), 1e-9)
-          << contact.first << "-" << contact.second;
-    }
-  }
-}
-
-void expect_closings(const TensionState& state, const ReferenceResult& expected) {
-  for (std::size_t f = 0; f < state.closing.size(); ++f) {
-    const auto found = expected.closing.find(static_cast<int>(f) + 1);
-    EXPECT_NEAR(state.closing[f], found == expected.closing.end() ? 0 : found->second, 1e-9)
-        << "finger " << f + 1;
-  }
-}
-
 struct Seen {
   int jams = 0;
   int slack = 0;
@@ -147,10 +92,7 @@ TEST(ReferenceProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
     const Mechanics m = mechanics(trial.network, trial.hardware);
     const TensionState state = tensions(trial.network, m, trial.grasp, trial.direction);
     const ReferenceResult expected = reference(trial, m);
-    EXPECT_EQ(state.jams, expected.jams);
-    expect_tensions(trial.network, state, expected);
-    expect_slips(trial.network, m, state, expected);
-    expect_closings(state, expected);
+    testing::expect_state(trial.network, m, state, expected);
     count(trial, m, state, seen);
     if (::testing::Test::HasFailure()) return;
   }

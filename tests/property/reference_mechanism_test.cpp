@@ -1,0 +1,122 @@
+// Trees and tackles against the independent solver: a thousand at random in every run.
+// REEVE_MECHANISMS=N tries N of them.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "core/notation.hpp"
+#include "core/tension/tension.hpp"
+#include "tests/property/reference_comparison.hpp"
+#include "tests/support/random_mechanism.hpp"
+#include "tests/support/random_routing.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::ReferenceDirection;
+using testing::ReferenceHardware;
+
+// The numbers of the reference model for the contacts and segments of a network.
+Mechanics mechanics_of(const Network& network, const ReferenceHardware& hardware) {
+  Hardware plain;
+  plain.tube = {hardware.tube.mu, hardware.tube.angle};
+  plain.bearing = {hardware.bearing.mu, hardware.bearing.angle};
+  plain.sheath = {hardware.sheath.mu, hardware.sheath.angle};
+  if (hardware.block) plain.block = ContactLaw{hardware.block->mu, hardware.block->angle};
+  plain.strand_mm = hardware.strand_length;
+  plain.motor_side_mm = hardware.motor_side_length;
+  plain.hand_mm = hardware.hand_length;
+  Mechanics m = mechanics(network, plain);
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; hardware.phi_override && k < tendon.contacts; ++k) {
+      const std::size_t contact = tendon.first_contact + k;
+      if (network.contacts[contact].kind == ContactKind::bar) continue;
+      const auto [left, right] = testing::name_of(network, tendon, k);
+      m.phi[contact] = hardware.phi_override(left, right, m.phi[contact]);
+      m.decay[contact] = std::exp(-m.phi[contact]);
+    }
+  }
+  for (std::size_t i = 0; hardware.length_override && i < network.segments.size(); ++i) {
+    m.length[i] = hardware.length_override(segment_name(network.segments[i]), m.length[i]);
+  }
+  for (const auto& [finger, weight] : hardware.closing_weight) {
+    if (finger <= network.fingers) m.closing[static_cast<std::size_t>(finger) - 1] = weight;
+  }
+  return m;
+}
+
+std::uint64_t trials() {
+  const char* wanted = std::getenv("REEVE_MECHANISMS");
+  return wanted == nullptr ? 1000 : std::strtoull(wanted, nullptr, 10);
+}
+
+struct SeenMechanisms {
+  int jams = 0;
+  int released = 0;
+  int loops = 0;
+  int bars = 0;
+  int tackles = 0;  // a block is passed more than once
+  int sticking = 0;
+};
+
+void count(const Network& network, const TensionState& state, SeenMechanisms& seen) {
+  seen.jams += state.jams;
+  for (const TendonSpan& tendon : network.tendons) seen.loops += tendon.closed;
+  std::multiset<std::size_t> passes;
+  bool sticks = false;
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    const Contact& contact = network.contacts[k];
+    seen.bars += contact.kind == ContactKind::bar;
+    if (contact.block != no_block) passes.insert(contact.block);
+    sticks |= !state.jams && state.slip[k] == 0;
+  }
+  seen.sticking += sticks;
+  seen.tackles += std::set<std::size_t>(passes.begin(), passes.end()).size() < passes.size();
+}
+
+TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
+  SeenMechanisms seen;
+  std::uint64_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= trials(); ++seed) {
+    Dice dice(seed);
+    const std::string word = testing::random_mechanism(dice);
+    const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+    const Network network = expand(parse_routing(word));
+    const Grasp grasp = testing::random_grasp(dice, network.fingers);
+    const bool pull = dice.chance(0.7);
+    SCOPED_TRACE(std::to_string(seed) + ": " + word + ", held " + to_text(grasp) +
+                 (pull ? ", pulled" : ", released"));
+    const std::vector<int> held = held_fingers(grasp);
+    const Mechanics m = mechanics_of(network, hardware);
+    TensionState state;
+    TensionSolver().solve(network, m, grasp, pull ? Direction::pull : Direction::release, state);
+    const auto reference = [&] {
+      return testing::reference_tensions(
+          word, {held.begin(), held.end()},
+          pull ? ReferenceDirection::pull : ReferenceDirection::release, hardware);
+    };
+    if (!state.in_range) {
+      // A finger would have to open, or blocks move as they like.
+      EXPECT_THROW(reference(), std::invalid_argument);
+      ++refused;
+      continue;
+    }
+    seen.released += !pull;
+    count(network, state, seen);
+    const auto expected = reference();
+    testing::expect_state(network, m, state, expected);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_LT(refused, trials() / 50);
+  for (const int cases :
+       {seen.jams, seen.released, seen.loops, seen.bars, seen.tackles, seen.sticking}) {
+    EXPECT_GT(cases, 50);
+  }
+}
+
+}  // namespace
+}  // namespace reeve
