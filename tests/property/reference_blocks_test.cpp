@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -15,8 +18,10 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_comparison.hpp"
+#include "tests/support/reference_loading.hpp"
 #include "tests/support/reference_model.hpp"
 #include "tests/support/reference_tree_solve.hpp"
+#include "tests/support/reference_walk.hpp"
 
 namespace reeve {
 namespace {
@@ -120,6 +125,15 @@ TEST(ReferenceBlocks, ALuffTackleLosesOneBearingMoreWithEachPart) {
   EXPECT_NEAR(result.closing.at(1), 1.0 / 3, 1e-15);
 }
 
+TEST(ReferenceBlocks, ABlockHasTheBearingsLawUnlessItHasItsOwn) {
+  ReferenceHardware hardware = paper_hardware();
+  EXPECT_NEAR(pulled("M-Y1-F+Y1-1x", {}, hardware).tension.at("T1"),
+              std::exp(-0.36 * pi) * (1 + std::exp(-0.001 * pi)), 1e-12);
+  hardware.block = {0.1, pi};
+  EXPECT_NEAR(pulled("M-Y1-F+Y1-1x", {}, hardware).tension.at("T1"),
+              std::exp(-0.36 * pi) * (1 + std::exp(-0.1 * pi)), 1e-12);
+}
+
 TEST(ReferenceBlocks, WithoutFrictionATackleMultipliesByItsParts) {
   const struct {
     const char* word;
@@ -164,6 +178,19 @@ TEST(ReferenceBlocks, FingersCloseAsAlikeAsABlockOfSeveralTendonsLets) {
   EXPECT_NEAR(result.closing.at(4), 2, 1e-15);
 }
 
+// Finger 4 held: 2 z2 = dl3 and 2 = dl5 + z2 leave one freedom beside dl1 = dl2 = 1.
+TEST(ReferenceBlocks, WhatTheConstraintsLeaveOpenHasTheLeastWeightedVariance) {
+  const char* word = "M-Y1+1x-Y1-2x+Y2-Y1-5x+3x-Y2-4x";
+  const ReferenceResult alike = pulled(word, {4});
+  EXPECT_NEAR(alike.closing.at(3), 24.0 / 19, 1e-15);
+  EXPECT_NEAR(alike.closing.at(5), 26.0 / 19, 1e-15);
+  ReferenceHardware hardware = paper_hardware();
+  hardware.closing_weight[5] = 2;
+  const ReferenceResult weighed = pulled(word, {4}, hardware);
+  EXPECT_NEAR(weighed.closing.at(3), 36.0 / 43, 1e-15);
+  EXPECT_NEAR(weighed.closing.at(5), 68.0 / 43, 1e-15);
+}
+
 // ---- jams and slack ----
 
 TEST(ReferenceBlocks, ABranchThatIsHeldAnchorsTheOthersAndNoneIsAJam) {
@@ -187,12 +214,15 @@ TEST(ReferenceBlocks, ATailOfTwoWhoseFingersDifferJams) {
   EXPECT_TRUE(pulled("M-Y1-F+Y1-1x+Y1-2x", {1}).jams);
 }
 
-// The third tendon, twice as stiff against the block as the motor on its tail, pulls the block up.
+// The motor on the tail pulls the block down, that on the third tendon pulls it up by as much
+// again.
 TEST(ReferenceBlocks, ATendonThatTheOthersSlackenCarriesNothing) {
-  const ReferenceResult result = pulled("M-Y1+1x-Y1-2x+M-Y1-3x", {1, 2, 3});
-  EXPECT_EQ(result.tension.at("T1"), 0);
-  EXPECT_EQ(result.tension.at("T3"), 0);
-  EXPECT_NEAR(result.tension.at("h2") + result.tension.at("T5"), result.tension.at("h1"), 1e-12);
+  for (const char* word : {"M-Y1+1x-Y1-2x+M-Y1-3x", "M-Y1-3x+M-Y1+1x-Y1-2x"}) {
+    const ReferenceResult result = pulled(word, {1, 2, 3});
+    EXPECT_EQ(result.tension.at("T1"), 0) << word;
+    EXPECT_EQ(result.tension.at("T3"), 0) << word;
+    EXPECT_GT(result.tension.at("T5"), 0.1) << word;
+  }
 }
 
 // ---- any mechanism ----
@@ -300,6 +330,42 @@ TEST(ReferenceBlocks, WithoutFrictionAllWorkArrivesAtTheFingers) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) try_mechanism(seed, false, tally);
   EXPECT_GT(tally.moving, 1300);
   EXPECT_LT(tally.refused, 20);
+}
+
+double greatest_difference(const ReferenceResult& limit,
+                           const std::map<std::string, double>& loaded) {
+  double greatest = 0;
+  for (const auto& [segment, tension] : limit.tension)
+    greatest = std::max(greatest, std::abs(loaded.at(segment) - tension) / std::max(1.0, tension));
+  return greatest;
+}
+
+// Four times the steps leave a quarter of what the start of the loading has left.
+TEST(ReferenceBlocks, PullingInSmallStepsLeadsToTheLimitInProportionToTheStep) {
+  int compared = 0, approached = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    Dice dice(seed);
+    const std::string word = testing::random_mechanism(dice);
+    const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+    std::set<int> held;
+    for (int finger = 1; finger <= 5; ++finger)
+      if (dice.chance(0.3)) held.insert(finger);
+    SCOPED_TRACE(std::to_string(seed) + " " + word);
+    const ReferenceResult limit = pulled(word, held, hardware);
+    if (limit.jams) continue;
+    try {
+      const double coarse =
+          greatest_difference(limit, testing::loaded_tensions(word, held, hardware, 20));
+      const double fine =
+          greatest_difference(limit, testing::loaded_tensions(word, held, hardware, 80));
+      EXPECT_LE(fine, 0.35 * coarse + 1e-9);
+      ++compared;
+      approached += coarse > 1e-6;
+    } catch (const std::logic_error&) {
+    }
+  }
+  EXPECT_GT(compared, 80);
+  EXPECT_GT(approached, 10);
 }
 
 // ---- what is refused ----

@@ -68,7 +68,8 @@ std::string unlike_slips(const std::string& word, const ReferenceResult& expecte
       if (other == found.end()) return names(contact) + ": not observed";
       if (other->second.kind != contact.kind)
         return names(contact) + ": expected " + contact.kind + ", observed " + other->second.kind;
-      if (comparable && !(std::abs(other->second.slip - contact.slip) <= tolerance.movement * (1 + std::abs(contact.slip))))
+      if (comparable && !(std::abs(other->second.slip - contact.slip) <=
+                          tolerance.movement * (1 + std::abs(contact.slip))))
         return unlike("slip at " + names(contact), contact.slip, other->second.slip);
     }
   }
