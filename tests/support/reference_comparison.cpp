@@ -99,4 +99,14 @@ std::string disagreement(const std::string& word, const ReferenceResult& expecte
   return {};
 }
 
+double work_on_fingers(const ReferenceResult& result) {
+  double work = 0;
+  for (const auto& [segment, tension] : result.tension) {
+    if (segment.front() != 'T') continue;
+    const int finger = (std::stoi(segment.substr(1)) + 1) / 2;
+    work += tension * result.closing.at(finger);
+  }
+  return work;
+}
+
 }  // namespace reeve::testing
