@@ -68,7 +68,8 @@ std::string unlike_slips(const std::string& word, const ReferenceResult& expecte
       if (other == found.end()) return names(contact) + ": not observed";
       if (other->second.kind != contact.kind)
         return names(contact) + ": expected " + contact.kind + ", observed " + other->second.kind;
-      if (comparable && !(std::abs(other->second.slip - contact.slip) <= tolerance.movement * (1 + std::abs(contact.slip))))
+      if (comparable && !(std::abs(other->second.slip - contact.slip) <=
+                          tolerance.movement * (1 + std::abs(contact.slip))))
         return unlike("slip at " + names(contact), contact.slip, other->second.slip);
     }
   }
@@ -96,6 +97,16 @@ std::string disagreement(const std::string& word, const ReferenceResult& expecte
                                    unlike_closings(expected, observed, tolerance)})
     if (!found.empty()) return found;
   return {};
+}
+
+double work_on_fingers(const ReferenceResult& result) {
+  double work = 0;
+  for (const auto& [segment, tension] : result.tension) {
+    if (segment.front() != 'T') continue;
+    const int finger = (std::stoi(segment.substr(1)) + 1) / 2;
+    work += tension * result.closing.at(finger);
+  }
+  return work;
 }
 
 }  // namespace reeve::testing

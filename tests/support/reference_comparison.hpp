@@ -1,4 +1,4 @@
-// A solver's answer beside the reference model's.
+// A solver's answer beside the reference model's, and what holds for either.
 #pragma once
 
 #include <string>
@@ -20,5 +20,8 @@ struct ComparisonTolerance {
 std::string disagreement(const std::string& word, const ReferenceResult& expected,
                          const ReferenceResult& observed,
                          const ComparisonTolerance& tolerance = {});
+
+// Sum of T dl over the strands: what arrives at the fingers of the work T_M D = 1.
+double work_on_fingers(const ReferenceResult& result);
 
 }  // namespace reeve::testing
