@@ -10,7 +10,7 @@ namespace {
 
 // Conditions are inequalities between rounded sums and products.
 constexpr double rounding = 1e-12;
-// Exchanging all at once ends after a few rounds or goes in circles; one by one ends.
+// Exchanging all at once ends after a few rounds or goes in circles.
 constexpr int most_rounds = 60;
 constexpr int most_steps = 5000;
 
@@ -207,15 +207,13 @@ double TreeTension::room(std::size_t chain) const {
   return std::abs(stretch) <= rounding * scale_ ? 0 : stretch;
 }
 
-// Changes the links of a taut tendon whose condition is violated; how many there were.
-std::size_t TreeTension::exchange_links(std::size_t chain, bool one_by_one) {
-  std::size_t violated = 0;
+void TreeTension::find_wrong_links(std::size_t chain) {
   double slip = 0;
   double size = 0;  // of the lengths that slip is a sum of
   std::size_t pull = chain == 0 ? 0 : chains_[chain - 1].end_pull;
   std::size_t i = chain == 0 ? 0 : chains_[chain - 1].end_cell;
   for (; i < chains_[chain].end_cell; ++i) {
-    Cell& cell = cells_[i];
+    const Cell& cell = cells_[i];
     double take_up = cell.take_up;
     for (; pull < cell.pulls; ++pull) take_up += pulls_[pull].sign * travel_[pulls_[pull].block];
     slip += cell.length * cell.tension - take_up;
@@ -232,30 +230,30 @@ std::size_t TreeTension::exchange_links(std::size_t chain, bool one_by_one) {
       wanted = Link::stick;
     }
     if (cell.is_bar) slip *= cell.arms;
-    if (wanted == cell.link) continue;
-    ++violated;
-    cell.link = wanted;
-    if (one_by_one) break;
+    if (wanted != cell.link) exchanges_.push_back({i, wanted, false});
   }
-  return violated;
 }
 
-// Changes what violates its condition; how much there was. Slack comes last: while links are wrong,
-// tendons only seem to be left room.
-std::size_t TreeTension::exchange(bool one_by_one) {
-  std::size_t violated = 0;
-  for (std::size_t c = 0; c < chains_.size() && !(one_by_one && violated > 0); ++c) {
-    if (!chains_[c].slack) violated += exchange_links(c, one_by_one);
+// What violates its condition. Slack comes last: while links are wrong, tendons only seem to be
+// left room.
+void TreeTension::find_exchanges() {
+  exchanges_.clear();
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    if (!chains_[c].slack) find_wrong_links(c);
   }
-  for (std::size_t c = 0; c < chains_.size() && violated == 0; ++c) {
-    Chain& chain = chains_[c];
+  if (!exchanges_.empty()) return;
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
     const double stretch = room(c);
-    if (chain.slack ? stretch > 0 : stretch < 0) {
-      chain.slack = !chain.slack;
-      ++violated;
-    }
+    if (chains_[c].slack ? stretch > 0 : stretch < 0) exchanges_.push_back({c, Link::none, true});
   }
-  return violated;
+}
+
+void TreeTension::apply(const Exchange& exchange) {
+  if (exchange.of_chain) {
+    chains_[exchange.at].slack = !chains_[exchange.at].slack;
+  } else {
+    cells_[exchange.at].link = exchange.link;
+  }
 }
 
 bool TreeTension::write(std::vector<double>& tension) const {
@@ -272,9 +270,18 @@ bool TreeTension::write(std::vector<double>& tension) const {
 }
 
 bool TreeTension::settle() {
+  std::uint64_t draw = 1;
   for (int round = 0; round < most_rounds + most_steps; ++round) {
     solve_linear();
-    if (exchange(round >= most_rounds) == 0) return true;
+    find_exchanges();
+    if (exchanges_.empty()) return true;
+    if (round < most_rounds && !exchanges_.front().of_chain) {
+      for (const Exchange& exchange : exchanges_) apply(exchange);
+    } else {
+      // Any fixed order can go in circles where the equations are not symmetric.
+      draw = draw * 6364136223846793005U + 1442695040888963407U;
+      apply(exchanges_[(draw >> 33U) % exchanges_.size()]);
+    }
   }
   return false;
 }

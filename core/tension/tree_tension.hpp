@@ -14,9 +14,9 @@
 // A block's balance is linear in T, not in ln T, so that this is no minimum of a potential; it
 // stays monotone. Between contacts that stick, tensions are one unknown; eliminated, there is one
 // linear equation for each block. Which contacts stick and which creep is found by exchanging those
-// whose condition is violated, all at once and, if that does not end, one by one (block pivoting
-// for complementarity problems: J. J. Júdice, F. M. Pires, Computers & Operations Research 21,
-// 1994). Where every contact slides there is nothing to find, and a loop is opened at a contact
+// whose condition is violated, all at once and, if that does not end, one by one by lot (block
+// pivoting for complementarity problems: J. J. Júdice, F. M. Pires, Computers & Operations Research
+// 21, 1994). Where every contact slides there is nothing to find, and a loop is opened at a contact
 // that does not slide (tension.hpp).
 #pragma once
 
@@ -81,6 +81,13 @@ class TreeTension {
     bool slack;
   };
 
+  // Another link behind a cell, or another state of a chain.
+  struct Exchange {
+    std::size_t at;
+    Link link;
+    bool of_chain;
+  };
+
   void find_loops(const Network& network, const Motion& motion, std::size_t tree);
   bool next_openings();
   void build(const Network& network, const Mechanics& mechanics, const Motion& motion,
@@ -90,9 +97,10 @@ class TreeTension {
   void add_pulls(const Network& network, const TendonSpan& tendon, std::size_t i);
   bool settle();
   void solve_linear();
-  std::size_t exchange(bool one_by_one);
   double room(std::size_t chain) const;
-  std::size_t exchange_links(std::size_t chain, bool one_by_one);
+  void find_wrong_links(std::size_t chain);
+  void find_exchanges();
+  void apply(const Exchange& exchange);
   bool write(std::vector<double>& tension) const;
   bool loops_fit(const Network& network, const Mechanics& mechanics,
                  const std::vector<double>& tension) const;
@@ -100,6 +108,7 @@ class TreeTension {
   std::vector<Cell> cells_;
   std::vector<Pull> pulls_;
   std::vector<Chain> chains_;
+  std::vector<Exchange> exchanges_;
   std::vector<Loop> loops_;
   std::vector<std::size_t> openings_;
   std::vector<double> travel_;        // of the tree's blocks, by their number in the network

@@ -81,6 +81,7 @@ void count(const Network& network, const TensionState& state, SeenMechanisms& se
 TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
   SeenMechanisms seen;
   std::uint64_t refused = 0;
+  std::uint64_t unsolved = 0;
   for (std::uint64_t seed = 1; seed <= trials(); ++seed) {
     Dice dice(seed);
     const std::string word = testing::random_mechanism(dice);
@@ -100,9 +101,14 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
           pull ? ReferenceDirection::pull : ReferenceDirection::release, hardware);
     };
     if (!state.in_range) {
-      // A finger would have to open, or blocks move as they like.
-      EXPECT_THROW(reference(), std::invalid_argument);
-      ++refused;
+      // A finger would have to open, or blocks move as they like; or a rope that shares blocks with
+      // others in a ring takes the motor's part.
+      try {
+        reference();
+        ++unsolved;
+      } catch (const std::invalid_argument&) {
+        ++refused;
+      }
       continue;
     }
     seen.released += !pull;
@@ -112,6 +118,7 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
     if (::testing::Test::HasFailure()) return;
   }
   EXPECT_LT(refused, trials() / 50);
+  EXPECT_LE(unsolved, trials() / 10000);  // none in a usual run
   for (const int cases :
        {seen.jams, seen.released, seen.loops, seen.bars, seen.tackles, seen.sticking}) {
     EXPECT_GT(cases, 50);
