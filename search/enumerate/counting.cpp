@@ -12,17 +12,28 @@ struct Choices {
   std::uint64_t tips;
   std::uint64_t joins;
   std::uint64_t ends;
+  std::uint64_t anchors;
+
+  // The last finger of a tendon of several, with its end or as one.
+  std::uint64_t last_fingers() const { return plus(times(tips, ends), anchors); }
 };
 
+// Of one finger, and not 1x at both of its ends.
+std::uint64_t single_open(const Choices& c) {
+  return plus(times(c.tips, c.ends * (c.ends + 1) / 2), times(c.anchors, c.ends));
+}
+
+// Of k > 1 fingers, from one end to the other.
 std::uint64_t open_walks(const Choices& c, int k) {
-  return times(times(power(c.ends, 2), power(c.joins, k - 1)), power(c.tips, k));
+  return times(power(c.last_fingers(), 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
 }
 
 std::uint64_t loop_walks(const Choices& c, int k) { return power(times(c.tips, c.joins), k); }
 
 std::uint64_t open_shapes(const Choices& c, int k) {
+  if (k == 1) return single_open(c);
   const std::uint64_t palindromes =
-      times(times(c.ends, power(c.joins, k / 2)), power(c.tips, (k + 1) / 2));
+      times(c.last_fingers(), times(power(c.joins, k / 2), power(c.tips, (k - 1) / 2)));
   return plus(open_walks(c, k), palindromes) / 2;
 }
 
@@ -46,7 +57,7 @@ std::uint64_t loop_shapes(const Choices& c, int k) {
 }
 
 std::uint64_t labelled_open(const Choices& c, int k) {
-  if (k == 1) return times(c.tips, c.ends * (c.ends + 1) / 2);
+  if (k == 1) return single_open(c);
   const std::uint64_t walks = open_walks(c, k);
   return walks == 0 ? 0 : times(walks, factorial(k) / 2);
 }
@@ -90,7 +101,8 @@ std::vector<std::uint64_t> labelled_sets(const TendonCounts& tendons, int larges
 }  // namespace
 
 TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
-  const Choices c{parts.tips.size(), parts.joins.size(), parts.ends.size()};
+  const Choices c{parts.tips.size(), parts.joins.size(), parts.ends.size(),
+                  parts.anchored ? 1U : 0U};
   TendonCounts counts{0};
   for (int k = 1; k <= fingers; ++k) {
     counts.push_back(identity == FingerIdentity::identical
