@@ -22,7 +22,7 @@ void run(const CountFlags& flags) {
     return count_routings(options.parts, options.fingers, options.identity);
   });
   std::cout << (flags.format.is("json") ? count_json(counts)
-                                        : printed(count_sheet(counts), flags.format));
+                                        : printed(count_sheet(counts, options.parts), flags.format));
 }
 
 }  // namespace

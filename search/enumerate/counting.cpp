@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "search/enumerate/checked.hpp"
+#include "search/enumerate/tree_sets.hpp"
 
 namespace reeve::search {
 namespace {
@@ -98,6 +99,23 @@ std::vector<std::uint64_t> labelled_sets(const TendonCounts& tendons, int larges
   return ways;
 }
 
+// A tendon without blocks is a tree by itself.
+SizeTable all_trees(const PartSet& parts, int fingers, FingerIdentity identity) {
+  SizeTable all = tree_counts(parts, fingers, identity).trees;
+  const TendonCounts tendons = tendon_counts(parts, fingers, identity);
+  for (int n = 1; n <= fingers; ++n) all[{n, 0}] = tendons[static_cast<std::size_t>(n)];
+  return all;
+}
+
+std::uint64_t routings(const SizeTable& trees, int fingers, FingerIdentity identity) {
+  const TreeSets sets(trees, identity);
+  std::uint64_t sum = 0;
+  for (int blocks = 0; blocks <= trees.largest().blocks; ++blocks) {
+    sum = plus(sum, sets.count({fingers, blocks}));
+  }
+  return sum;
+}
+
 }  // namespace
 
 TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
@@ -119,11 +137,15 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
 }
 
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity) {
-  const TendonCounts all = tendon_counts(parts, fingers, identity);
-  TendonCounts actuated = tendon_counts(passive_parts(parts), fingers, identity);
-  for (std::size_t k = 0; k < all.size(); ++k) actuated[k] = all[k] - actuated[k];
-  return {tendon_sets(all, fingers, identity).back(),
-          tendon_sets(actuated, fingers, identity).back(), actuated.back()};
+  const SizeTable all = all_trees(parts, fingers, identity);
+  const SizeTable passive = all_trees(passive_parts(parts), fingers, identity);
+  SizeTable actuated(all.largest());
+  for_each_size(all.largest(), [&](TreeSize size) { actuated[size] = all[size] - passive[size]; });
+  RoutingCounts counts{routings(all, fingers, identity), routings(actuated, fingers, identity), 0};
+  for (int blocks = 0; blocks <= parts.blocks; ++blocks) {
+    counts.one_tendon = plus(counts.one_tendon, actuated[{fingers, blocks}]);
+  }
+  return counts;
 }
 
 }  // namespace reeve::search

@@ -10,7 +10,9 @@
 //   distinct fingers
 //     open   A^2 J^(k-1) t^(k-2) k! / 2             (k = 1 as above)
 //     loops  t^k J^k (k-1)! / 2                     (k = 1: tJ; k = 2: t^2 J (J+1) / 2)
-// A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons.
+// A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons. With
+// floating blocks, of trees of tendons (tree_counts.hpp, tree_sets.hpp); a tendon without blocks is
+// a tree, too. What hangs on no motor is made of the parts that are not on the carriage.
 // Numbers beyond 2^63 are refused with an InputError.
 #pragma once
 
@@ -34,10 +36,11 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
 
 struct RoutingCounts {
   std::uint64_t all = 0;
-  std::uint64_t actuated = 0;    // every tendon hangs on the carriage
-  std::uint64_t one_tendon = 0;  // actuated, and a single tendon
+  std::uint64_t actuated = 0;    // every tree hangs on the carriage
+  std::uint64_t one_tendon = 0;  // actuated, and a single tree
 };
 
+// Of 0 to parts.blocks floating blocks.
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity);
 
 }  // namespace reeve::search

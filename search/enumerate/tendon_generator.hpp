@@ -28,7 +28,7 @@ struct GeneratorOptions {
   PartSet parts = full_parts();
   int fingers = 2;
   FingerIdentity identity = FingerIdentity::identical;
-  bool one_tendon = false;  // only routings with a single tendon
+  bool one_tendon = false;  // only routings with a single tendon, or tree of tendons
 };
 
 class TendonGenerator {

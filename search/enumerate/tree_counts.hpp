@@ -37,6 +37,13 @@ constexpr TreeSize operator-(const TreeSize& a, const TreeSize& b) {
   return {a.fingers - b.fingers, a.blocks - b.blocks};
 }
 
+template <typename Visit>
+void for_each_size(TreeSize largest, Visit visit) {
+  for (int fingers = 0; fingers <= largest.fingers; ++fingers) {
+    for (int blocks = 0; blocks <= largest.blocks; ++blocks) visit(TreeSize{fingers, blocks});
+  }
+}
+
 // A number for each size.
 class SizeTable {
  public:

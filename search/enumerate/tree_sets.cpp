@@ -13,13 +13,6 @@ bool fit(int many, const TreeSize& size, const TreeSize& into) {
   return many * size.fingers <= into.fingers && many * size.blocks <= into.blocks;
 }
 
-template <typename Visit>
-void for_each_size(TreeSize largest, Visit visit) {
-  for (int fingers = 0; fingers <= largest.fingers; ++fingers) {
-    for (int blocks = 0; blocks <= largest.blocks; ++blocks) visit(TreeSize{fingers, blocks});
-  }
-}
-
 }  // namespace
 
 TreeSets::TreeSets(const SizeTable& trees, FingerIdentity identity)

@@ -1,4 +1,5 @@
-// Sets of trees that each have a block: how many there are, and which one an index means.
+// Sets of trees, such as those that have a block each: how many there are, and which one an index
+// means.
 //
 // Identical fingers: multisets, size of tree by size of tree, b_s of them,
 //   Σ sets(n,k) z^n y^k = Π_s Σ_m multichoose(b_s, m) (z^fingers y^blocks)^m
@@ -13,7 +14,7 @@ namespace reeve::search {
 
 class TreeSets {
  public:
-  // trees[size]: how many there are, none of which is without a block.
+  // trees[size]: how many there are, each with a finger at least.
   TreeSets(const SizeTable& trees, FingerIdentity identity);
 
   // Sets with so many fingers and blocks in all.
