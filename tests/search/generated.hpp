@@ -47,7 +47,8 @@ inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIden
 }
 
 inline std::string label_of(const GeneratorOptions& o) {
-  return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) + (o.parts.anchored ? " x" : "") + ", " +
+  return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) +
+         (o.parts.anchored ? " x" : "") + ", " +
          (o.parts.blocks > 0 ? std::to_string(o.parts.blocks) + " blocks, " : "") +
          std::to_string(o.fingers) + (o.identity == distinct ? " distinct" : "") + " fingers" +
          (o.one_tendon ? ", one tendon" : "");
