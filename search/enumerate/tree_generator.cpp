@@ -23,6 +23,10 @@ TreeGenerator::TreeGenerator(const GeneratorOptions& options)
       writer_(decoder_),
       sets_(counts_.trees, options.identity) {
   const int n = options.fingers;
+  const auto blocks_at_most = static_cast<std::size_t>(options.parts.blocks);
+  trees_.reserve(blocks_at_most);
+  spans_.reserve(blocks_at_most);
+  list_.tendons.reserve(2 * blocks_at_most);  // a root, and a tendon for each block
   if (!options.one_tendon) {
     for (int fingers = 1; fingers < n; ++fingers) {
       others_.emplace_back(without_blocks(options, fingers));

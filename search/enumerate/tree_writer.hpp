@@ -25,7 +25,9 @@ struct TendonList {
 
 class TreeWriter {
  public:
-  explicit TreeWriter(const TreeDecoder& decoder) : decoder_(decoder) {}
+  explicit TreeWriter(const TreeDecoder& decoder) : decoder_(decoder) {
+    branches_.reserve(max_generated_blocks);
+  }
 
   // Appends the tree's tendons. Blocks are numbered from 1, fingers not at all (identical) or as
   // the index says.

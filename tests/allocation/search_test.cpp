@@ -93,6 +93,10 @@ TEST_F(Allocation, GrowsNotWithWhatTheGeneratorHasGiven) {
   expect_no_allocation({full_parts(), 6, FingerIdentity::identical, false});
   expect_no_allocation({full_parts(), 8, FingerIdentity::identical, true});
   expect_no_allocation({paper_parts(), 6, FingerIdentity::distinct, false});
+  PartSet anchored = full_parts();
+  anchored.anchored = true;
+  expect_no_allocation({anchored, 5, FingerIdentity::identical, false});
+  expect_no_allocation({all_parts(), 5, FingerIdentity::identical, false});
 }
 
 }  // namespace

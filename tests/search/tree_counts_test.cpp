@@ -5,26 +5,12 @@
 #include <vector>
 
 #include "search/enumerate/counting.hpp"
+#include "tests/search/counted_parts.hpp"
 #include "tests/search/generated.hpp"
 #include "tests/support/tree_brute_force.hpp"
-#include "tests/support/tree_counting.hpp"
 
 namespace reeve::testing {
 namespace {
-
-CountedTreeParts counted(const PartSet& parts) {
-  const auto on_carriage = [](const std::vector<TokenKind>& kinds) {
-    return static_cast<int>(std::count_if(kinds.begin(), kinds.end(), is_on_carriage));
-  };
-  CountedTreeParts result;
-  result.parts.tube_like_tips = static_cast<int>(parts.tips.size());
-  result.parts.motor_joins = on_carriage(parts.joins);
-  result.parts.passive_joins = static_cast<int>(parts.joins.size()) - result.parts.motor_joins;
-  result.parts.motor_ends = on_carriage(parts.ends);
-  result.parts.fixed_ends = static_cast<int>(parts.ends.size()) - result.parts.motor_ends;
-  result.anchored = parts.anchored;
-  return result;
-}
 
 // All, actuated, actuated and one tree.
 using Counts = std::vector<std::uint64_t>;
@@ -100,7 +86,8 @@ TEST(TreeCounts, AreThoseOfThePowerSeries) {
       for (int fingers = 1; fingers <= 6; ++fingers) {
         for (int blocks = 0; blocks <= 4; ++blocks) {
           EXPECT_EQ(exactly(parts, blocks, fingers, identity),
-                    values(count_trees(counted(parts), fingers, blocks, identity == identical)))
+                    values(count_trees(counted_with_trees(parts), fingers, blocks,
+                                       identity == identical)))
               << label_of(generating(with_blocks(parts, blocks), fingers, identity));
         }
       }
@@ -109,8 +96,9 @@ TEST(TreeCounts, AreThoseOfThePowerSeries) {
 }
 
 void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {
-  EXPECT_EQ(exactly(parts, blocks, fingers, identity),
-            values(brute_force_trees(counted(parts), fingers, blocks, identity == identical)))
+  EXPECT_EQ(
+      exactly(parts, blocks, fingers, identity),
+      values(brute_force_trees(counted_with_trees(parts), fingers, blocks, identity == identical)))
       << label_of(generating(with_blocks(parts, blocks), fingers, identity));
 }
 
