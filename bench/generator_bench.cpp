@@ -36,9 +36,34 @@ void generate_words(benchmark::State& state) {
   state.SetItemsProcessed(routings);
 }
 
+// Anchored tips and up to so many floating blocks, too.
+void generate_trees(benchmark::State& state) {
+  GeneratorOptions options = full_search(static_cast<int>(state.range(0)));
+  options.parts.anchored = true;
+  options.parts.blocks = static_cast<int>(state.range(1));
+  std::int64_t routings = 0;
+  Routing routing;
+  for (auto _ : state) {
+    RoutingGenerator generator(options);
+    while (generator.next(routing)) {
+      ++routings;
+      benchmark::DoNotOptimize(routing.tendons.data());
+    }
+  }
+  state.SetItemsProcessed(routings);
+}
+
 BENCHMARK(generate)->ArgName("fingers")->Arg(5)->Arg(6)->UseRealTime()->Unit(
     benchmark::kMillisecond);
 BENCHMARK(generate_words)->ArgName("fingers")->Arg(6)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+BENCHMARK(generate_trees)
+    ->ArgNames({"fingers", "blocks"})
+    ->Args({5, 0})
+    ->Args({5, 1})
+    ->Args({4, 3})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace reeve::bench

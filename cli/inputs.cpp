@@ -154,23 +154,36 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
       ->capture_default_str();
   command
       .add_option("--parts", parts,
-                  "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B")
-      ->check(CLI::IsMember({"paper", "full"}))
+                  "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B; all: "
+                  "also --anchored --blocks 1")
+      ->check(CLI::IsMember({"paper", "full", "all"}))
       ->capture_default_str();
   tips_ = command.add_option("--tips", tips, "Fingertips instead of the set's: tube,bearing");
   joins_ = command.add_option("--joins", joins, "Joins instead of the set's: T,B,P");
   ends_ = command.add_option("--ends", ends, "Ends instead of the set's: M,F");
+  command.add_flag("--anchored", anchored,
+                   "Also tendons that are tied at a fingertip, such as M-1x");
+  blocks_ = command
+                .add_option("--blocks", blocks,
+                            "Also routings with up to so many floating blocks, such as "
+                            "M-Y1+1x-Y1-2x (default: 0; of --parts all 1)")
+                ->check(CLI::Range(0, max_generated_blocks));
   command.add_flag("--distinct-fingers", distinct,
                    "Tell fingers apart: M-1-P-2-F and M-2-P-1-F are two routings");
   if (!with_tendons) return;
-  command.add_option("--tendons", tendons, "Routings with one tendon only, or with any number")
+  command
+      .add_option("--tendons", tendons,
+                  "Routings with one tendon only, or with any number; tendons that blocks tie "
+                  "together count as one")
       ->check(CLI::IsMember({"one", "any"}))
       ->capture_default_str();
 }
 
 GeneratorOptions GeneratorFlags::read() const {
   GeneratorOptions options;
-  options.parts = parts == "paper" ? paper_parts() : full_parts();
+  options.parts = parts == "paper" ? paper_parts() : parts == "full" ? full_parts() : all_parts();
+  if (anchored) options.parts.anchored = true;
+  if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
     if (joins_->count() > 0) options.parts.joins = parse_joins(joins);

@@ -107,6 +107,8 @@ struct GeneratorFlags {
   std::string tips;
   std::string joins;
   std::string ends;
+  bool anchored = false;
+  int blocks = 0;
   std::string tendons = "any";
   bool distinct = false;
 
@@ -117,6 +119,7 @@ struct GeneratorFlags {
   CLI::Option* tips_ = nullptr;
   CLI::Option* joins_ = nullptr;
   CLI::Option* ends_ = nullptr;
+  CLI::Option* blocks_ = nullptr;
 };
 
 struct RankingFlags {

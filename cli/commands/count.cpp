@@ -21,8 +21,9 @@ void run(const CountFlags& flags) {
   const RoutingCounts counts = for_option(fmt::format("--fingers {}", options.fingers), [&] {
     return count_routings(options.parts, options.fingers, options.identity);
   });
-  std::cout << (flags.format.is("json") ? count_json(counts)
-                                        : printed(count_sheet(counts), flags.format));
+  std::cout << (flags.format.is("json")
+                    ? count_json(counts)
+                    : printed(count_sheet(counts, options.parts), flags.format));
 }
 
 }  // namespace

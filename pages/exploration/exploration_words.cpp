@@ -190,15 +190,26 @@ std::string ranked_text(const ExploreOptions& options) {
   return fmt::format(" and ranked over {}, front by front", titles(options.order.objectives));
 }
 
+// Of the parts, but those that are not allowed.
+std::string tied_text(const PartSet& parts) {
+  std::string text;
+  if (parts.anchored) text += "; anchored tips";
+  if (parts.blocks > 0) {
+    text += fmt::format("; up to {}",
+                        plural(static_cast<std::uint64_t>(parts.blocks), "floating block"));
+  }
+  return text;
+}
+
 std::vector<std::string> explored(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const GeneratorOptions& generator = options.generator;
   std::vector<std::string> text{fmt::format(
-      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}; {}; fingers {}.",
+      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}{}; {}; fingers {}.",
       report.result.generated, plural(report.result.total, "routing"),
       plural(static_cast<std::uint64_t>(generator.fingers), "finger"),
       spaced(tips_text(generator.parts)), spaced(joins_text(generator.parts)),
-      spaced(ends_text(generator.parts)),
+      spaced(ends_text(generator.parts)), tied_text(generator.parts),
       generator.one_tendon ? "one tendon" : "any number of tendons",
       generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
   text.push_back(fmt::format("Each was judged over the grasps {} (which fingers are held){}.",

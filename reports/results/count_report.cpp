@@ -4,11 +4,12 @@
 
 namespace reeve::reports {
 
-Sheet count_sheet(const RoutingCounts& counts) {
+Sheet count_sheet(const RoutingCounts& counts, const PartSet& parts) {
+  const std::string unit = parts.blocks > 0 ? "tree" : "tendon";
   Table table{{text_column("routings"), number_column("number")}, {}};
   table.add({"all", std::to_string(counts.all)});
-  table.add({"every tendon actuated", std::to_string(counts.actuated)});
-  table.add({"actuated, one tendon", std::to_string(counts.one_tendon)});
+  table.add({"every " + unit + " actuated", std::to_string(counts.actuated)});
+  table.add({"actuated, one " + unit, std::to_string(counts.one_tendon)});
   return {{{"", table, {}}}};
 }
 

@@ -7,7 +7,7 @@
 
 namespace reeve::reports {
 
-Sheet count_sheet(const RoutingCounts& counts);
+Sheet count_sheet(const RoutingCounts& counts, const PartSet& parts);
 std::string count_json(const RoutingCounts& counts);
 
 }  // namespace reeve::reports

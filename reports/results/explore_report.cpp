@@ -115,7 +115,9 @@ Json explore_settings(const ExploreReport& report) {
             {"parts",
              {{"tips", tips_text(generator.parts)},
               {"joins", joins_text(generator.parts)},
-              {"ends", ends_text(generator.parts)}}},
+              {"ends", ends_text(generator.parts)},
+              {"anchored", generator.parts.anchored},
+              {"blocks", generator.parts.blocks}}},
             {"tendons", generator.one_tendon ? "one" : "any"},
             {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
             {"top", options.top}};

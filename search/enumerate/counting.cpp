@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "search/enumerate/checked.hpp"
+#include "search/enumerate/tree_sets.hpp"
 
 namespace reeve::search {
 namespace {
@@ -12,17 +13,28 @@ struct Choices {
   std::uint64_t tips;
   std::uint64_t joins;
   std::uint64_t ends;
+  std::uint64_t anchors;
+
+  // The last finger of a tendon of several, with its end or as one.
+  std::uint64_t last_fingers() const { return plus(times(tips, ends), anchors); }
 };
 
+// Of one finger, and not 1x at both of its ends.
+std::uint64_t single_open(const Choices& c) {
+  return plus(times(c.tips, c.ends * (c.ends + 1) / 2), times(c.anchors, c.ends));
+}
+
+// Of k > 1 fingers, from one end to the other.
 std::uint64_t open_walks(const Choices& c, int k) {
-  return times(times(power(c.ends, 2), power(c.joins, k - 1)), power(c.tips, k));
+  return times(power(c.last_fingers(), 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
 }
 
 std::uint64_t loop_walks(const Choices& c, int k) { return power(times(c.tips, c.joins), k); }
 
 std::uint64_t open_shapes(const Choices& c, int k) {
+  if (k == 1) return single_open(c);
   const std::uint64_t palindromes =
-      times(times(c.ends, power(c.joins, k / 2)), power(c.tips, (k + 1) / 2));
+      times(c.last_fingers(), times(power(c.joins, k / 2), power(c.tips, (k - 1) / 2)));
   return plus(open_walks(c, k), palindromes) / 2;
 }
 
@@ -46,7 +58,7 @@ std::uint64_t loop_shapes(const Choices& c, int k) {
 }
 
 std::uint64_t labelled_open(const Choices& c, int k) {
-  if (k == 1) return times(c.tips, c.ends * (c.ends + 1) / 2);
+  if (k == 1) return single_open(c);
   const std::uint64_t walks = open_walks(c, k);
   return walks == 0 ? 0 : times(walks, factorial(k) / 2);
 }
@@ -87,10 +99,28 @@ std::vector<std::uint64_t> labelled_sets(const TendonCounts& tendons, int larges
   return ways;
 }
 
+// A tendon without blocks is a tree by itself.
+SizeTable all_trees(const PartSet& parts, int fingers, FingerIdentity identity) {
+  SizeTable all = tree_counts(parts, fingers, identity).trees;
+  const TendonCounts tendons = tendon_counts(parts, fingers, identity);
+  for (int n = 1; n <= fingers; ++n) all[{n, 0}] = tendons[static_cast<std::size_t>(n)];
+  return all;
+}
+
+std::uint64_t routings(const SizeTable& trees, int fingers, FingerIdentity identity) {
+  const TreeSets sets(trees, identity);
+  std::uint64_t sum = 0;
+  for (int blocks = 0; blocks <= trees.largest().blocks; ++blocks) {
+    sum = plus(sum, sets.count({fingers, blocks}));
+  }
+  return sum;
+}
+
 }  // namespace
 
 TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
-  const Choices c{parts.tips.size(), parts.joins.size(), parts.ends.size()};
+  const Choices c{parts.tips.size(), parts.joins.size(), parts.ends.size(),
+                  parts.anchored ? 1U : 0U};
   TendonCounts counts{0};
   for (int k = 1; k <= fingers; ++k) {
     counts.push_back(identity == FingerIdentity::identical
@@ -107,11 +137,15 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
 }
 
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity) {
-  const TendonCounts all = tendon_counts(parts, fingers, identity);
-  TendonCounts actuated = tendon_counts(passive_parts(parts), fingers, identity);
-  for (std::size_t k = 0; k < all.size(); ++k) actuated[k] = all[k] - actuated[k];
-  return {tendon_sets(all, fingers, identity).back(),
-          tendon_sets(actuated, fingers, identity).back(), actuated.back()};
+  const SizeTable all = all_trees(parts, fingers, identity);
+  const SizeTable passive = all_trees(passive_parts(parts), fingers, identity);
+  SizeTable actuated(all.largest());
+  for_each_size(all.largest(), [&](TreeSize size) { actuated[size] = all[size] - passive[size]; });
+  RoutingCounts counts{routings(all, fingers, identity), routings(actuated, fingers, identity), 0};
+  for (int blocks = 0; blocks <= parts.blocks; ++blocks) {
+    counts.one_tendon = plus(counts.one_tendon, actuated[{fingers, blocks}]);
+  }
+  return counts;
 }
 
 }  // namespace reeve::search

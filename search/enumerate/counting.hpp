@@ -1,14 +1,18 @@
 // How many routings a set of parts makes.
 //
-// With t tip kinds, J join kinds and E end kinds, the tendons through k fingers are, up to their
-// symmetries,
+// With t tip kinds, J join kinds, E end kinds, x = 1 where tips may be anchored and 0 elsewhere,
+// and A = tE + x (a last finger with its end, or as one), the tendons through k fingers are, up to
+// their symmetries,
 //   identical fingers (Burnside)
-//     open   half of E^2 J^(k-1) t^k plus the palindromes E J^(k/2) t^((k+1)/2)
+//     open   half of A^2 J^(k-1) t^(k-2) plus the palindromes A J^(k/2) t^((k-1)/2)
+//                                                   (k = 1: t E (E+1) / 2 + xE)
 //     loops  (1/2k) [ Σ_{r<k} (tJ)^gcd(r,k) + walks that the k reflections leave as they are ]
 //   distinct fingers
-//     open   E^2 J^(k-1) t^k k! / 2                 (k = 1: t E (E+1) / 2)
+//     open   A^2 J^(k-1) t^(k-2) k! / 2             (k = 1 as above)
 //     loops  t^k J^k (k-1)! / 2                     (k = 1: tJ; k = 2: t^2 J (J+1) / 2)
-// A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons.
+// A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons. With
+// floating blocks, of trees of tendons (tree_counts.hpp, tree_sets.hpp); a tendon without blocks is
+// a tree, too. What hangs on no motor is made of the parts that are not on the carriage.
 // Numbers beyond 2^63 are refused with an InputError.
 #pragma once
 
@@ -32,10 +36,11 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
 
 struct RoutingCounts {
   std::uint64_t all = 0;
-  std::uint64_t actuated = 0;    // every tendon hangs on the carriage
-  std::uint64_t one_tendon = 0;  // actuated, and a single tendon
+  std::uint64_t actuated = 0;    // every tree hangs on the carriage
+  std::uint64_t one_tendon = 0;  // actuated, and a single tree
 };
 
+// Of 0 to parts.blocks floating blocks.
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity);
 
 }  // namespace reeve::search

@@ -11,11 +11,20 @@ std::uint64_t bit(int finger) { return std::uint64_t{1} << (finger - 1); }
 
 int first_finger(const Tendon& tendon) {
   return std::find_if(tendon.walk.begin(), tendon.walk.end(),
-                      [](const Token& token) { return token.kind == TokenKind::finger; })
+                      [](const Token& token) { return is_of_finger(token.kind); })
       ->finger;
 }
 
 }  // namespace
+
+void number_in_order(Routing& routing) {
+  std::uint8_t next = 1;
+  for (Tendon& tendon : routing.tendons) {
+    for (Token& token : tendon.walk) {
+      if (is_of_finger(token.kind)) token.finger = next++;
+    }
+  }
+}
 
 void Numbering::start(Routing& routing) {
   places_.clear();
@@ -24,7 +33,7 @@ void Numbering::start(Routing& routing) {
     const Walk& walk = routing.tendons[t].walk;
     bool opens_twin = t > 0 && same_shape(routing.tendons[t - 1], routing.tendons[t]);
     for (std::size_t i = 0; i < walk.size(); ++i) {
-      if (walk[i].kind != TokenKind::finger) continue;
+      if (!is_of_finger(walk[i].kind)) continue;
       places_.push_back({t, i, opens_twin, false});
       opens_twin = false;
     }

@@ -8,6 +8,9 @@
 
 namespace reeve::search {
 
+// Identical fingers: 1, 2, … in the order of the word.
+void number_in_order(Routing& routing);
+
 // Numberings of a sequence of tendons' fingers, up to the tendons' symmetries.
 class Numbering {
  public:

@@ -70,6 +70,13 @@ PartSet full_parts() {
           {TokenKind::motor_end, TokenKind::fixed_end}};
 }
 
+PartSet all_parts() {
+  PartSet parts = full_parts();
+  parts.anchored = true;
+  parts.blocks = 1;
+  return parts;
+}
+
 std::vector<TipKind> parse_tips(const std::string& text) { return parse("tips", text, tip_names); }
 std::vector<TokenKind> parse_joins(const std::string& text) {
   return parse("joins", text, join_names);
@@ -88,6 +95,10 @@ void validate(const PartSet& parts) {
   }
   if (parts.joins.empty() && parts.ends.empty()) {
     throw InputError({.what = "joins '' without ends", .expected = "at least one join or one end"});
+  }
+  if (parts.blocks < 0 || parts.blocks > max_generated_blocks) {
+    throw InputError({.what = fmt::format("blocks {}", parts.blocks),
+                      .expected = fmt::format("a number from 0 to {}", max_generated_blocks)});
   }
 }
 

@@ -8,7 +8,8 @@
 
 namespace reeve::search {
 
-// Tendon shapes through a given number of fingers in canonical order: open ones, then loops.
+// Tendon shapes through a given number of fingers in canonical order: open ones, then loops. An
+// anchored tip takes the place of a finger and of the end beside it.
 class ShapeCursor {
  public:
   // Moves to the first shape; false if there is none.
@@ -20,8 +21,11 @@ class ShapeCursor {
   const Tendon& shape() const { return shape_; }
 
  private:
-  bool start_walk(const PartSet& parts, bool closed);
+  bool start_open(const PartSet& parts, const Token& first);
+  bool start_closed(const PartSet& parts);
+  bool start_walk(const PartSet& parts);
   bool next_walk(const PartSet& parts);
+  bool next_family(const PartSet& parts);
   bool settle(const PartSet& parts);
 
   Tendon shape_;

@@ -58,8 +58,8 @@ TEST_F(Allocation, HappensInNoEvaluationUnderAModelEither) {
   expect_no_allocation_once_warm(model, routings);
 }
 
-TEST_F(Allocation, HappensInNoGenerationOnceTheGeneratorIsWarm) {
-  RoutingGenerator generator(all_of_five_fingers());
+void expect_no_allocation_once_warm(const GeneratorOptions& options) {
+  RoutingGenerator generator(options);
   Routing routing;
   std::uint64_t given = 0;
   const auto pass = [&] {
@@ -73,6 +73,11 @@ TEST_F(Allocation, HappensInNoGenerationOnceTheGeneratorIsWarm) {
   EXPECT_EQ(seeking, 0U);
   EXPECT_EQ(warm, 0U);
   EXPECT_EQ(given, 2 * generator.total());
+}
+
+TEST_F(Allocation, HappensInNoGenerationOnceTheGeneratorIsWarm) {
+  expect_no_allocation_once_warm(all_of_five_fingers());
+  expect_no_allocation_once_warm({all_parts(), 4, FingerIdentity::identical, false});
 }
 
 void expect_no_allocation(const GeneratorOptions& options) {
@@ -93,6 +98,9 @@ TEST_F(Allocation, GrowsNotWithWhatTheGeneratorHasGiven) {
   expect_no_allocation({full_parts(), 6, FingerIdentity::identical, false});
   expect_no_allocation({full_parts(), 8, FingerIdentity::identical, true});
   expect_no_allocation({paper_parts(), 6, FingerIdentity::distinct, false});
+  PartSet anchored = full_parts();
+  anchored.anchored = true;
+  expect_no_allocation({anchored, 5, FingerIdentity::identical, false});
 }
 
 }  // namespace

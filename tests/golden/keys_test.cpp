@@ -157,7 +157,7 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
             "name routing rank front dominated_by generated rejected_by" + objectives);
   EXPECT_EQ(keys(json["settings"]),
             "fingers identical_fingers parts tendons shard top constraints " + common_settings);
-  EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends");
+  EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
   expect_pair(json["known"][0]);
   expect_settings(json["settings"]);
 }

@@ -133,8 +133,8 @@ TEST(Version, NamesReleaseAndCommit) {
 }
 
 TEST(Help, MentionsEveryOption) {
-  const Arguments generator{"--fingers", "--parts", "--tips",
-                            "--joins",   "--ends",  "--distinct-fingers"};
+  const Arguments generator{"--fingers", "--parts",    "--tips",   "--joins",
+                            "--ends",    "--anchored", "--blocks", "--distinct-fingers"};
   const Arguments ranking{"--grasps", "--objectives", "--score",    "--uncertainty", "--draws",
                           "--seed",   "--threads",    "--hardware", "--model",       "--format"};
   std::vector<std::pair<std::string, Arguments>> commands{

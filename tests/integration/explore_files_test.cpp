@@ -150,5 +150,27 @@ TEST(ExploreCounts, AgreeWithCount) {
             counts["all"].get<int>() - counts["actuated"].get<int>());
 }
 
+Json counted(const Arguments& parts) {
+  Arguments command{"count", "--format", "json"};
+  command.insert(command.end(), parts.begin(), parts.end());
+  return Json::parse(reeve(command).out);
+}
+
+TEST(Count, AllPartsAreTheFullOnesWithAnchoredTipsAndABlock) {
+  const Json all = counted({"--parts", "all"});
+  EXPECT_EQ(all["all"], 168 + 312);
+  EXPECT_EQ(all["actuated"], 70 + 213);
+  EXPECT_EQ(all["one_tendon"], 42 + 129);
+  EXPECT_EQ(counted({"--anchored", "--blocks", "1"}), all);
+  EXPECT_EQ(counted({"--parts", "all", "--blocks", "2"})["all"], 168 + 312 + 810);
+  EXPECT_EQ(counted({"--parts", "all", "--blocks", "0"})["all"], 168);
+  EXPECT_EQ(counted({"--parts", "paper", "--anchored"})["all"], 43);
+}
+
+TEST(Count, SaysTreesWhereBlocksTieTendonsTogether) {
+  EXPECT_NE(reeve({"count", "--blocks", "1"}).out.find("every tree actuated"), std::string::npos);
+  EXPECT_NE(reeve({"count"}).out.find("every tendon actuated"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace reeve::testing

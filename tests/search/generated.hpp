@@ -31,13 +31,25 @@ inline std::vector<PartSet> odd_parts() {
   };
 }
 
+inline PartSet anchored(PartSet parts) {
+  parts.anchored = true;
+  return parts;
+}
+
+inline PartSet with_blocks(PartSet parts, int blocks) {
+  parts.blocks = blocks;
+  return parts;
+}
+
 inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIdentity identity,
                                    bool one_tendon = false) {
   return {parts, fingers, identity, one_tendon};
 }
 
 inline std::string label_of(const GeneratorOptions& o) {
-  return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) + ", " +
+  return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) +
+         (o.parts.anchored ? " x" : "") + ", " +
+         (o.parts.blocks > 0 ? std::to_string(o.parts.blocks) + " blocks, " : "") +
          std::to_string(o.fingers) + (o.identity == distinct ? " distinct" : "") + " fingers" +
          (o.one_tendon ? ", one tendon" : "");
 }
@@ -55,23 +67,9 @@ inline std::vector<std::string> generated_words(const GeneratorOptions& o) {
   return result;
 }
 
+// M < F < 1x < finger (tube tip < bearing tip) < T < B < P
 inline int token_rank(const Token& token) {
-  switch (token.kind) {
-    case TokenKind::motor_end:
-      return 0;
-    case TokenKind::fixed_end:
-      return 1;
-    case TokenKind::finger:
-      return token.tip == TipKind::tube ? 2 : 3;
-    case TokenKind::tube_join:
-      return 4;
-    case TokenKind::bearing_join:
-      return 5;
-    case TokenKind::movable_pulley:
-      return 6;
-    default:
-      return 7;
-  }
+  return 2 * static_cast<int>(token.kind) + (token.tip == TipKind::bearing ? 1 : 0);
 }
 
 // Compares as canonical.hpp says: the tendons' shapes, and then the numbers of the fingers.
@@ -88,7 +86,7 @@ inline CanonicalKey canonical_key(const Routing& routing) {
     std::vector<int> ranks;
     for (const Token& token : tendon.walk) {
       ranks.push_back(token_rank(token));
-      if (token.kind == TokenKind::finger) key.numbers.push_back(token.finger);
+      if (is_of_finger(token.kind)) key.numbers.push_back(token.finger);
     }
     key.shapes.emplace_back(-finger_count(tendon), tendon.closed, ranks);
   }

@@ -55,6 +55,22 @@ TEST(Generator, SeekGoesToAnyIndex) {
   }
 }
 
+TEST(Generator, SeekGoesToAnyIndexOfAnchoredTipsAndBlocks) {
+  for (const bool one_tendon : {false, true}) {
+    expect_seek_everywhere(generating(anchored(paper_parts()), 4, identical, one_tendon));
+    expect_seek_everywhere(generating(anchored(paper_parts()), 3, distinct, one_tendon));
+    for (int fingers = 1; fingers <= 3; ++fingers) {
+      const PartSet parts = with_blocks(anchored(paper_parts()), 2);
+      expect_seek_everywhere(generating(parts, fingers, identical, one_tendon));
+      if (fingers < 3) expect_seek_everywhere(generating(parts, fingers, distinct, one_tendon));
+    }
+    for (const PartSet& parts : odd_parts()) {
+      expect_seek_everywhere(generating(with_blocks(parts, 2), 3, identical, one_tendon));
+      expect_seek_everywhere(generating(anchored(parts), 3, distinct, one_tendon));
+    }
+  }
+}
+
 std::vector<std::uint64_t> random_indices(std::uint64_t total, int many) {
   std::mt19937_64 engine(20240901);
   std::set<std::uint64_t> indices{0, 1, total / 2, total - 2, total - 1};
@@ -81,7 +97,9 @@ TEST(Generator, SeekGoesToRandomIndicesOfLargerSpaces) {
   for (const auto& o :
        {generating(full_parts(), 6, identical), generating(paper_parts(), 8, identical),
         generating(full_parts(), 6, identical, true), generating(paper_parts(), 5, distinct),
-        generating(full_parts(), 4, distinct), generating(paper_parts(), 6, distinct, true)}) {
+        generating(full_parts(), 4, distinct), generating(paper_parts(), 6, distinct, true),
+        generating(anchored(full_parts()), 4, identical),
+        generating(with_blocks(all_parts(), 2), 4, identical)}) {
     expect_seek_at(o, random_indices(RoutingGenerator(o).total(), 200));
   }
 }

@@ -50,6 +50,27 @@ TEST(Generator, RoutingsAreCanonicalAndUniqueAndInOrderAndPrintBack) {
   }
 }
 
+TEST(Generator, RoutingsWithAnchoredTipsAreCanonicalAndInOrderToo) {
+  for (const bool one_tendon : {false, true}) {
+    for (int fingers = 1; fingers <= 4; ++fingers) {
+      expect_good_routings(generating(anchored(paper_parts()), fingers, identical, one_tendon));
+    }
+    expect_good_routings(generating(anchored(full_parts()), 3, identical, one_tendon));
+    expect_good_routings(generating(anchored(paper_parts()), 3, distinct, one_tendon));
+    for (const PartSet& parts : odd_parts()) {
+      expect_good_routings(generating(anchored(parts), 3, identical, one_tendon));
+      expect_good_routings(generating(anchored(parts), 2, distinct, one_tendon));
+    }
+  }
+}
+
+TEST(Generator, RoutingsWithAnchoredTipsOfTwoFingers) {
+  EXPECT_EQ(generated_words(generating(anchored(parts_of("tube", "T", "M")), 2, identical)),
+            (std::vector<std::string>{"M-1-T-2x", "M-1-T-2-M", "1x-T-2x", "1-T-2-T-1", "M-1x+M-2x",
+                                      "M-1x+M-2-M", "M-1x+2-T-2", "M-1-M+M-2-M", "M-1-M+2-T-2",
+                                      "1-T-1+2-T-2"}));
+}
+
 TEST(Generator, RoutingsOfOneFinger) {
   EXPECT_EQ(generated_words(generating(full_parts(), 1, identical)),
             (std::vector<std::string>{"M-1-M", "M-1-F", "M-1b-M", "M-1b-F", "F-1-F", "F-1b-F",

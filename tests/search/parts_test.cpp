@@ -24,6 +24,17 @@ TEST(Parts, FullPartsAddTheBearings) {
   EXPECT_EQ(ends_text(parts), "M,F");
 }
 
+TEST(Parts, AllPartsAddAnchoredTipsAndABlock) {
+  const PartSet parts = all_parts();
+  EXPECT_EQ(tips_text(parts), "tube,bearing");
+  EXPECT_EQ(joins_text(parts), "T,B,P");
+  EXPECT_EQ(ends_text(parts), "M,F");
+  EXPECT_TRUE(parts.anchored);
+  EXPECT_EQ(parts.blocks, 1);
+  EXPECT_FALSE(full_parts().anchored);
+  EXPECT_EQ(full_parts().blocks, 0);
+}
+
 TEST(Parts, ParsedListsPrintBack) {
   for (const char* tips : {"", "tube", "bearing", "tube,bearing"}) {
     EXPECT_EQ(tips_text({parse_tips(tips), {}, {}}), tips);

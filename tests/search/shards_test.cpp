@@ -57,6 +57,9 @@ TEST(Shards, ShardsTogetherAreTheWhole) {
     expect_shards_make_the_whole(generating(full_parts(), 3, identical, true), n);
     expect_shards_make_the_whole(generating(full_parts(), 2, distinct), n);
     expect_shards_make_the_whole(generating(paper_parts(), 4, distinct), n);
+    expect_shards_make_the_whole(generating(all_parts(), 2, identical), n);
+    expect_shards_make_the_whole(generating(all_parts(), 2, distinct), n);
+    expect_shards_make_the_whole(generating(with_blocks(paper_parts(), 2), 3, identical), n);
   }
   expect_shards_make_the_whole(generating(full_parts(), 5, identical), 11);
 }

@@ -1,17 +1,11 @@
 #include "tests/support/brute_force.hpp"
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
-#include <boost/graph/isomorphism.hpp>
-#include <boost/range/iterator_range.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <stdexcept>
-#include <utility>
 #include <vector>
+
+#include "tests/support/part_graph.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -99,15 +93,6 @@ class Enumeration {
   std::vector<bool> taken_;  // already joined to an earlier strand
 };
 
-// Vertices are strands, tips, joins and ends; edges say what touches what. Strands are vertices
-// rather than edges so that no two edges are parallel, whatever is joined to what.
-struct Part {
-  std::size_t colour = 0;
-  bool motor = false;
-};
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part>;
-using Vertex = Graph::vertex_descriptor;
-
 // Small consecutive numbers, as boost::isomorphism asks of a vertex invariant. Distinct fingers
 // differ by the colours of their tips; their two strands stay alike.
 class Palette {
@@ -134,14 +119,6 @@ class Palette {
   bool identical_fingers_;
 };
 
-// Not boost::add_vertex(part, graph): that overload looks vertices up by name, and g++ 12 warns
-// inside it when sanitizers are on.
-Vertex add_part(const Part& part, Graph& graph) {
-  const Vertex v = boost::add_vertex(graph);
-  graph[v] = part;
-  return v;
-}
-
 Graph graph_of(const Assignment& assignment, const Palette& palette) {
   Graph graph;
   std::vector<Vertex> strands;
@@ -165,69 +142,6 @@ Graph graph_of(const Assignment& assignment, const Palette& palette) {
   return graph;
 }
 
-std::size_t mixed(std::size_t seed, std::size_t value) {
-  seed ^= value + 0x9e3779b97f4a7c15U + (seed << 6U) + (seed >> 2U);
-  return seed * 0xff51afd7ed558ccdU;
-}
-
-std::size_t hash_of_sorted(std::vector<std::size_t> values, std::size_t seed) {
-  std::sort(values.begin(), values.end());
-  for (const std::size_t value : values) seed = mixed(seed, value);
-  return seed;
-}
-
-std::vector<std::size_t> refined(const Graph& graph, const std::vector<std::size_t>& colours) {
-  std::vector<std::size_t> result;
-  for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
-    std::vector<std::size_t> neighbours;
-    for (const Vertex w : boost::make_iterator_range(boost::adjacent_vertices(v, graph)))
-      neighbours.push_back(colours[w]);
-    result.push_back(hash_of_sorted(std::move(neighbours), colours[v]));
-  }
-  return result;
-}
-
-// A Weisfeiler-Leman hash: equal for isomorphic graphs, since it never looks at vertex numbers.
-// Unequal graphs may share it (or collide), so it only chooses the bucket; isomorphism decides.
-std::size_t bucket_of(const Graph& graph) {
-  std::vector<std::size_t> colours;
-  for (Vertex v = 0; v < boost::num_vertices(graph); ++v) colours.push_back(graph[v].colour);
-  constexpr int rounds = 6;  // more changes no count, fewer only fills buckets more
-  for (int round = 0; round < rounds; ++round) colours = refined(graph, colours);
-  return hash_of_sorted(std::move(colours), 0);
-}
-
-struct ColourOf {
-  using argument_type = Vertex;
-  using result_type = std::size_t;
-  const Graph* graph;
-  std::size_t operator()(Vertex v) const { return (*graph)[v].colour; }
-};
-
-bool same_routing(const Graph& a, const Graph& b, std::size_t colours) {
-  if (boost::num_vertices(a) != boost::num_vertices(b)) return false;
-  std::vector<Vertex> mapping(boost::num_vertices(a));
-  const auto index_a = boost::get(boost::vertex_index, a);
-  const auto index_b = boost::get(boost::vertex_index, b);
-  return boost::isomorphism(a, b, boost::make_iterator_property_map(mapping.begin(), index_a),
-                            ColourOf{&a}, ColourOf{&b}, colours, index_a, index_b);
-}
-
-void count_class(const Graph& graph, BruteForceCounts& counts) {
-  std::vector<std::size_t> component(boost::num_vertices(graph));
-  const std::size_t tendons = boost::connected_components(
-      graph,
-      boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, graph)));
-  std::vector<bool> has_motor(tendons, false);
-  for (Vertex v = 0; v < component.size(); ++v)
-    if (graph[v].motor) has_motor[component[v]] = true;
-  const bool actuated = std::find(has_motor.begin(), has_motor.end(), false) == has_motor.end();
-
-  counts.all += 1;
-  if (actuated) counts.actuated += 1;
-  if (actuated && tendons == 1) counts.one_tendon += 1;
-}
-
 }  // namespace
 
 BruteForceCounts brute_force_counts(const CountedParts& parts, int fingers,
@@ -237,20 +151,12 @@ BruteForceCounts brute_force_counts(const CountedParts& parts, int fingers,
   const PartKinds kinds = kinds_of(parts);
   const Palette palette(kinds, n, identical_fingers);
 
-  BruteForceCounts counts;
-  std::map<std::size_t, std::vector<Graph>> representatives;
+  GraphClasses classes(palette.size());
   const Visitor visit = [&](const Assignment& assignment) {
-    Graph graph = graph_of(assignment, palette);
-    std::vector<Graph>& bucket = representatives[bucket_of(graph)];
-    const auto is_known = [&](const Graph& known) {
-      return same_routing(known, graph, palette.size());
-    };
-    if (std::any_of(bucket.begin(), bucket.end(), is_known)) return;
-    count_class(graph, counts);
-    bucket.push_back(std::move(graph));
+    classes.add(graph_of(assignment, palette));
   };
   Enumeration(kinds, n, visit).run();
-  return counts;
+  return classes.counts();
 }
 
 }  // namespace reeve::testing

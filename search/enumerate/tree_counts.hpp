@@ -1,0 +1,112 @@
+// How many trees of tendons a set of parts makes that floating blocks tie together.
+//
+// A tree hangs on a root, a tendon that passes no block. Every block has one tail, at an end of a
+// tendon above it, and one pass; below every block hangs a finger; no tendon passes two blocks.
+// With t tip kinds, J join kinds, e end kinds, x = 1 where tips may be anchored, n fingers, k
+// blocks:
+//   half     H(n,k)  of a tendon, from its pass outwards: m fingers, then an end, an anchored tip
+//                    or a tail. H(n,0) = (tJ)^(n-1) (x + te), H(0,0) = e;
+//                    for k > 0: C(n,k) + Σ_m t^m J^(m-1) C(n-m,k)
+//   branch   C(n,k)  a block with all that is below it: the unordered pairs of halves with n
+//                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass
+//   tree     R(n,k)  k > 0: M-Y1 alone, C(n,k) if there is an M; one tail and an end or an
+//                    anchored tip, Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); or two tails with m
+//                    fingers between them, an unordered pair of branches, each with half of the
+//                    walk, about the bead in its middle
+// Unordered pairs of equals are counted by X(X+1)/2 (Burnside for the reversal). With distinct
+// fingers nothing is its own reversal, so the first of a pair is the one with the least finger.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/canonical.hpp"
+#include "search/enumerate/parts.hpp"
+
+namespace reeve::search {
+
+// Fingers on a tree, or a part of it, and blocks in it.
+struct TreeSize {
+  int fingers = 0;
+  int blocks = 0;
+
+  friend bool operator==(const TreeSize&, const TreeSize&) = default;
+};
+
+constexpr TreeSize operator-(const TreeSize& a, const TreeSize& b) {
+  return {a.fingers - b.fingers, a.blocks - b.blocks};
+}
+
+template <typename Visit>
+void for_each_size(TreeSize largest, Visit visit) {
+  for (int fingers = 0; fingers <= largest.fingers; ++fingers) {
+    for (int blocks = 0; blocks <= largest.blocks; ++blocks) visit(TreeSize{fingers, blocks});
+  }
+}
+
+// A number for each size.
+class SizeTable {
+ public:
+  SizeTable() = default;
+  explicit SizeTable(TreeSize largest)
+      : largest_(largest),
+        counts_(static_cast<std::size_t>((largest.fingers + 1) * (largest.blocks + 1)), 0) {}
+
+  TreeSize largest() const { return largest_; }
+  std::uint64_t& operator[](TreeSize size) { return counts_[at(size)]; }
+  std::uint64_t operator[](TreeSize size) const { return counts_[at(size)]; }
+
+ private:
+  std::size_t at(TreeSize size) const {
+    return static_cast<std::size_t>(size.fingers * (largest_.blocks + 1) + size.blocks);
+  }
+
+  TreeSize largest_;
+  std::vector<std::uint64_t> counts_;
+};
+
+// What the numbers of fingers add: nothing where fingers are identical.
+std::uint64_t choices_of(int fingers, int of, FingerIdentity identity);
+std::uint64_t orders_of(int fingers, FingerIdentity identity);
+
+// Strings of tips and joins through m fingers: f J f … f.
+std::uint64_t strings(const PartSet& parts, int m);
+// … of which the last finger is an anchored tip, or has an end behind it.
+std::uint64_t one_sided_strings(const PartSet& parts, int m);
+
+// A string about the bead in its middle. With distinct fingers all of it is the middle.
+struct MirroredString {
+  std::uint64_t middles = 0;
+  std::uint64_t halves = 0;
+};
+MirroredString mirrored(const PartSet& parts, int m, FingerIdentity identity);
+
+// Loops of m fingers and a pass.
+std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity identity);
+
+// M-Y1 is a tendon; F-Y1 would be a pulley that is fixed.
+bool may_hang_on_motor(const PartSet& parts);
+
+// The members of an unordered pair: with identical fingers the lesser size first, with distinct
+// ones the one that has the least finger.
+struct Split {
+  TreeSize first;
+  TreeSize second;
+};
+// The splits of a size are Split{{}, size} and what this makes of it until it is false.
+bool next_split(Split& split);
+// How many pairs of table[first] and table[second], each in so many variants.
+std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const Split& split,
+                    FingerIdentity identity);
+
+struct TreeCounts {
+  SizeTable halves;
+  SizeTable branches;
+  // Roots with m fingers between two tails, [m], by the size of what hangs on both.
+  std::vector<SizeTable> two_tailed;
+  SizeTable trees;  // with a block at least
+};
+
+TreeCounts tree_counts(const PartSet& parts, int fingers, FingerIdentity identity);
+
+}  // namespace reeve::search

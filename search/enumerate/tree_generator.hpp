@@ -1,0 +1,80 @@
+// The routings of a set of parts that have floating blocks, one after the other, each once.
+//
+// A routing is a set of trees that each have a block, and tendons without blocks beside them
+// (tendon_generator.hpp). Fewer blocks come first, then more fingers on the trees that have them;
+// then the sets of trees follow by their indices (tree_sets.hpp), and with each the tendons. So
+// nothing seen is remembered, nothing is made to be thrown away, and `seek` reckons where to begin.
+// The words are canonical; their order is not that of canonical.hpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/enumerate/tendon_generator.hpp"
+#include "search/enumerate/tree_sets.hpp"
+#include "search/enumerate/tree_writer.hpp"
+
+namespace reeve::search {
+
+class TreeGenerator {
+ public:
+  // Throws InputError if there are too many to count.
+  explicit TreeGenerator(const GeneratorOptions& options);
+  // Its parts point at each other.
+  TreeGenerator(const TreeGenerator&) = delete;
+  TreeGenerator& operator=(const TreeGenerator&) = delete;
+
+  std::uint64_t total() const { return total_; }
+
+  // The next call of next() gives the routing of this index, from 0.
+  void seek(std::uint64_t index);
+
+  // False when all have been given. Keeps the memory of `routing`.
+  bool next(Routing& routing);
+
+ private:
+  // Routings whose trees with blocks have this size in all.
+  struct Cell {
+    TreeSize size;
+    std::uint64_t sets = 0;     // of trees, on any of the fingers
+    std::uint64_t tendons = 0;  // routings of the other fingers
+  };
+  // A tree's part of the list.
+  struct Span {
+    int fingers = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  void add_cell(TreeSize size);
+  std::uint64_t sets_of(TreeSize size) const;
+  TendonGenerator& others(const Cell& cell);
+  void start_set();
+  void list_trees();
+  bool precedes(const Span& a, const Span& b) const;
+  void advance();
+  void write(Routing& routing);
+  void append_tree(const Span& span, std::size_t& tendon, int& blocks, Routing& routing) const;
+  void number_others();
+
+  GeneratorOptions options_;
+  TreeCounts counts_;
+  TreeDecoder decoder_;
+  TreeWriter writer_;
+  TreeSets sets_;
+  std::vector<TendonGenerator> others_;  // [fingers - 1]
+  std::vector<Cell> cells_;
+  std::uint64_t total_ = 0;
+
+  std::size_t cell_ = 0;
+  std::uint64_t set_ = 0;
+  std::uint64_t tendons_ = 0;  // the index of the routing of the other fingers
+  bool set_is_listed_ = false;
+  std::vector<TreeIndex> trees_;
+  TendonList list_;
+  std::vector<Span> spans_;
+  FingerSet other_fingers_ = 0;
+  Routing beside_;
+};
+
+}  // namespace reeve::search

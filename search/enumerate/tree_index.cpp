@@ -1,0 +1,204 @@
+#include "search/enumerate/tree_index.hpp"
+
+#include <bit>
+
+namespace reeve::search {
+namespace {
+
+void clear(SplitTendon& tendon) {
+  for (HalfTendon* half : {&tendon.left, &tendon.right}) {
+    half->tokens.clear();
+    half->tail.reset();
+  }
+  tendon.middle.clear();
+  tendon.closed = false;
+}
+
+}  // namespace
+
+void TreeDecoder::append_join(Digits& digits, Walk& walk) const {
+  walk.push_back(plain(parts_.joins[digits.take(parts_.joins.size())]));
+}
+
+void TreeDecoder::append_finger(FingerSet& fingers, Digits& digits, Walk& walk) const {
+  const TipKind tip = parts_.tips[digits.take(parts_.tips.size())];
+  walk.push_back(finger(fingers == 0 ? 0 : take_one(fingers, digits, identity_), tip));
+}
+
+void TreeDecoder::append_string(int m, FingerSet& fingers, Digits& digits, Walk& walk) const {
+  for (int i = 0; i < m; ++i) {
+    if (i > 0) append_join(digits, walk);
+    append_finger(fingers, digits, walk);
+  }
+}
+
+// Through m fingers, the last of which is an anchored tip or has an end behind it.
+void TreeDecoder::append_to_end(int m, FingerSet& fingers, Digits& digits, Walk& walk) const {
+  append_string(m - 1, fingers, digits, walk);
+  if (m > 1) append_join(digits, walk);
+  const std::uint64_t anchors = parts_.anchored ? 1 : 0;
+  const std::uint64_t ends = parts_.ends.size();
+  const std::uint64_t kind = digits.take(anchors + parts_.tips.size() * ends);
+  const int number = take_one(fingers, digits, identity_);
+  if (kind < anchors) {
+    walk.push_back(anchored_tip(number));
+  } else {
+    walk.push_back(finger(number, parts_.tips[(kind - anchors) / ends]));
+    walk.push_back(plain(parts_.ends[(kind - anchors) % ends]));
+  }
+}
+
+void TreeDecoder::append_middle(int m, std::uint64_t kind, Walk& walk) const {
+  walk.push_back(m % 2 == 1 ? finger(0, parts_.tips[kind]) : plain(parts_.joins[kind]));
+}
+
+// Half of a string of m fingers, from the bead beside its middle to its end.
+void TreeDecoder::append_mirrored(int m, std::uint64_t index, Walk& walk) const {
+  Digits digits(index);
+  FingerSet none = 0;
+  for (int bead = m - 2; bead >= 0; --bead) {
+    if (bead % 2 == 0) {
+      append_finger(none, digits, walk);
+    } else {
+      append_join(digits, walk);
+    }
+  }
+}
+
+void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
+  const auto [n, k] = half.size;
+  Digits digits(half.index);
+  FingerSet fingers = half.fingers;
+  if (k == 0) {
+    if (n == 0) {
+      tendon.tokens.push_back(plain(parts_.ends[digits.rest()]));
+      return;
+    }
+    append_to_end(n, fingers, digits, tendon.tokens);
+    return;
+  }
+  if (digits.is_among(counts_.branches[half.size])) {
+    tendon.tail = TreeIndex{half.size, digits.rest(), fingers};
+    return;
+  }
+  int m = 1;
+  const auto here = [&] {
+    return choices_of(m, n, identity_) * orders_of(m, identity_) * strings(parts_, m) *
+           counts_.branches[{n - m, k}];
+  };
+  while (!digits.is_among(here())) ++m;
+  FingerSet own = take_some(fingers, m, digits, identity_);
+  append_string(m, own, digits, tendon.tokens);
+  tendon.tail = TreeIndex{{n - m, k}, digits.rest(), fingers};
+}
+
+TreeDecoder::Pair TreeDecoder::decode_pair(const SizeTable& table, std::uint64_t variants,
+                                           TreeSize size, FingerSet fingers, Digits& digits) const {
+  Split split{{}, size};
+  while (!digits.is_among(pairs(table, variants, split, identity_))) next_split(split);
+  const std::uint64_t firsts = variants * table[split.first];
+  if (identity_ == FingerIdentity::identical && split.first == split.second) {
+    std::uint64_t lesser = digits.rest();
+    const std::uint64_t greater = greatest_of_multiset(firsts, 2, lesser);
+    return {{split.first, lesser}, {split.second, greater}};
+  }
+  FingerSet others = fingers;
+  const FingerSet own = identity_ == FingerIdentity::identical
+                            ? 0
+                            : take_least_and(others, split.first.fingers - 1, digits, identity_);
+  const std::uint64_t first = digits.take(firsts);
+  return {{split.first, first, own}, {split.second, digits.rest(), others}};
+}
+
+// About the bead in its middle; with distinct fingers the first number is less than the last.
+void TreeDecoder::append_loop(int m, FingerSet fingers, Digits& digits, Walk& walk) const {
+  if (identity_ == FingerIdentity::identical) {
+    const MirroredString string = mirrored(parts_, m, identity_);
+    Walk half;
+    Walk middle;
+    append_middle(m, digits.take(string.middles), middle);
+    std::uint64_t other = digits.rest();
+    append_mirrored(m, greatest_of_multiset(string.halves, 2, other), half);
+    walk.insert(walk.end(), half.rbegin(), half.rend());
+    walk.insert(walk.end(), middle.begin(), middle.end());
+    append_mirrored(m, other, walk);
+    return;
+  }
+  const std::size_t begin = walk.size();
+  FingerSet none = 0;
+  for (int i = 0; i < m; ++i) {
+    if (i > 0) append_join(digits, walk);
+    append_finger(none, digits, walk);
+  }
+  for (int i = 1; i + 1 < m; ++i) {
+    const int number = take_one(fingers, digits, identity_);
+    walk[begin + 2 * static_cast<std::size_t>(i)].finger = static_cast<std::uint8_t>(number);
+  }
+  walk.back().finger = static_cast<std::uint8_t>(std::bit_width(fingers));
+  walk[begin].finger = static_cast<std::uint8_t>(std::countr_zero(fingers) + 1);
+}
+
+void TreeDecoder::decode_branch(const TreeIndex& branch, SplitTendon& tendon) const {
+  clear(tendon);
+  tendon.middle.push_back(block(TokenKind::block_pass, 0));
+  Digits digits(branch.index);
+  const int n = branch.size.fingers;
+  if (branch.size.blocks == 1 && digits.is_among(loops_through_pass(parts_, n, identity_))) {
+    tendon.closed = true;
+    append_loop(n, branch.fingers, digits, tendon.middle);
+    return;
+  }
+  const Pair halves =
+      decode_pair(counts_.halves, 1, branch.size - TreeSize{0, 1}, branch.fingers, digits);
+  decode_half(halves.first, tendon.left);
+  decode_half(halves.second, tendon.right);
+}
+
+void TreeDecoder::decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
+                                    SplitTendon& tendon) const {
+  const MirroredString string = mirrored(parts_, m, identity_);
+  FingerSet own = take_some(fingers, m, digits, identity_);
+  if (identity_ == FingerIdentity::distinct) {
+    append_string(m, own, digits, tendon.middle);
+  } else {
+    append_middle(m, digits.take(string.middles), tendon.middle);
+  }
+  Pair branches = decode_pair(counts_.branches, string.halves, below, fingers, digits);
+  const auto append_half = [&](TreeIndex& branch, HalfTendon& half) {
+    if (identity_ == FingerIdentity::identical) {
+      append_mirrored(m, branch.index % string.halves, half.tokens);
+      branch.index /= string.halves;
+    }
+    half.tail = branch;
+  };
+  append_half(branches.first, tendon.left);
+  append_half(branches.second, tendon.right);
+}
+
+void TreeDecoder::decode_root(const TreeIndex& tree, SplitTendon& tendon) const {
+  clear(tendon);
+  const auto [n, k] = tree.size;
+  Digits digits(tree.index);
+  FingerSet fingers = tree.fingers;
+  if (may_hang_on_motor(parts_) && digits.is_among(counts_.branches[tree.size])) {
+    tendon.left.tokens.push_back(motor_end());
+    tendon.right.tail = TreeIndex{tree.size, digits.rest(), fingers};
+    return;
+  }
+  for (int m = 1; true; ++m) {
+    const TreeSize below{n - m, k};
+    const std::uint64_t arranged = choices_of(m, n, identity_) * orders_of(m, identity_);
+    if (digits.is_among(arranged * one_sided_strings(parts_, m) * counts_.branches[below])) {
+      FingerSet own = take_some(fingers, m, digits, identity_);
+      append_to_end(m, own, digits, tendon.left.tokens);
+      tendon.right.tail = TreeIndex{below, digits.rest(), fingers};
+      return;
+    }
+    if (digits.is_among(counts_.two_tailed[static_cast<std::size_t>(m)][below])) {
+      decode_two_tailed(m, below, fingers, digits, tendon);
+      return;
+    }
+  }
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,75 @@
+// From a number to a tendon of a tree: the sizes of tree_counts.hpp, read backwards.
+//
+// An index is a number of mixed radix: each choice takes its digit, the choices between sizes take
+// what lies before them off. Every index below the count of its size is another tree, and none
+// stands for two, so that a tree can be had at once from the middle of billions.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/routing.hpp"
+#include "search/enumerate/finger_sets.hpp"
+#include "search/enumerate/tree_counts.hpp"
+
+namespace reeve::search {
+
+// A tree, or a branch: a block with all that is below it.
+struct TreeIndex {
+  TreeSize size;
+  std::uint64_t index = 0;
+  FingerSet fingers = 0;
+
+  friend bool operator==(const TreeIndex&, const TreeIndex&) = default;
+};
+
+// A tendon from its middle outwards. The tail at its end, if it has one, is not among the tokens.
+struct HalfTendon {
+  Walk tokens;
+  std::optional<TreeIndex> tail;
+};
+
+// The middle is the pass of a branch, as a block without number, or what a root has between its
+// halves. A loop is all middle, from its pass on.
+struct SplitTendon {
+  HalfTendon left;
+  Walk middle;
+  HalfTendon right;
+  bool closed = false;
+};
+
+class TreeDecoder {
+ public:
+  TreeDecoder(const PartSet& parts, const TreeCounts& counts, FingerIdentity identity)
+      : parts_(parts), counts_(counts), identity_(identity) {}
+
+  // The tendon that passes the branch's block.
+  void decode_branch(const TreeIndex& branch, SplitTendon& tendon) const;
+  // The root of a tree with a block at least.
+  void decode_root(const TreeIndex& tree, SplitTendon& tendon) const;
+
+ private:
+  struct Pair {
+    TreeIndex first;
+    TreeIndex second;
+  };
+
+  void append_join(Digits& digits, Walk& walk) const;
+  void append_finger(FingerSet& fingers, Digits& digits, Walk& walk) const;
+  void append_string(int m, FingerSet& fingers, Digits& digits, Walk& walk) const;
+  void append_to_end(int m, FingerSet& fingers, Digits& digits, Walk& walk) const;
+  void append_middle(int m, std::uint64_t kind, Walk& walk) const;
+  void append_mirrored(int m, std::uint64_t index, Walk& walk) const;
+  void append_loop(int m, FingerSet fingers, Digits& digits, Walk& walk) const;
+  void decode_half(const TreeIndex& half, HalfTendon& tendon) const;
+  void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
+                         SplitTendon& tendon) const;
+  Pair decode_pair(const SizeTable& table, std::uint64_t variants, TreeSize size, FingerSet fingers,
+                   Digits& digits) const;
+
+  const PartSet& parts_;
+  const TreeCounts& counts_;
+  FingerIdentity identity_;
+};
+
+}  // namespace reeve::search

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "search/enumerate/counting.hpp"
+#include "tests/search/counted_parts.hpp"
+#include "tests/search/generated.hpp"
+#include "tests/support/tree_brute_force.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// All, actuated, actuated and one tree.
+using Counts = std::vector<std::uint64_t>;
+
+template <typename Source>
+Counts values(const Source& counts) {
+  return {counts.all, counts.actuated, counts.one_tendon};
+}
+
+// With exactly so many blocks, as the difference to fewer.
+Counts exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
+  parts.blocks = blocks;
+  Counts counts = values(count_routings(parts, fingers, identity));
+  if (blocks == 0) return counts;
+  parts.blocks = blocks - 1;
+  const Counts fewer = values(count_routings(parts, fingers, identity));
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] -= fewer[i];
+  return counts;
+}
+
+struct Row {
+  PartSet parts;
+  int blocks;
+  std::vector<std::uint64_t> all;  // by fingers
+  std::vector<std::uint64_t> actuated;
+};
+
+TEST(TreeCounts, TableOfAnchoredTipsAndBlocks) {
+  const PartSet paper = anchored(paper_parts());
+  const PartSet full = anchored(full_parts());
+  const std::vector<Row> table{
+      {paper, 0, {7, 43, 214, 973, 4059}, {4, 21, 85, 339, 1239}},
+      {paper, 1, {7, 90, 735, 4740, 26317}, {7, 63, 416, 2264, 10938}},
+      {paper, 2, {14, 243, 2522, 20044, 133527}, {14, 195, 1671, 11374, 66258}},
+      {full, 0, {14, 168, 1738, 16763, 153390}, {7, 70, 612, 5328, 44840}},
+      {full, 1, {12, 312, 5364, 74895, 920517}, {12, 213, 2943, 35133, 383106}},
+      {full, 2, {24, 810, 17280, 292182, 4259973}, {24, 627, 11088, 162574, 2111942}},
+      {full, 3, {48, 2046, 52690, 1044146, 17497974}, {48, 1695, 37346, 650255, 9774126}},
+  };
+  for (const Row& row : table) {
+    for (int fingers = 1; fingers <= 5; ++fingers) {
+      const Counts counts = exactly(row.parts, row.blocks, fingers, identical);
+      const auto column = static_cast<std::size_t>(fingers - 1);
+      EXPECT_EQ(counts[0], row.all[column]) << row.blocks << " blocks, " << fingers;
+      EXPECT_EQ(counts[1], row.actuated[column]) << row.blocks << " blocks, " << fingers;
+    }
+  }
+}
+
+TEST(TreeCounts, TableOfSingleTrees) {
+  const std::vector<std::vector<std::uint64_t>> table{{12, 129, 1200, 10359, 83709},
+                                                      {24, 381, 4647, 49606, 483667}};
+  for (int blocks = 1; blocks <= 2; ++blocks) {
+    for (int fingers = 1; fingers <= 5; ++fingers) {
+      EXPECT_EQ(exactly(anchored(full_parts()), blocks, fingers, identical)[2],
+                table[static_cast<std::size_t>(blocks - 1)][static_cast<std::size_t>(fingers - 1)]);
+    }
+  }
+}
+
+std::vector<PartSet> various_parts() {
+  std::vector<PartSet> sets = odd_parts();
+  sets.push_back(paper_parts());
+  sets.push_back(full_parts());
+  const std::size_t many = sets.size();
+  for (std::size_t i = 0; i < many; ++i) sets.push_back(anchored(sets[i]));
+  return sets;
+}
+
+TEST(TreeCounts, AreThoseOfThePowerSeries) {
+  for (const PartSet& parts : various_parts()) {
+    for (const FingerIdentity identity : {identical, distinct}) {
+      for (int fingers = 1; fingers <= 6; ++fingers) {
+        for (int blocks = 0; blocks <= 4; ++blocks) {
+          EXPECT_EQ(exactly(parts, blocks, fingers, identity),
+                    values(count_trees(counted_with_trees(parts), fingers, blocks,
+                                       identity == identical)))
+              << label_of(generating(with_blocks(parts, blocks), fingers, identity));
+        }
+      }
+    }
+  }
+}
+
+void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {
+  EXPECT_EQ(
+      exactly(parts, blocks, fingers, identity),
+      values(brute_force_trees(counted_with_trees(parts), fingers, blocks, identity == identical)))
+      << label_of(generating(with_blocks(parts, blocks), fingers, identity));
+}
+
+TEST(TreeCounts, AreThoseOfBruteForce) {
+  for (const FingerIdentity identity : {identical, distinct}) {
+    for (const PartSet& parts : various_parts()) {
+      for (int blocks = 0; blocks <= 2; ++blocks) {
+        for (int fingers = 1; fingers <= 2; ++fingers) {
+          expect_brute_force(parts, fingers, blocks, identity);
+        }
+      }
+    }
+  }
+}
+
+TEST(TreeCounts, OfThreeFingersAreThoseOfBruteForce) {
+  expect_brute_force(anchored(paper_parts()), 3, 0, distinct);
+  expect_brute_force(anchored(paper_parts()), 3, 1, distinct);
+  expect_brute_force(anchored(paper_parts()), 3, 2, identical);
+  expect_brute_force(anchored(full_parts()), 3, 1, identical);
+}
+
+}  // namespace
+}  // namespace reeve::testing
