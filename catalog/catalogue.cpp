@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "catalog/entry_file.hpp"
+#include "catalog/mechanisms/mechanism_file.hpp"
 #include "core/error.hpp"
 
 namespace reeve::catalog {
@@ -45,11 +46,16 @@ bool precedes(std::string_view a, std::string_view b) {
   return a.size() < b.size();
 }
 
+void require_new_name(const Catalogue& catalogue, const std::string& name, const TomlNode& file) {
+  const CatalogueEntry* entry = catalogue.find_name(name);
+  const Mechanism* mechanism = catalogue.find_mechanism(name);
+  if (entry == nullptr && mechanism == nullptr) return;
+  file.find("name")->fail_expected(fmt::format("a name that is not taken ({} has it)",
+                                               entry != nullptr ? entry->file : mechanism->file));
+}
+
 void require_new(const Catalogue& catalogue, const CatalogueEntry& entry, const TomlNode& file) {
-  if (const CatalogueEntry* other = catalogue.find_name(entry.name)) {
-    file.find("name")->fail_expected(
-        fmt::format("a name that is not taken ({} has it)", other->file));
-  }
+  require_new_name(catalogue, entry.name, file);
   if (const CatalogueEntry* other = catalogue.find_word(entry.routing)) {
     file.find("word")->fail_expected(fmt::format(
         "a routing that is not in the catalogue yet ({} has it as {})", other->file, other->name));
@@ -93,6 +99,26 @@ void require_references(const Catalogue& catalogue) {
   }
 }
 
+void read_families(const CatalogueFiles& files, Catalogue& catalogue) {
+  for (const std::string& family : files.folders("families")) {
+    if (family == paper_family) {
+      throw InputError({.where = "catalogue families/paper",
+                        .what = "this name is taken",
+                        .expected = "another, since the routings beside families/ are paper's",
+                        .form = InputForm::unknown});
+    }
+    for (const TomlNode& file : files.toml("families/" + family)) {
+      Mechanism mechanism = read_mechanism(file, family);
+      require_new_name(catalogue, mechanism.name, file);
+      catalogue.mechanisms.push_back(std::move(mechanism));
+    }
+  }
+  std::stable_sort(catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
+                   [](const Mechanism& a, const Mechanism& b) {
+                     return a.family != b.family ? a.family < b.family : precedes(a.name, b.name);
+                   });
+}
+
 }  // namespace
 
 const CatalogueEntry* Catalogue::find_name(std::string_view name) const {
@@ -109,6 +135,27 @@ const CatalogueEntry* Catalogue::find_word(const Routing& routing) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
+const Mechanism* Catalogue::find_mechanism(std::string_view name) const {
+  const auto found =
+      std::find_if(mechanisms.begin(), mechanisms.end(),
+                   [&](const Mechanism& mechanism) { return same_name(mechanism.name, name); });
+  return found == mechanisms.end() ? nullptr : &*found;
+}
+
+const Routing* Catalogue::find_routing(std::string_view name) const {
+  if (const CatalogueEntry* entry = find_name(name)) return &entry->routing;
+  const Mechanism* mechanism = find_mechanism(name);
+  return mechanism == nullptr ? nullptr : &mechanism->routing;
+}
+
+std::vector<std::string> Catalogue::families() const {
+  std::vector<std::string> names;
+  for (const Mechanism& mechanism : mechanisms) {
+    if (names.empty() || names.back() != mechanism.family) names.push_back(mechanism.family);
+  }
+  return names;
+}
+
 Catalogue read_catalogue(const CatalogueFiles& files) {
   Catalogue catalogue;
   for (const TomlNode& file : files.toml("")) {
@@ -120,6 +167,7 @@ Catalogue read_catalogue(const CatalogueFiles& files) {
       catalogue.entries.begin(), catalogue.entries.end(),
       [](const CatalogueEntry& a, const CatalogueEntry& b) { return precedes(a.name, b.name); });
   require_references(catalogue);
+  read_families(files, catalogue);
   return catalogue;
 }
 

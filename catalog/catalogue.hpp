@@ -10,6 +10,10 @@
 //   (published.hpp)
 //   [[misprint]]    source, text
 //
+// These are the routings that explorations and rankings are compared with: the family "paper".
+// Beside them, folders families/FAMILY/ hold mechanisms of the literature, likewise one file each
+// (mechanisms/mechanism.hpp).
+//
 // Names are found whatever their case; they stand where words may stand, so none may be a word.
 #pragma once
 
@@ -20,11 +24,14 @@
 #include <vector>
 
 #include "catalog/catalogue_files.hpp"
+#include "catalog/mechanisms/mechanism.hpp"
 #include "catalog/published.hpp"
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::catalog {
+
+inline constexpr const char* paper_family = "paper";
 
 struct CatalogueEntry {
   std::string name;
@@ -44,10 +51,16 @@ struct CatalogueEntry {
 
 struct Catalogue {
   std::vector<CatalogueEntry> entries;  // by name, TR2 before TR10
+  std::vector<Mechanism> mechanisms;    // by family, then likewise
 
   const CatalogueEntry* find_name(std::string_view name) const;
   // `routing` is canonical for identical fingers.
   const CatalogueEntry* find_word(const Routing& routing) const;
+  const Mechanism* find_mechanism(std::string_view name) const;
+  // Of an entry or a mechanism.
+  const Routing* find_routing(std::string_view name) const;
+  // Of the mechanisms, by name.
+  std::vector<std::string> families() const;
 };
 
 // Throws InputError with file, line and column.

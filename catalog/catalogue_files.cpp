@@ -24,6 +24,40 @@ std::vector<std::string> embedded_in(const std::string& folder) {
   return paths;
 }
 
+std::vector<std::string> folders_embedded_in(const std::string& folder) {
+  const std::string start = folder + "/";
+  std::vector<std::string> names;
+  for (const auto& [path, text] : embedded_catalogue()) {
+    if (!path.starts_with(start)) continue;
+    const std::size_t end = path.find('/', start.size());
+    if (end == std::string_view::npos) continue;
+    std::string name(path.substr(start.size(), end - start.size()));
+    if (names.empty() || names.back() != name) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+[[noreturn]] void fail_unreadable(const std::filesystem::path& folder,
+                                  const std::error_code& error) {
+  throw InputError({.where = fmt::format("catalogue {}", folder.string()),
+                    .what = fmt::format("cannot be read: {}", error.message())});
+}
+
+std::vector<std::string> folders_lying_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder, error);
+  if (error == std::errc::no_such_file_or_directory) return names;
+  const std::filesystem::directory_iterator end;
+  for (; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_directory(ignored)) names.push_back(at->path().filename().string());
+  }
+  if (error) fail_unreadable(folder, error);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::vector<std::string> lying_in(const std::filesystem::path& catalogue,
                                   const std::string& folder) {
   std::vector<std::string> paths;
@@ -37,10 +71,7 @@ std::vector<std::string> lying_in(const std::filesystem::path& catalogue,
       paths.push_back((folder / at->path().filename()).string());
     }
   }
-  if (error) {
-    throw InputError({.where = fmt::format("catalogue {}", catalogue.string()),
-                      .what = fmt::format("cannot be read: {}", error.message())});
-  }
+  if (error) fail_unreadable(catalogue, error);
   if (paths.empty() && folder.empty()) {
     throw InputError({.where = fmt::format("catalogue {}", catalogue.string()),
                       .what = "has no file *.toml",
@@ -73,6 +104,10 @@ std::vector<TomlNode> CatalogueFiles::toml(const std::string& folder) const {
     files.push_back(file.text ? parse_toml(*file.text, file.name) : read_toml(file.name));
   }
   return files;
+}
+
+std::vector<std::string> CatalogueFiles::folders(const std::string& folder) const {
+  return folder_.empty() ? folders_embedded_in(folder) : folders_lying_in(folder_ / folder);
 }
 
 CatalogueFile CatalogueFiles::find(const std::string& path) const {

@@ -26,6 +26,9 @@ class CatalogueFiles {
   // The *.toml that lie directly in this folder of the catalogue, "" for itself, by name. Throws
   // InputError.
   std::vector<TomlNode> toml(const std::string& folder) const;
+  // The folders that lie directly in this one, by name; none if there is no such folder. Throws
+  // InputError.
+  std::vector<std::string> folders(const std::string& folder) const;
   CatalogueFile find(const std::string& path) const;
 
  private:

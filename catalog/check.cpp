@@ -207,8 +207,19 @@ void EntryCheck::run() {
 }  // namespace
 
 const char* status_name(CheckStatus status) {
-  if (status == CheckStatus::agrees) return "agrees";
-  return status == CheckStatus::explained ? "explained" : "differs";
+  switch (status) {
+    case CheckStatus::agrees:
+      return "agrees";
+    case CheckStatus::used:
+      return "used";
+    case CheckStatus::explained:
+      return "explained";
+    case CheckStatus::open:
+      return "open";
+    case CheckStatus::differs:
+      return "differs";
+  }
+  return "";
 }
 
 void add_explanation(CheckItem& item, const std::string& reason) {
@@ -227,9 +238,21 @@ CheckItem idle_fault(std::size_t fault, const std::string& name, const std::stri
   return item;
 }
 
-std::size_t CheckReport::count(CheckStatus status) const {
-  return static_cast<std::size_t>(std::count_if(
-      items.begin(), items.end(), [&](const CheckItem& item) { return item.status == status; }));
+std::size_t CheckReport::count(CheckStatus status, std::string_view family) const {
+  return static_cast<std::size_t>(
+      std::count_if(items.begin(), items.end(), [&](const CheckItem& item) {
+        return item.status == status && (family.empty() || item.family == family);
+      }));
+}
+
+std::vector<std::string> CheckReport::families() const {
+  std::vector<std::string> names;
+  for (const CheckItem& item : items) {
+    if (std::find(names.begin(), names.end(), item.family) == names.end()) {
+      names.push_back(item.family);
+    }
+  }
+  return names;
 }
 
 CheckReport check(const Catalogue& catalogue) {

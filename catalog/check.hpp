@@ -8,21 +8,35 @@
 //                                 T_M = 1, to within the rounding of the strands
 //   carriage of an equation       the same for an equation with a reversed contact
 //
+// Those of mechanisms are recomputed by mechanisms/mechanism_check.hpp.
+//
 // What differs is explained only by a fault listed for the entry whose arithmetic holds
 // (fault.hpp); a listed fault that explains nothing is itself an item that differs. Tensions are at
 // T_M = 1.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
 
 namespace reeve::catalog {
 
-enum class CheckStatus : std::uint8_t { agrees, explained, differs };
+enum class CheckStatus : std::uint8_t {
+  agrees,
+  used,       // a coefficient was inferred from it (mechanisms/mechanism_check.hpp)
+  explained,  // it differs, and arithmetic shows why
+  open,       // it differs, which is known, and nobody knows why
+  differs,
+};
+
+inline constexpr std::array check_statuses{CheckStatus::agrees, CheckStatus::used,
+                                           CheckStatus::explained, CheckStatus::open,
+                                           CheckStatus::differs};
 
 const char* status_name(CheckStatus status);
 
@@ -39,6 +53,7 @@ enum class CheckedKind : std::uint8_t {
   share_error_of_equations,  // of the shares that the model gives
   friction_coefficient,
   design_count,
+  in_words,  // of a mechanism, as its source calls it
 };
 
 // What a number is: its kind, and of which strand (from 1), listed fault (from 1), indicator (from
@@ -51,6 +66,7 @@ struct CheckedQuantity {
 };
 
 struct CheckItem {
+  std::string family = paper_family;
   std::string routing;  // "" if it is about no single one
   std::string source;   // "Table IV", "Eqs. 14, 15"
   CheckedQuantity quantity;
@@ -59,19 +75,25 @@ struct CheckItem {
   double computed = 0;
   CheckStatus status = CheckStatus::differs;
   std::string reason;  // empty where it agrees
+  std::string in_words;
+  std::string inferred_from;  // the printed number from which a coefficient of its rig comes, or ""
 };
 
 struct CheckedMisprint {
   std::string routing;
   std::string source;
   std::string text;
+  std::string family = paper_family;
 };
 
 struct CheckReport {
   std::vector<CheckItem> items;
   std::vector<CheckedMisprint> misprints;
 
-  std::size_t count(CheckStatus status) const;
+  // Of one family, or of all of them: "".
+  std::size_t count(CheckStatus status, std::string_view family = "") const;
+  // In the order of the items.
+  std::vector<std::string> families() const;
 };
 
 CheckReport check(const Catalogue& catalogue);

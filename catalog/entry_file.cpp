@@ -27,43 +27,13 @@ bool is_word(const std::string& text) {
   }
 }
 
-std::string read_name(const TomlNode& node) {
-  const std::string& name = node.text();
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '.';
-  });
-  if (!plain || name.size() > 60) {
-    node.fail_expected("at most 60 letters, digits, '_', '-' and '.'");
-  }
-  if (is_word(name)) node.fail_expected("a name that is not the word of a routing");
-  return name;
-}
-
 Routing read_word(const TomlNode& node) {
-  Routing routing;
-  try {
-    routing = parse_routing(node.text());
-  } catch (const InputError& error) {
-    node.fail_at_value(error.fault());
-  }
+  Routing routing = read_actuated_word(node);
   const Routing least = canonical(routing, FingerIdentity::identical);
   if (!(least == routing)) {
     node.fail_expected(fmt::format("the canonical word of this routing, \"{}\"", to_word(least)));
   }
-  if (!is_actuated(routing)) node.fail_expected("a routing whose tendons all hang on the motor");
   return routing;
-}
-
-Grasp read_held(const TomlNode& node, int fingers) {
-  Grasp grasp;
-  for (const TomlNode& item : node.items()) {
-    if (fingers == 0) item.fail_expected("nothing, the routing has no finger");
-    const Grasp one = hold({item.integer(1, fingers)});
-    if ((grasp.held & one.held) != 0) item.fail_expected("each finger once");
-    grasp.held |= one.held;
-  }
-  return grasp;
 }
 
 const std::vector<TomlNode>& items(const TomlNode& node, std::size_t count,
@@ -200,17 +170,6 @@ Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands)
   kind.fail_expected("factor, repeats, proportional or reversed_contact");
 }
 
-std::vector<Misprint> read_misprints(const TomlNode* node) {
-  std::vector<Misprint> misprints;
-  if (node == nullptr) return misprints;
-  for (const TomlNode& misprint : node->tables()) {
-    misprint.allow_only({"source", "text"});
-    misprints.push_back({misprint.require("source", "where it stands").text(),
-                         misprint.require("text", "what is misprinted").text()});
-  }
-  return misprints;
-}
-
 void read_published(const TomlNode& file, CatalogueEntry& entry) {
   const int fingers = finger_count(entry.routing);
   const int strands = 2 * fingers;
@@ -236,6 +195,52 @@ void read_published(const TomlNode& file, CatalogueEntry& entry) {
 }
 
 }  // namespace
+
+std::string read_name(const TomlNode& node) {
+  const std::string& name = node.text();
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  });
+  if (!plain || name.size() > 60) {
+    node.fail_expected("at most 60 letters, digits, '_', '-' and '.'");
+  }
+  if (is_word(name)) node.fail_expected("a name that is not the word of a routing");
+  return name;
+}
+
+Routing read_actuated_word(const TomlNode& node) {
+  Routing routing;
+  try {
+    routing = parse_routing(node.text());
+  } catch (const InputError& error) {
+    node.fail_at_value(error.fault());
+  }
+  if (!is_actuated(routing)) node.fail_expected("a routing whose tendons all hang on the motor");
+  return routing;
+}
+
+Grasp read_held(const TomlNode& node, int fingers) {
+  Grasp grasp;
+  for (const TomlNode& item : node.items()) {
+    if (fingers == 0) item.fail_expected("nothing, the routing has no finger");
+    const Grasp one = hold({item.integer(1, fingers)});
+    if ((grasp.held & one.held) != 0) item.fail_expected("each finger once");
+    grasp.held |= one.held;
+  }
+  return grasp;
+}
+
+std::vector<Misprint> read_misprints(const TomlNode* node) {
+  std::vector<Misprint> misprints;
+  if (node == nullptr) return misprints;
+  for (const TomlNode& misprint : node->tables()) {
+    misprint.allow_only({"source", "text"});
+    misprints.push_back({misprint.require("source", "where it stands").text(),
+                         misprint.require("text", "what is misprinted").text()});
+  }
+  return misprints;
+}
 
 std::optional<PrintedNumber> parse_printed_number(const std::string& digits) {
   constexpr std::string_view decimal = "0123456789";

@@ -10,6 +10,14 @@ namespace reeve::catalog {
 // faults that refer to other routings) is not looked at.
 CatalogueEntry read_entry(const TomlNode& file);
 
+// What a name in the catalogue may be; throws InputError for anything else.
+std::string read_name(const TomlNode& node);
+// A routing that hangs on the motor, however it is spelt.
+Routing read_actuated_word(const TomlNode& node);
+// "held": fingers of a routing with so many.
+Grasp read_held(const TomlNode& node, int fingers);
+std::vector<Misprint> read_misprints(const TomlNode* node);
+
 // "0.10": digits, with at most one point between them.
 std::optional<PrintedNumber> parse_printed_number(const std::string& digits);
 // The same of a text in quotes; throws InputError for anything else.

@@ -6,9 +6,12 @@
 namespace reeve::catalog {
 
 std::string name_of(const Catalogue& catalogue, const std::string& word) {
-  const CatalogueEntry* entry =
-      catalogue.find_word(canonical(parse_routing(word), FingerIdentity::identical));
-  return entry == nullptr ? "" : entry->name;
+  const Routing routing = canonical(parse_routing(word), FingerIdentity::identical);
+  if (const CatalogueEntry* entry = catalogue.find_word(routing)) return entry->name;
+  for (const Mechanism& mechanism : catalogue.mechanisms) {
+    if (mechanism.canonical == routing) return mechanism.name;
+  }
+  return "";
 }
 
 }  // namespace reeve::catalog

@@ -1,6 +1,7 @@
 #include "cli/inputs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,7 +27,9 @@ std::string names(const Catalogue& catalogue) {
   for (const CatalogueEntry& entry : catalogue.entries) {
     list += (list.empty() ? "" : ", ") + entry.name;
   }
-  return list;
+  const std::vector<std::string> families = catalogue.families();
+  if (families.empty()) return list;
+  return fmt::format("{}, a mechanism of {}", list, fmt::join(families, ", "));
 }
 
 InputError no_file(const std::string& option) {
@@ -38,7 +41,7 @@ InputError no_file(const std::string& option) {
 Catalogue shipped_catalogue() { return read_catalogue(CatalogueFiles::shipped()); }
 
 Routing read_routing(const std::string& text, const Catalogue& catalogue) {
-  if (const CatalogueEntry* entry = catalogue.find_name(text)) return entry->routing;
+  if (const Routing* named = catalogue.find_routing(text)) return *named;
   if (looks_like_a_name(text)) {
     throw InputError(
         {.where = fmt::format("routing '{}'", text),
@@ -73,6 +76,22 @@ HardwareFile HardwareOption::read() const {
   if (option_->count() == 0) return {};
   if (file_.empty()) throw no_file("--hardware");
   return read_hardware_file(file_);
+}
+
+CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
+  option_ = command.add_option("--family", family_, what);
+  return option_;
+}
+
+std::optional<std::string> FamilyOption::read(const Catalogue& catalogue) const {
+  if (!is_given()) return std::nullopt;
+  const std::vector<std::string> families = catalogue.families();
+  const bool known = family_ == paper_family ||
+                     std::find(families.begin(), families.end(), family_) != families.end();
+  if (known) return family_;
+  std::string expected = fmt::format("one of {}", paper_family);
+  for (const std::string& family : families) expected += ", " + family;
+  throw InputError({.what = "--family", .value = family_, .expected = expected});
 }
 
 void SvgOption::add_to(CLI::App& command, const std::string& what) {

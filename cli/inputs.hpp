@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,23 @@ std::string not_negative(const std::string& text);
 
 struct HardwareOption {
   CLI::Option* add_to(CLI::App& command);
+  bool is_given() const { return option_->count() > 0; }
   HardwareFile read() const;  // the paper's hardware if no file is given
 
  private:
   std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
+// Of the catalogue.
+struct FamilyOption {
+  CLI::Option* add_to(CLI::App& command, const std::string& what);
+  bool is_given() const { return option_->count() > 0; }
+  // Nothing if none is given. Throws InputError on one that there is not.
+  std::optional<std::string> read(const Catalogue& catalogue) const;
+
+ private:
+  std::string family_;
   CLI::Option* option_ = nullptr;
 };
 
@@ -82,6 +96,7 @@ struct OutOption {
 // --hardware or --model; the paper's hardware and no effect if neither is given.
 struct ModelOption {
   void add_to(CLI::App& command);
+  bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
   ModelFile read() const;
 
  private:

@@ -28,6 +28,7 @@ class FaultFinder {
     law("tube", hardware.tube);
     law("bearing", hardware.bearing);
     law("sheath", hardware.sheath);
+    if (hardware.block) law("block", *hardware.block);
     range("lengths", "strand_mm", hardware.strand_mm, lengths);
     range("lengths", "motor_side_mm", hardware.motor_side_mm, lengths);
     range("lengths", "hand_mm", hardware.hand_mm, lengths);

@@ -55,6 +55,7 @@ Json to_json(const Hardware& hardware) {
              {{"strand_mm", hardware.strand_mm},
               {"motor_side_mm", hardware.motor_side_mm},
               {"hand_mm", hardware.hand_mm}}}};
+  if (hardware.block) json["block"] = law(*hardware.block);
   json["fingers"] = Json::array();
   for (const FingerHardware& finger : hardware.fingers) json["fingers"].push_back(to_json(finger));
   json["contacts"] = Json::array();

@@ -17,13 +17,26 @@ void read_if_given(const TomlNode& table, std::string_view key, Number& number) 
   if (const TomlNode* node = table.find(key)) number = node->number_from_zero();
 }
 
+void read_law(const TomlNode& node, ContactLaw& law) {
+  node.table().allow_only({"mu", "angle_rad"});
+  read_if_given(node, "mu", law.mu);
+  read_if_given(node, "angle_rad", law.angle_rad);
+}
+
 void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,
               Hardware& hardware) {
   const TomlNode* node = file.find(key);
   if (node == nullptr) return;
-  node->table().allow_only({"mu", "angle_rad"});
-  read_if_given(*node, "mu", (hardware.*law).mu);
-  read_if_given(*node, "angle_rad", (hardware.*law).angle_rad);
+  read_law(*node, hardware.*law);
+  validate_at(*node, hardware);
+}
+
+// What is not given of a block's sheave is as with the other bearings, which are read before.
+void read_block(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("block");
+  if (node == nullptr) return;
+  hardware.block = hardware.bearing;
+  read_law(*node, *hardware.block);
   validate_at(*node, hardware);
 }
 
@@ -136,7 +149,7 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube", "bearing", "sheath", "lengths", "finger", "contact", "uncertainty"};
+  return {"tube", "bearing", "block", "sheath", "lengths", "finger", "contact", "uncertainty"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
@@ -144,6 +157,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   // The general laws first: those of a finger are checked together with them.
   read_law(file, "tube", &Hardware::tube, result.hardware);
   read_law(file, "bearing", &Hardware::bearing, result.hardware);
+  read_block(file, result.hardware);
   read_law(file, "sheath", &Hardware::sheath, result.hardware);
   read_lengths(file, result.hardware);
   if (const TomlNode* fingers = file.find("finger")) {

@@ -39,8 +39,9 @@ std::string table(const ContactHardware& contact) {
 }  // namespace
 
 std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty) {
-  std::string text = table("tube", hardware.tube) + table("bearing", hardware.bearing) +
-                     table("sheath", hardware.sheath);
+  std::string text = table("tube", hardware.tube) + table("bearing", hardware.bearing);
+  if (hardware.block) text += table("block", *hardware.block);
+  text += table("sheath", hardware.sheath);
   text += "[lengths]\n" + line("strand_mm", hardware.strand_mm) +
           line("motor_side_mm", hardware.motor_side_mm) + line("hand_mm", hardware.hand_mm) + "\n";
   for (const FingerHardware& finger : hardware.fingers) text += table(finger);

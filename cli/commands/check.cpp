@@ -31,14 +31,18 @@ void add_check(CLI::App& program, int& exit_code) {
       "check",
       "Recompute every published number of the catalogue, and say where and why they differ");
   auto format = std::make_shared<FormatOption>();
+  auto family = std::make_shared<FamilyOption>();
+  family->add_to(*command, "One family of the catalogue alone: paper, or a folder of families/");
   auto svg = std::make_shared<SvgOption>();
-  svg->add_to(*command,
-              "Also draw the catalogue's routings into this file, in the grasps of their published "
-              "numbers");
+  svg->add_to(
+      *command,
+      "Also draw the routings of the family paper into this file, in the grasps of their published "
+      "numbers");
   format->add_to(*command, with_tables({"json"}));
-  command->callback([format, svg, &exit_code] {
+  command->callback([format, svg, family, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
-    const CheckReport report = check_all(catalogue, CatalogueFiles::shipped());
+    const CheckReport report =
+        check_all(catalogue, CatalogueFiles::shipped(), family->read(catalogue));
     if (svg->is_given()) svg->write(catalogue_sheet(solve(catalogue)));
     std::cout << (format->is("json") ? check_json(report) : printed(check_sheet(report), *format));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -36,6 +37,7 @@ struct RankFlags {
   std::vector<std::string> routings;
   bool catalog = false;
   int fingers = 2;
+  FamilyOption family;
   bool margin = false;
   OutOption out;
   std::string data;
@@ -46,6 +48,45 @@ struct RankFlags {
   FormatOption format;
 };
 
+// Mechanisms share words; each is ranked once.
+std::vector<Routing> mechanisms_of(const std::string& family, int fingers,
+                                   const Catalogue& catalogue) {
+  std::vector<Routing> result;
+  std::set<std::string> words;
+  std::set<int> others;
+  for (const Mechanism& mechanism : catalogue.mechanisms) {
+    if (mechanism.family != family) continue;
+    const int own = finger_count(mechanism.routing);
+    others.insert(own);
+    if (own == fingers && words.insert(to_word(mechanism.canonical)).second) {
+      result.push_back(mechanism.routing);
+    }
+  }
+  if (result.empty()) {
+    throw InputError({.what = "--fingers",
+                      .value = fmt::format("{}", fingers),
+                      .expected = fmt::format("as many as a mechanism of the family {} has: {}",
+                                              family, fmt::join(others, ", "))});
+  }
+  return result;
+}
+
+// A word that mechanisms of several families have gets the name that it has in this one.
+void name_by(const std::string& family, Catalogue& catalogue) {
+  std::stable_partition(catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
+                        [&](const Mechanism& mechanism) { return mechanism.family == family; });
+}
+
+std::vector<Routing> catalogued(const RankFlags& flags, int fingers, const Catalogue& catalogue) {
+  const std::string family = flags.family.read(catalogue).value_or(paper_family);
+  if (family != paper_family) return mechanisms_of(family, fingers, catalogue);
+  std::vector<Routing> result;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+  }
+  return result;
+}
+
 std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue) {
   std::vector<Routing> result;
   for (const std::string& text : flags.routings) {
@@ -53,8 +94,8 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
   }
   if (flags.catalog) {
     const int fingers = result.empty() ? flags.fingers : finger_count(result.front());
-    for (const CatalogueEntry& entry : catalogue.entries) {
-      if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+    for (Routing& routing : catalogued(flags, fingers, catalogue)) {
+      result.push_back(std::move(routing));
     }
   }
   if (result.empty()) {
@@ -108,6 +149,7 @@ RankInputs read(const RankFlags& flags) {
   RankInputs inputs;
   inputs.catalogue = shipped_catalogue();
   inputs.routings = routings(flags, inputs.catalogue);
+  if (flags.family.is_given()) name_by(*flags.family.read(inputs.catalogue), inputs.catalogue);
   inputs.file = flags.model.read();
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
   inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
@@ -189,9 +231,15 @@ void add_rank(CLI::App& program, int& exit_code) {
       program.add_subcommand("rank", "Compare routings that you have in mind, best first");
   auto flags = std::make_shared<RankFlags>();
   command->add_option("routing", flags->routings, "Catalogue names or words");
-  command->add_flag("--catalog", flags->catalog,
-                    "All routings of the catalogue with as many fingers as the routings given, or "
-                    "with --fingers of them");
+  CLI::Option* catalog = command->add_flag(
+      "--catalog", flags->catalog,
+      "All routings of one family of the catalogue with as many fingers as the routings given, or "
+      "with --fingers of them");
+  flags->family
+      .add_to(*command,
+              "For --catalog: the family, all with the same hardware; paper, which it is "
+              "by default, or a folder of families/")
+      ->needs(catalog);
   command->add_option("--fingers", flags->fingers, "For --catalog alone: number of fingers")
       ->check(CLI::Range(1, max_fingers))
       ->capture_default_str();

@@ -44,10 +44,17 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
 ShownRouting report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
-  const Model model = flags.model.read().model;
+  const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
+  const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
+  const Model model = own ? Model{*mechanism->hardware} : flags.model.read().model;
   require_contacts_to_match(model.hardware, {routing});
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
-  return shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
+  ShownRouting shown =
+      shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
+  shown.own_hardware = own;
+  // Another mechanism may have the same word.
+  if (mechanism != nullptr) shown.name = mechanism->name;
+  return shown;
 }
 
 std::string dot(const ShowFlags& flags, const ShownRouting& report) {
@@ -103,7 +110,9 @@ void run(const ShowFlags& flags, const CLI::App& command) {
 
 void add_show(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
-      "show", "One routing in full: tensions, shares, sliding directions and objectives");
+      "show",
+      "One routing in full: tensions, shares, sliding directions and objectives. A mechanism of the "
+      "catalogue that has coefficients of its own is shown with them");
   auto flags = std::make_shared<ShowFlags>();
   command->add_option("routing", flags->routing, "Catalogue name or word")->required();
   command

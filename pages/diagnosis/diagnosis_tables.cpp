@@ -196,6 +196,7 @@ std::string friction_table(const Hardware& hardware) {
   };
   add("tube", hardware.tube);
   add("bearing", hardware.bearing);
+  if (hardware.block) add("floating block", *hardware.block);
   add("sheath", hardware.sheath);
   return written({"friction",
                   "The model as it stands: friction by kind of part; diagnosis.json has what "

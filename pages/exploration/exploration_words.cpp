@@ -175,8 +175,9 @@ std::string friction_text(const Hardware& hardware) {
     return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.angle_rad);
   };
   std::string text =
-      fmt::format("Friction: {}, {}, {}.", law("tubes", hardware.tube),
-                  law("bearings", hardware.bearing), law("sheaths", hardware.sheath));
+      fmt::format("Friction: {}, {}, {}{}.", law("tubes", hardware.tube),
+                  law("bearings", hardware.bearing), law("sheaths", hardware.sheath),
+                  hardware.block ? ", " + law("floating blocks", *hardware.block) : "");
   if (!hardware.fingers.empty() || !hardware.contacts.empty()) {
     text += fmt::format(" {} and {} have values of their own.",
                         plural(hardware.fingers.size(), "finger"),

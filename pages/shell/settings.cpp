@@ -38,6 +38,7 @@ HtmlTable hardware_table(const Hardware& hardware) {
   HardwareRows rows;
   rows.add("tube", hardware.tube);
   rows.add("bearing", hardware.bearing);
+  if (hardware.block) rows.add("floating block", *hardware.block);
   rows.add("sheath", hardware.sheath);
   for (const FingerHardware& finger : hardware.fingers) {
     const std::string part = fmt::format("finger {}", finger.finger);

@@ -38,8 +38,14 @@ std::string quantity_text(const CheckedQuantity& quantity) {
       return "friction coefficient";
     case CheckedKind::design_count:
       return fmt::format("designs of {} fingers", quantity.number);
+    case CheckedKind::in_words:
+      return "";
   }
   return "";
+}
+
+std::string quantity_text(const CheckItem& item) {
+  return item.quantity.kind == CheckedKind::in_words ? item.in_words : quantity_text(item.quantity);
 }
 
 }  // namespace reeve::reports

@@ -149,6 +149,9 @@ std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
 
 Sheet show_sheet(const ShownRouting& report) {
   std::vector<SheetLine> lines{{heading(report)}};
+  if (report.own_hardware) {
+    lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
+  }
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
@@ -167,6 +170,7 @@ Json to_json(const ShownRouting& report) {
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
             {"direction", direction_name(report.direction)}};
+  if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
   json["grasps"] = Json::array();
   for (const ShownGrasp& shown : report.grasps) {
     json["grasps"].push_back(grasp_json(report.network, shown));

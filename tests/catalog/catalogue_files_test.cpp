@@ -52,6 +52,32 @@ TEST(ShippedCatalogue, IsThatOfTheEnvironmentOrElseBuiltIn) {
   EXPECT_EQ(none.entries.size(), 7U);
 }
 
+TEST(BuiltInCatalogue, HasTheFoldersOfTheSources) {
+  const std::vector<std::string> families = CatalogueFiles::built_in().folders("families");
+  EXPECT_EQ(families, (std::vector<std::string>{"benches", "gloves", "hands", "hauls", "tackles"}));
+  EXPECT_EQ(CatalogueFiles::in(shipped_folder).folders("families"), families);
+  EXPECT_EQ(read_catalogue(CatalogueFiles::built_in()).mechanisms.size(),
+            read_catalogue(shipped_folder).mechanisms.size());
+}
+
+TEST(CatalogueInAFolder, NeedsNoFamilies) {
+  const TemporaryFolder folder;
+  folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");
+  EXPECT_TRUE(CatalogueFiles::in(folder.path()).folders("families").empty());
+  EXPECT_TRUE(read_catalogue(folder.path()).mechanisms.empty());
+}
+
+// What lies beside the folders, such as notes, is no family.
+TEST(CatalogueInAFolder, HasAFamilyForEachFolder) {
+  const TemporaryFolder folder;
+  for (const char* family : {"winches", "cranes"}) {
+    std::filesystem::create_directories(folder.path() / "families" / family);
+  }
+  folder.write("families/notes.txt", "");
+  EXPECT_EQ(CatalogueFiles::in(folder.path()).folders("families"),
+            (std::vector<std::string>{"cranes", "winches"}));
+}
+
 TEST(CatalogueInAFolder, NeedsNoPublications) {
   const TemporaryFolder folder;
   folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "catalog/entry_file.hpp"
+#include "catalog/names.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 #include "tests/catalog/mistake.hpp"
@@ -54,6 +56,72 @@ TEST(ShippedCatalogue, KeepsTheDigitsAsPrinted) {
   EXPECT_EQ(t3.digits, "0.10");
   EXPECT_DOUBLE_EQ(t3.value, 0.1);
   EXPECT_DOUBLE_EQ(t3.half_unit, 0.005);
+}
+
+TEST(ShippedCatalogue, HoldsMechanismsByFamilyBesideTheSeven) {
+  const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
+  EXPECT_EQ(catalogue.families(),
+            (std::vector<std::string>{"benches", "gloves", "hands", "hauls", "tackles"}));
+  std::size_t numbers = 0;
+  for (const Mechanism& mechanism : catalogue.mechanisms) {
+    EXPECT_FALSE(mechanism.title.empty()) << mechanism.name;
+    EXPECT_FALSE(mechanism.source.empty()) << mechanism.name;
+    EXPECT_FALSE(mechanism.access.empty()) << mechanism.name;
+    // What nobody read has no numbers that could be checked as if it had been.
+    if (mechanism.access.starts_with("not read")) {
+      EXPECT_TRUE(mechanism.from_secondary_source) << mechanism.name;
+    }
+    if (mechanism.from_secondary_source) {
+      EXPECT_TRUE(mechanism.numbers.empty()) << mechanism.name;
+    }
+    numbers += mechanism.numbers.size();
+  }
+  EXPECT_EQ(catalogue.mechanisms.size(), 38U);
+  EXPECT_EQ(numbers, 172U);
+}
+
+struct CatalogueWithFamily {
+  TemporaryFolder folder;
+
+  explicit CatalogueWithFamily(const std::string& name) {
+    folder.write("x.toml", minimal);
+    std::filesystem::create_directories(folder.path() / "families" / name);
+  }
+  void write(const std::string& path, const std::string& name, const std::string& word) const {
+    folder.write("families/" + path,
+                 "name = \"" + name + "\"\nword = \"" + word + "\"\naccess = \"read\"\n");
+  }
+};
+
+TEST(CatalogueWithFamilies, FindsRoutingsAndMechanismsByName) {
+  const CatalogueWithFamily given("winches");
+  given.write("winches/b.toml", "Winch10", "M-B-1x");
+  given.write("winches/a.toml", "Winch9", "M-B-1x");
+  const Catalogue catalogue = read_catalogue(given.folder.path());
+  ASSERT_EQ(catalogue.mechanisms.size(), 2U);
+  EXPECT_EQ(catalogue.mechanisms[0].name, "Winch9");
+  EXPECT_EQ(catalogue.find_mechanism("winch10"), &catalogue.mechanisms[1]);
+  EXPECT_EQ(catalogue.find_mechanism("X"), nullptr);
+  EXPECT_EQ(catalogue.find_routing("X"), &catalogue.entries[0].routing);
+  EXPECT_EQ(catalogue.find_routing("Winch9"), &catalogue.mechanisms[0].routing);
+  EXPECT_EQ(catalogue.find_routing("Winch"), nullptr);
+  EXPECT_EQ(name_of(catalogue, "1x-B-M"), "Winch9");
+  EXPECT_EQ(name_of(catalogue, "M-1-F"), "X");
+}
+
+TEST(CatalogueWithFamilies, TakesNoNameTwice) {
+  const CatalogueWithFamily given("winches");
+  given.write("winches/a.toml", "x", "M-B-1x");
+  EXPECT_EQ(given.folder.error_of([&] { read_catalogue(given.folder.path()); }),
+            "families/winches/a.toml:1:8: name = \"x\": expected a name that is not taken (x.toml "
+            "has it)");
+}
+
+TEST(CatalogueWithFamilies, KeepsTheNameOfTheFamilyOfItsOwnRoutings) {
+  const CatalogueWithFamily given("paper");
+  EXPECT_EQ(given.folder.error_of([&] { read_catalogue(given.folder.path()); }),
+            "catalogue families/paper: this name is taken; expected another, since the routings "
+            "beside families/ are paper's");
 }
 
 TEST(Catalogue, FindsNamesWhateverTheirCase) {

@@ -87,6 +87,25 @@ TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
   EXPECT_EQ(file.uncertainty.sheath_angle_relative, 0.4);
 }
 
+TEST(HardwareFile, HasALawOfBlocksOnlyWhereItIsGiven) {
+  EXPECT_FALSE(hardware_file_of("[bearing]\nmu = 0.02\n").hardware.block);
+  const Hardware given =
+      hardware_file_of("block = { mu = 0.04, angle_rad = 1.4 }\nbearing = { mu = 0.02 }\n")
+          .hardware;
+  ASSERT_TRUE(given.block);
+  EXPECT_EQ(given.block->mu, 0.04);
+  EXPECT_EQ(given.block->angle_rad, 1.4);
+  EXPECT_EQ(given.bearing.mu, 0.02);
+}
+
+TEST(HardwareFile, TakesFromTheBearingsWhatIsNotGivenOfABlock) {
+  const Hardware hardware =
+      hardware_file_of("[block]\nmu = 0.04\n[bearing]\nangle_rad = 2\n").hardware;
+  ASSERT_TRUE(hardware.block);
+  EXPECT_EQ(hardware.block->mu, 0.04);
+  EXPECT_EQ(hardware.block->angle_rad, 2);
+}
+
 TEST(HardwareFile, TakesAWholeNumberAndWindowsLineEnds) {
   EXPECT_EQ(hardware_file_of("[tube]\r\nmu = 1\r\n").hardware.tube.mu, 1.0);
 }
@@ -108,6 +127,9 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
        "h.toml:2:6: tube.mu = \"0.1\": expected a finite number, not negative"},
       {"[tube]\nmu = true\n", "h.toml:2:6: tube.mu = true: expected a finite number, not negative"},
       {"[tube]\nmu = 11\n", "h.toml:1:2: hardware: tube.mu = 11: expected a number from 0 to 10"},
+      {"[block]\nmu = 11\n", "h.toml:1:2: hardware: block.mu = 11: expected a number from 0 to 10"},
+      {"[block]\nangle_rad = 99\nmu = 9\n",
+       "h.toml:1:2: hardware: block: mu * angle = 891: expected at most 10"},
       {"[lengths]\nstrand_mm = 0\n",
        "h.toml:1:2: hardware: lengths.strand_mm = 0: expected a number from 0.001 to 1000000 mm"},
       {"[finger.2]\nclosing = 0\n",
@@ -133,8 +155,8 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
 TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
-       "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, sheath, lengths, finger, "
-       "contact, uncertainty"},
+       "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
+       "finger, contact, uncertainty"},
       {"[tube]\nmu_s = 1\n", "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},
       {"[[tube]]\nmu = 1\n", "h.toml:1:1: tube = (an array): expected a table"},

@@ -51,6 +51,11 @@ void expect_same(const Hardware& a, const Hardware& b) {
     EXPECT_EQ((a.*law).mu, (b.*law).mu);
     EXPECT_EQ((a.*law).angle_rad, (b.*law).angle_rad);
   }
+  ASSERT_EQ(a.block.has_value(), b.block.has_value());
+  if (a.block) {
+    EXPECT_EQ(a.block->mu, b.block->mu);
+    EXPECT_EQ(a.block->angle_rad, b.block->angle_rad);
+  }
   EXPECT_EQ(a.strand_mm, b.strand_mm);
   EXPECT_EQ(a.motor_side_mm, b.motor_side_mm);
   EXPECT_EQ(a.hand_mm, b.hand_mm);
@@ -103,6 +108,7 @@ Model random_model(std::uint64_t seed) {
   survey.channels = trial.network.segments;
   survey.has_speed = survey.has_cycle = survey.has_temperature = true;
   Hardware hardware = trial.hardware;
+  if (dice.chance(0.5)) hardware.block = ContactLaw{dice.real(0, 0.3), dice.real(0, 6)};
   hardware.contacts.erase(hardware.contacts.begin() + (hardware.contacts.empty() ? 0 : 1),
                           hardware.contacts.end());  // each contact once
   Model model{hardware};
@@ -239,9 +245,10 @@ TEST(BadModelFile, NamesThePlaceOfABadCondition) {
             "speed_mm_s, cycle, temperature_C");
   EXPECT_EQ(error_in_model("[effect]\ncause = \"wear\"\n"),
             "m.toml:1:1: effect = (a table): expected tables headed [[effect]]");
-  EXPECT_EQ(error_in_model("[tubes]\n"),
-            "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, sheath, lengths, "
-            "finger, contact, uncertainty, conditions, effect");
+  EXPECT_EQ(
+      error_in_model("[tubes]\n"),
+      "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, block, sheath, lengths, "
+      "finger, contact, uncertainty, conditions, effect");
 }
 
 // The range of a parameter is not that of its product with the others.

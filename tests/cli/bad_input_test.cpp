@@ -32,7 +32,8 @@ TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
       show("m-1-t-2-f", "routing 'm-1-t-2-f', column 1: unknown token 'm'"),
       show("TR9",
            "routing 'TR9': no such name in the catalogue; expected one of TR1, TR2, TR3, TR4, TR5, "
-           "TR6, TR7, or a word such as M-1-T-2-F"),
+           "TR6, TR7, a mechanism of benches, gloves, hands, hauls, tackles, or a word such as "
+           "M-1-T-2-F"),
       show("M-1-T-1-F", "routing 'M-1-T-1-F', column 7: finger 1 is passed twice"),
       show("M-0-F", "routing 'M-0-F', column 3: '0': expected a finger number from 1 to 64"),
       show("M-1",
@@ -226,6 +227,14 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
 TEST(BadRank, IsNamedWithTheRoutings) {
   expect_all_bad({
       {{"rank"}, "rank: nothing to rank; expected routings, or --catalog", {}},
+      {{"rank", "--catalog", "--family", "toys"},
+       "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles",
+       {}},
+      {{"rank", "--catalog", "--family", "hands", "--fingers", "7"},
+       "--fingers '7': expected as many as a mechanism of the family hands has: 4, 5",
+       {}},
+      {{"rank", "TR1", "--family", "hands"}, "--family requires --catalog", {}},
+      {{"check", "--family", ""}, "--family '': expected one of paper, benches", {}},
       {{"rank", "TR1", "TR1"}, "routing 'M-1-T-2-F' is given twice", {}},
       {{"rank", "TR1", "M-1-T-2-F"}, "routing 'M-1-T-2-F' is given twice", {}},
       {{"rank", "--catalog", "TR3"}, "routing 'F-1-P-2-F' is given twice", {}},

@@ -183,12 +183,22 @@ TEST(KeysOfCount, AreThePromisedOnes) {
 
 TEST(KeysOfCheck, AreThePromisedOnes) {
   const Json json = json_of({"check"});
-  EXPECT_EQ(keys(json), "checks misprints agrees explained differs version");
-  EXPECT_EQ(keys(json["misprints"][0]), "routing source text");
+  EXPECT_EQ(keys(json), "checks misprints agrees used explained open differs families version");
+  EXPECT_EQ(keys(json["misprints"][0]), "family routing source text");
   for (const Json& check : json["checks"]) {
-    EXPECT_EQ(keys(check), "routing source quantity published computed status reason");
-    EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees");
+    EXPECT_EQ(keys(check),
+              "family routing source quantity published computed status inferred_from reason");
+    EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees" || check["status"] == "used");
+    if (check["status"] == "used") {
+      EXPECT_FALSE(check["inferred_from"].is_null());
+    }
   }
+  std::size_t differing = 0;
+  for (const Json& family : json["families"]) {
+    EXPECT_EQ(keys(family), "family agrees used explained open differs");
+    differing += family["open"].get<std::size_t>();
+  }
+  EXPECT_EQ(json["open"], differing);
 }
 
 TEST(KeysOfCompare, AreThePromisedOnes) {
@@ -314,6 +324,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
       (std::filesystem::path(REEVE_CATALOG_DIR) / "hardware" / "example.toml").string();
   std::set<std::string> names;
   collect(json_of({"show", "TR1"}), names);
+  collect(json_of({"show", "LuffTackle"}), names);
   collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
   collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
   collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);

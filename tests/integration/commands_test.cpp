@@ -140,10 +140,11 @@ TEST(Help, MentionsEveryOption) {
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
        {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--format"}},
-      {"rank", {"routing", "--catalog", "--margin", "--fingers", "--out", "--data", "--mu"}},
+      {"rank",
+       {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data", "--mu"}},
       {"explore", {"--tendons", "--constraint", "--shard", "--top", "--details", "--out"}},
       {"count", {"--format"}},
-      {"check", {"--svg", "--format"}},
+      {"check", {"--family", "--svg", "--format"}},
       {"compare", {"data", "--out", "--hardware", "--model", "--format"}},
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",

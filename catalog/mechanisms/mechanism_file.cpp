@@ -1,0 +1,217 @@
+#include "catalog/mechanisms/mechanism_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "catalog/entry_file.hpp"
+#include "catalog/mechanisms/named_values.hpp"
+#include "catalog/mechanisms/rig_tables.hpp"
+#include "core/canonical.hpp"
+#include "core/error.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+
+namespace reeve::catalog {
+namespace {
+
+// What may stand beside a list of numbers and hold for all of them, or at one of them.
+const std::vector<std::string_view> shared_keys{"rig",  "word", "held",         "computed",
+                                                "unit", "open", "explained_by", "because"};
+
+std::string optional_text(const TomlNode& node, std::string_view key) {
+  const TomlNode* found = node.find(key);
+  return found == nullptr ? std::string() : found->text();
+}
+
+// A number and the set it stands in, which has what the number has not.
+struct NumberNodes {
+  const TomlNode& number;
+  const TomlNode& set;
+
+  const TomlNode* find(std::string_view key) const {
+    const TomlNode* own = number.find(key);
+    return own == nullptr ? set.find(key) : own;
+  }
+  const TomlNode& require(std::string_view key, std::string_view expected) const {
+    const TomlNode* found = find(key);
+    return found == nullptr ? number.require(key, expected) : *found;
+  }
+};
+
+const Rig& find_rig(const TomlNode* node, const std::vector<Rig>& rigs) {
+  if (node == nullptr) return rigs.front();
+  std::string names;
+  for (const Rig& rig : rigs) {
+    if (!rig.name.empty() && rig.name == node->text()) return rig;
+    if (!rig.name.empty()) names += (names.empty() ? "" : ", ") + rig.name;
+  }
+  node->fail_expected(names.empty() ? "nothing, there is no [rig.NAME]" : "one of " + names);
+}
+
+void read_value(const NumberNodes& nodes, PublishedNumber& number) {
+  const TomlNode* value = nodes.number.find("value");
+  const TomlNode* equals = nodes.number.find("equals");
+  const TomlNode* tolerance = nodes.number.find("tolerance");
+  if ((value == nullptr) == (equals == nullptr)) {
+    nodes.number.fail_at_key({.what = nodes.number.name,
+                              .expected = "either value or equals",
+                              .form = InputForm::equals});
+  }
+  if (value != nullptr) number.printed = read_printed_number(*value);
+  if (equals != nullptr) number.equals = read_expression(*equals);
+  if (tolerance == nullptr) return;
+  if (equals != nullptr) tolerance->fail_expected("none beside equals");
+  number.printed.half_unit = tolerance->number_from_zero();
+}
+
+// At most one of the three; the number's own comes before that of the set.
+void read_standing(const NumberNodes& nodes, PublishedNumber& number) {
+  for (const TomlNode* from : {&nodes.number, &nodes.set}) {
+    const TomlNode* used = from->find("used");
+    const TomlNode* by = from->find("explained_by");
+    const TomlNode* open = from->find("open");
+    if (used == nullptr && by == nullptr && open == nullptr) continue;
+    if ((used != nullptr) + (by != nullptr) + (open != nullptr) > 1) {
+      from->fail_at_key({.what = from->name,
+                         .expected = "at most one of used, explained_by and open",
+                         .form = InputForm::equals});
+    }
+    if (used != nullptr) {
+      if (used->kind != TomlKind::boolean || used->number == 0) used->fail_expected("true");
+      if (number.rig.inferred_from.empty()) used->fail_expected("a rig with inferred_from");
+      number.standing = NumberStanding::used;
+    } else if (by != nullptr) {
+      number.standing = NumberStanding::explained;
+      number.explained_by = read_expression(*by);
+      number.reason = from->require("because", "what the expression is").text();
+    } else {
+      number.standing = NumberStanding::open;
+      number.reason = open->text();
+    }
+    return;
+  }
+}
+
+// Before the solver is asked: whatever an expression names has to be there, and every contact that
+// the rig is about.
+void require_names(const NumberNodes& nodes, const PublishedNumber& number) {
+  const Network network = expand(number.routing);
+  const auto unmatched = MechanicsBuilder(number.rig.hardware).unmatched_contacts(network);
+  if (!unmatched.empty()) {
+    nodes.number.fail_at_key({.what = "contact",
+                              .value = unmatched.front(),
+                              .expected = fmt::format("two segments with a contact between them "
+                                                      "in {}",
+                                                      number.word)});
+  }
+  TensionState state;
+  state.tension.assign(network.segments.size(), 1);
+  state.closing.assign(static_cast<std::size_t>(network.fingers), 1);
+  const auto require = [&](std::string_view key, const Expression& expression,
+                           const NamedValues& values) {
+    try {
+      expression.evaluate(values);
+    } catch (const InputError& error) {
+      nodes.find(key)->fail_at_value(error.fault());
+    }
+  };
+  try {
+    const NamedValues values = named_values(number.rig, network, state);
+    require("computed", number.computed, values);
+    if (number.equals) require("equals", *number.equals, values);
+    if (number.standing == NumberStanding::explained) {
+      require("explained_by", number.explained_by, values);
+    }
+  } catch (const InputError& error) {
+    if (error.fault().where) throw;
+    nodes.number.fail_at_key(error.fault());
+  }
+}
+
+PublishedNumber read_number(const NumberNodes& nodes, const Mechanism& mechanism,
+                            const std::vector<Rig>& rigs) {
+  std::vector<std::string_view> keys = shared_keys;
+  keys.insert(keys.end(), {"quantity", "where", "value", "equals", "tolerance", "used"});
+  nodes.number.table().allow_only(keys);
+  PublishedNumber number;
+  number.at = nodes.number.key_at;
+  number.quantity = nodes.number.require("quantity", "what is printed, in words").text();
+  if (const TomlNode* unit = nodes.find("unit")) number.quantity += ", " + unit->text();
+  number.source = nodes.set.require("source", "where the numbers stand").text();
+  if (const TomlNode* where = nodes.number.find("where")) number.source += ", " + where->text();
+  const TomlNode* word = nodes.find("word");
+  number.routing = word == nullptr ? mechanism.routing : read_actuated_word(*word);
+  number.word = word == nullptr ? mechanism.word : word->content;
+  if (const TomlNode* held = nodes.find("held")) {
+    number.grasp = read_held(*held, finger_count(number.routing));
+  }
+  number.rig = find_rig(nodes.find("rig"), rigs);
+  number.computed =
+      read_expression(nodes.require("computed", "what of the tensions it is, such as \"T1/T_M\""));
+  read_value(nodes, number);
+  read_standing(nodes, number);
+  require_names(nodes, number);
+  return number;
+}
+
+std::vector<PublishedNumber> read_numbers(const TomlNode& sets, const Mechanism& mechanism,
+                                          const std::vector<Rig>& rigs) {
+  std::vector<std::string_view> keys = shared_keys;
+  keys.insert(keys.end(), {"source", "numbers"});
+  std::vector<PublishedNumber> numbers;
+  for (const TomlNode& set : sets.tables()) {
+    set.allow_only(keys);
+    for (const TomlNode& number : set.require("numbers", "what is printed there").items()) {
+      numbers.push_back(read_number({number, set}, mechanism, rigs));
+    }
+  }
+  return numbers;
+}
+
+bool is_from_secondary_source(const TomlNode& file) {
+  const TomlNode* node = file.find("topology");
+  if (node == nullptr || node->text() == "read") return false;
+  if (node->text() != "secondary") node->fail_expected("\"read\" or \"secondary\"");
+  return true;
+}
+
+// What nobody read at its source cannot be checked against it.
+void require_no_numbers(const TomlNode& file) {
+  if (const TomlNode* published = file.find("published")) {
+    published->children.front().fail_at_key(
+        {.what = "published", .expected = "no numbers of a mechanism whose topology is secondary"});
+  }
+}
+
+}  // namespace
+
+Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
+  file.allow_only({"name", "word", "title", "source", "access", "topology", "notes", "hardware",
+                   "rig", "published", "misprint"});
+  Mechanism mechanism;
+  mechanism.family = family;
+  mechanism.file = *file.file;
+  mechanism.name = read_name(file.require("name", "the mechanism's name"));
+  const TomlNode& word = file.require("word", "the routing's word, such as \"M-Y1-F+Y1-1x\"");
+  mechanism.routing = read_actuated_word(word);
+  mechanism.word = word.content;
+  mechanism.canonical = canonical(mechanism.routing, FingerIdentity::identical);
+  if (finger_count(mechanism.routing) == 0) word.fail_expected("a routing with fingers");
+  mechanism.access = file.require("access", "what of the source was read").text();
+  mechanism.from_secondary_source = is_from_secondary_source(file);
+  mechanism.title = optional_text(file, "title");
+  mechanism.source = optional_text(file, "source");
+  mechanism.notes = optional_text(file, "notes");
+  const std::vector<Rig> rigs = read_rigs(file);
+  if (file.find("hardware") != nullptr) mechanism.hardware = rigs.front().hardware;
+  if (mechanism.from_secondary_source) require_no_numbers(file);
+  if (const TomlNode* published = file.find("published")) {
+    mechanism.numbers = read_numbers(*published, mechanism, rigs);
+  }
+  mechanism.misprints = read_misprints(file.find("misprint"));
+  return mechanism;
+}
+
+}  // namespace reeve::catalog

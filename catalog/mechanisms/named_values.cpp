@@ -1,0 +1,52 @@
+#include "catalog/mechanisms/named_values.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/performance.hpp"
+
+namespace reeve::catalog {
+namespace {
+
+void add_law(NamedValues& values, const std::string& part, const ContactLaw& law) {
+  values["mu_" + part] = law.mu;
+  values["theta_" + part] = law.angle_rad;
+}
+
+}  // namespace
+
+NamedValues named_values(const Rig& rig, const Network& network, const TensionState& state) {
+  NamedValues values;
+  add_law(values, "t", rig.hardware.tube);
+  add_law(values, "b", rig.hardware.bearing);
+  add_law(values, "block", rig.hardware.block.value_or(rig.hardware.bearing));
+  add_law(values, "s", rig.hardware.sheath);
+  values["T_M"] = 1;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    values[segment_name(network.segments[i])] = state.tension[i];
+  }
+  for (std::size_t f = 0; f < state.closing.size(); ++f) {
+    values[fmt::format("dl{}", f + 1)] = state.closing[f];
+  }
+  const Performance figures = performance(network, state);
+  values["efficiency"] = figures.efficiency;
+  values["uniformity"] = figures.uniformity;
+  for (const auto& [name, value] : rig.let) {
+    if (values.contains(name)) {
+      throw InputError({.what = "let",
+                        .value = name,
+                        .expected = "a name that no segment or coefficient has",
+                        .form = InputForm::option});
+    }
+    values[name] = value;
+  }
+  return values;
+}
+
+NamedValues solved_values(const PublishedNumber& number) {
+  const Network network = expand(number.routing);
+  return named_values(number.rig, network,
+                      tensions(network, mechanics(network, number.rig.hardware), number.grasp));
+}
+
+}  // namespace reeve::catalog

@@ -1,0 +1,16 @@
+// What an expression about a mechanism can name (mechanism.hpp).
+#pragma once
+
+#include "catalog/mechanisms/mechanism.hpp"
+#include "core/network.hpp"
+#include "core/tension/tension.hpp"
+
+namespace reeve::catalog {
+
+// Throws InputError if what the rig defines has a name that is taken.
+NamedValues named_values(const Rig& rig, const Network& network, const TensionState& state);
+
+// Solved with the number's own rig, in its grasp.
+NamedValues solved_values(const PublishedNumber& number);
+
+}  // namespace reeve::catalog
