@@ -95,6 +95,30 @@ Settled settle(const Constraints& c) {
   return settled;
 }
 
+// The tendons of one tree without the others, which then ask for nothing.
+Constraints only_tree(const Network& network, Constraints c, std::size_t tree) {
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    if (network.tendons[t].tree == tree) continue;
+    c.give.row(static_cast<Eigen::Index>(t)).setZero();
+    c.motor(static_cast<Eigen::Index>(t)) = 0;
+  }
+  return c;
+}
+
+// Trees that cannot give way even alone block the carriage; if none is such a one, all do together.
+void find_jams(const Network& network, const Constraints& c, SplitClosing& result) {
+  const std::size_t n = network.tendons.size();
+  result.jams.assign(n, 0);
+  result.slack.assign(n, 0);
+  for (std::size_t t = 0; t < n; ++t) {
+    const std::size_t tree = network.tendons[t].tree;
+    result.jams[t] = settle(only_tree(network, c, tree)).met ? 0 : 1;
+  }
+  if (std::find(result.jams.begin(), result.jams.end(), 1) == result.jams.end()) {
+    result.jams.assign(n, 1);
+  }
+}
+
 }  // namespace
 
 SplitClosing tied_split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp) {
@@ -106,10 +130,13 @@ SplitClosing tied_split_closing(const Network& network, const Mechanics& mechani
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const auto row = static_cast<Eigen::Index>(t);
     const bool pulls = settled.multiplier(row) > negligible;
-    result.slack.push_back(settled.met && !pulls ? 1 : 0);
-    result.jams.push_back(settled.met ? 0 : 1);
+    result.slack.push_back(pulls ? 0 : 1);
+    result.jams.push_back(0);
   }
-  if (!settled.met) return result;
+  if (!settled.met) {
+    find_jams(network, c, result);
+    return result;
+  }
   for (std::size_t f = 0; f < result.closing.size(); ++f) {
     const bool held = grasp.holds(static_cast<int>(f) + 1);
     result.closing[f] = held ? 0 : settled.x(static_cast<Eigen::Index>(f));

@@ -16,8 +16,6 @@ namespace reeve::search {
 enum class Objective : std::uint8_t {
   uniformity_mean,
   uniformity_worst,
-  finger_uniformity_mean,
-  finger_uniformity_worst,
   efficiency_mean,
   efficiency_worst,
   force_transmission,
@@ -25,7 +23,6 @@ enum class Objective : std::uint8_t {
   sheaths,
   pulleys,
   knots,
-  blocks,
   travel,
   return_friction,
   adaptability,
@@ -34,6 +31,9 @@ enum class Objective : std::uint8_t {
   authors_efficiency,
   transmission,
   score,
+  blocks,
+  finger_uniformity_mean,
+  finger_uniformity_worst,
 };
 inline constexpr std::size_t objective_count = 20;
 
