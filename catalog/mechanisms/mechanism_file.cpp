@@ -179,7 +179,8 @@ bool is_from_secondary_source(const TomlNode& file) {
 
 // What nobody read at its source cannot be checked against it.
 void require_no_numbers(const TomlNode& file) {
-  if (const TomlNode* published = file.find("published")) {
+  const TomlNode* published = file.find("published");
+  if (published != nullptr && !published->children.empty()) {
     published->children.front().fail_at_key(
         {.what = "published", .expected = "no numbers of a mechanism whose topology is secondary"});
   }

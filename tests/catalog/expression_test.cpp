@@ -48,6 +48,8 @@ TEST(Expression, KnowsTheFunctionsOfCapstansAndOfPrintedDigits) {
   EXPECT_EQ(value_of("floor(-2.7)"), -3);
   EXPECT_EQ(value_of("min(3, 1, 2)"), 1);
   EXPECT_EQ(value_of("max(3, 5, 4)"), 5);
+  EXPECT_EQ(value_of("min(1, 3, 2)"), 1);
+  EXPECT_EQ(value_of("max(5, 3, 4)"), 5);
   EXPECT_EQ(value_of("max(7)"), 7);
   EXPECT_EQ(value_of("1 + max(1, 2*3) - min(4, 2)"), 5);
 }

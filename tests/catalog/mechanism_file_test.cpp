@@ -194,7 +194,8 @@ TEST(BadMechanismFile, HasNoNumbersOfASecondarySource) {
                             one_number("quantity = \"q\", computed = \"T1\", value = \"1\"")),
             "x.toml:5:1: published: expected no numbers of a mechanism whose topology is "
             "secondary");
-  EXPECT_TRUE(mechanism_of(mechanism_head + "topology = \"secondary\"\n").from_secondary_source);
+  EXPECT_TRUE(mechanism_of(mechanism_head + "topology = \"secondary\"\npublished = []\n")
+                  .from_secondary_source);
 }
 
 }  // namespace
