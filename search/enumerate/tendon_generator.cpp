@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/walk_image.hpp"
+#include "core/word/walk_image.hpp"
 #include "search/enumerate/checked.hpp"
 
 namespace reeve::search {

@@ -1,4 +1,4 @@
-#include "core/canonical_tree.hpp"
+#include "core/word/canonical_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/walk_image.hpp"
+#include "core/word/walk_image.hpp"
 
 namespace reeve::core {
 namespace {
