@@ -20,8 +20,7 @@ class BearingFriction final : public Cause {
     return {{"mu", "1", hardware.bearing.mu, {0, 0.4}, Range{0.001, 0.005}}};
   }
   std::vector<Subject> subjects(const Survey& survey) const override {
-    return has_bearing(survey) ? std::vector<Subject>(1)
-                                                     : std::vector<Subject>{};
+    return has_bearing(survey) ? std::vector<Subject>(1) : std::vector<Subject>{};
   }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     hardware.bearing.mu = effect.values[0];

@@ -51,6 +51,21 @@ TEST(Indicators, HaveTheMeansOfTheSevenRoutings) {
   }
 }
 
+// Two strands of s/2 behind one sheath, s = e^{-φ}, and the bearing between them without friction.
+TEST(Indicators, OfFingersWithOneStrandCountStrands) {
+  Hardware hardware;
+  hardware.bearing.mu = 0;
+  const double s = std::exp(-0.36 * std::numbers::pi);
+  const Indicators found = indicators_of("M-Y1+1x-Y1-2x", hold({1}), hardware);
+  EXPECT_NEAR(found.adaptability, 10, 1e-12);
+  EXPECT_NEAR(found.torsional_balance, 10, 1e-12);
+  EXPECT_NEAR(found.reliability, 10 * (1 - (1 - s) / s), 1e-11);
+  EXPECT_NEAR(found.transmission, 10 * s / 2, 1e-12);
+  EXPECT_NEAR(found.authors_efficiency, found.transmission, 1e-12);
+  // A bar's arms pull as hard as they must; that is no friction.
+  EXPECT_NEAR(indicators_of("M-W1+1x-W1/1:9-2x", {}, with_friction(0, 0)).reliability, 10, 1e-11);
+}
+
 // T1 … T4 and a by hand: 1, r, r², r³ behind one sheath.
 TEST(Indicators, OfTr1FollowFromItsClosedForm) {
   const double r = std::exp(-0.18 * std::numbers::pi);

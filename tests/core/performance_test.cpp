@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,29 @@ TEST(Performance, FollowsItsDefinitions) {
   EXPECT_DOUBLE_EQ(found.uniformity, 0.25);
   EXPECT_DOUBLE_EQ(found.force_transmission, 1.9);
   EXPECT_DOUBLE_EQ(found.efficiency, 0.1 * 1.2 + 0.4 * 0.7);
+}
+
+// Of M-1-T-2x the strands stand as 1 : r : r² behind the sheath, both tubes slide, so that finger 1
+// is pulled with 1 + r and finger 2 with r².
+TEST(Performance, OfFingersAddsTheStrandsOfEach) {
+  const double r = std::exp(-0.18 * std::numbers::pi);
+  const Performance found = performance_of("M-1-T-2x", hold({1}));
+  EXPECT_NEAR(found.uniformity, r * r, 1e-12);
+  EXPECT_NEAR(found.finger_uniformity, r * r / (1 + r), 1e-12);
+  // As many strands on every finger.
+  const Performance single = performance_of("M-Y1+1x-Y1-2x", hold({1}));
+  EXPECT_NEAR(single.finger_uniformity, single.uniformity, 1e-12);
+  EXPECT_TRUE(std::isnan(performance_of("M-F", Grasp{}).finger_uniformity));
+}
+
+TEST(PartCount, HasBlocksBarsAndAnchoredTips) {
+  const PartCount tree = parts(network_of("1x-W1-2b-B-Y1+3x-Y2-4x+W1-Y2-F+Y2-M+Y1k-F+Y1-M"));
+  EXPECT_EQ(tree.blocks, 2);
+  EXPECT_EQ(tree.bars, 1);
+  EXPECT_EQ(tree.anchors, 3);
+  EXPECT_EQ(tree.pulleys, 2);
+  EXPECT_EQ(tree.sheaths, 2);
+  EXPECT_EQ(tree.total(), 10);
 }
 
 TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {

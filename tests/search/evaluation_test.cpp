@@ -130,6 +130,14 @@ TEST(Evaluation, TravelIsWhatTheCarriageMovesForEachMillimetreOfClosing) {
 }
 
 // D / mean dl with all fingers closing, from the kinematics; several tendons share D.
+// A strand gives up all that the block moves; a load on a luff tackle a third of the rope.
+TEST(Evaluation, TravelWithBlocksFollowsFromTheirMotion) {
+  EXPECT_NEAR(value(evaluate("M-Y1+1x-Y1-2x"), Objective::travel), 1, 1e-10);
+  EXPECT_NEAR(value(evaluate("M-Y1-B-Y1k+Y1-1x"), Objective::travel), 3, 1e-10);
+  EXPECT_NEAR(value(evaluate("1x-P-2x"), Objective::travel), 1, 1e-10);
+  EXPECT_EQ(value(evaluate("M-Y1+1x-Y1-2x"), Objective::blocks), 1);
+}
+
 TEST(Evaluation, TravelAgreesWithTheKinematicsOfEveryRoutingOfThreeFingers) {
   DesignEvaluator evaluator(Hardware{}, single_grasps(3));
   for (const Routing& routing : actuated(3)) {
