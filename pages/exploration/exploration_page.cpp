@@ -104,6 +104,15 @@ std::string schematic_id(std::string word) {
   return "schematic-" + word;
 }
 
+// What those schematics show besides the parts of every routing.
+FloatingParts drawn_parts(const ExplorationView& view) {
+  FloatingParts parts;
+  for (const std::string& word : drawn_words(view.report)) {
+    parts |= floating_parts(view.solve(word).network);
+  }
+  return parts;
+}
+
 std::vector<FigureFile> schematics(const ExplorationView& view) {
   std::vector<FigureFile> files;
   for (const std::string& word : drawn_words(view.report)) {
@@ -234,7 +243,8 @@ PageFiles exploration_page(const ExplorationView& view) {
   body["pareto"] = live_figure_html(pareto.figure, pareto.alt);
   body["parallel"] = live_figure_html(parallel.figure, parallel.alt);
   body["command"] = view.command;
-  body["legend"] = schematic_html("schematic-legend", schematic_legend(640, "schematic-legend"));
+  body["legend"] = schematic_html("schematic-legend",
+                                  schematic_legend(640, "schematic-legend", drawn_parts(view)));
   body["first_grasp"] = "held: " + to_text(report.options.grasps.front().grasp);
   body["schematics"] = Json::array();
   for (const FigureFile& file : figures) {

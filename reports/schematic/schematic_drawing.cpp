@@ -73,10 +73,25 @@ std::string turns(const SchematicLayout& layout) {
   std::string content;
   for (const DrawnContact& contact : layout.contacts) {
     if (contact.place == ContactPlace::sheath) continue;
+    if (contact.kind == ContactKind::bar) continue;
     content += contact.kind == ContactKind::tube
                    ? symbols::tube(contact, sleeve)
                    : symbols::wheel(contact.centre, contact.radius - thickest / 2 - 1);
   }
+  return content;
+}
+
+// Behind the sheaves.
+std::string shells(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnBlock& block : layout.blocks) content += symbols::shell(block);
+  return content;
+}
+
+// Over the tendons that are tied there.
+std::string eyes(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnBlock& block : layout.blocks) content += symbols::eyes(block);
   return content;
 }
 
@@ -91,8 +106,19 @@ std::string sheaths(const SchematicLayout& layout) {
 std::string ends(const SchematicLayout& layout) {
   std::string content;
   for (const DrawnEnd& end : layout.ends) {
-    content += end.tied ? symbols::knot(end.at, knot_size)
-                        : symbols::fixation(end, fixation_width, fixation_depth);
+    switch (end.hold) {
+      case EndHold::fixed:
+        content += symbols::fixation(end, fixation_width, fixation_depth);
+        break;
+      case EndHold::tied:
+        content += symbols::knot(end.at, knot_size);
+        break;
+      case EndHold::anchored:
+        content += symbols::anchor(end.at, knot_size / 2);
+        break;
+      case EndHold::block:
+        break;
+    }
   }
   return content;
 }
@@ -105,6 +131,25 @@ std::string arrows(const Schematic& schematic) {
     if (slip == 0) continue;
     content += svg::group(" class=\"reeve-slides\"",
                           symbols::sliding(schematic.layout.contacts[i], slip > 0));
+  }
+  return content;
+}
+
+// Which way blocks and bars move.
+std::string motions(const Schematic& schematic) {
+  std::string content;
+  if (schematic.state == nullptr) return content;
+  // A state has the travel of a release as it would be pulled.
+  const double way = schematic.direction == Direction::pull ? 1 : -1;
+  for (std::size_t i = 0; i < schematic.layout.blocks.size(); ++i) {
+    const DrawnBlock& block = schematic.layout.blocks[i];
+    const double travel = way * schematic.state->block_travel[i] * block.apex;
+    if (travel == 0) continue;
+    const double x = (block.motion.left + block.motion.right) / 2;
+    Point from{x, block.motion.top};
+    Point to{x, block.motion.bottom};
+    if (travel < 0) std::swap(from, to);
+    content += svg::group(" class=\"reeve-moves\"", symbols::straight_arrow(from, to));
   }
   return content;
 }
@@ -160,9 +205,27 @@ std::string legend_symbol(const LegendItem& item) {
     case LegendSymbol::sheath:
       return symbols::sheath(sheath, 4.5);
     case LegendSymbol::fixed:
-      return symbols::fixation({false, {centre.x, centre.y - 3}, 1}, 18, 10);
+      return symbols::fixation({EndHold::fixed, {centre.x, centre.y - 3}, 1}, 18, 10);
     case LegendSymbol::tied:
       return symbols::knot(centre, 10);
+    case LegendSymbol::anchored:
+      return symbols::anchor(centre, 5);
+    case LegendSymbol::block: {
+      DrawnBlock block;
+      block.axles = {{centre.x, centre.y - 3}};
+      block.sheave = 6;
+      block.tails = {{centre.x, centre.y + 8}};
+      block.beam = centre.y + 7;
+      return symbols::shell(block) + symbols::wheel(block.axles.front(), 6.5);
+    }
+    case LegendSymbol::bar: {
+      DrawnBlock bar;
+      bar.is_bar = true;
+      bar.eyes = {{centre.x - 7, centre.y}, {centre.x + 7, centre.y}};
+      bar.tails = {centre};
+      bar.beam = centre.y;
+      return symbols::shell(bar) + symbols::eyes(bar);
+    }
     case LegendSymbol::slides:
       return symbols::straight_arrow({item.box.left + 2, centre.y}, {item.box.right - 2, centre.y});
     case LegendSymbol::slack:
@@ -188,9 +251,10 @@ std::string draw(const Schematic& schematic) {
   std::string texts;
   for (const DrawnText& text : layout.texts) texts += svg::text(text);
   return svg::group(strokes, symbols::hand(layout) + held_fingers(layout)) + carriage(schematic) +
-         svg::group(strokes, turns(layout)) + tendons(schematic) +
-         svg::group(strokes, sheaths(layout) + ends(layout) + arrows(schematic)) + texts +
-         draw(layout.legend);
+         svg::group(strokes, shells(layout) + turns(layout)) + tendons(schematic) +
+         svg::group(strokes, sheaths(layout) + eyes(layout) + ends(layout) + arrows(schematic) +
+                                 motions(schematic)) +
+         texts + draw(layout.legend);
 }
 
 }  // namespace reeve::reports

@@ -30,22 +30,6 @@ double reach_of_finger(int finger, int fingers) {
   return most * (1 - off * off);
 }
 
-double place_fingers(int fingers, Grasp held, double top, SchematicGrid& grid) {
-  constexpr double tip_to_labels = tip_radius + 4;
-  if (fingers == 0) return grid.finger_base = top;
-  double head = line_height + 4;  // its name
-  if (held.held != 0) head += line_height + object_size + 2;
-  double longest = 0;
-  for (int f = 1; f <= fingers; ++f) longest = std::max(longest, reach_of_finger(f, fingers));
-  for (int f = 1; f <= fingers; ++f) {
-    const double outline = top + head + longest - reach_of_finger(f, fingers);
-    grid.fingers.push_back({outline, outline + flesh + tip_radius});
-  }
-  grid.finger_base =
-      top + head + longest + flesh + tip_radius + tip_to_labels + label_step + label_height + 8;
-  return grid.finger_base;
-}
-
 double place_rows(const std::vector<Arc>& arcs, const SchematicPlan& plan,
                   const SchematicGrid& grid, double top, std::vector<ArcRow>& placed) {
   constexpr double lane_to_centre = 2 * bend + 2;
@@ -105,11 +89,30 @@ Turn turn(const Arc& arc, const SchematicPlan& plan, const SchematicGrid& grid) 
   return {(left + right) / 2, in_block ? tip_radius : turn_radius};
 }
 
+FingerRow finger_row(int fingers, Grasp held, double top) {
+  constexpr double tip_to_labels = tip_radius + 4;
+  if (fingers == 0) return {{}, top};
+  double head = line_height + 4;  // its name
+  if (held.held != 0) head += line_height + object_size + 2;
+  double longest = 0;
+  for (int f = 1; f <= fingers; ++f) longest = std::max(longest, reach_of_finger(f, fingers));
+  FingerRow row;
+  for (int f = 1; f <= fingers; ++f) {
+    const double outline = top + head + longest - reach_of_finger(f, fingers);
+    row.fingers.push_back({outline, outline + flesh + tip_radius});
+  }
+  row.base =
+      top + head + longest + flesh + tip_radius + tip_to_labels + label_step + label_height + 8;
+  return row;
+}
+
 SchematicGrid grid(const Network& network, const SchematicPlan& plan, Grasp held, double top) {
   SchematicGrid grid;
   place_columns(plan, grid);
-  const double base = place_fingers(network.fingers, held, top, grid);
-  place_hand(plan, base, grid);
+  const FingerRow fingers = finger_row(network.fingers, held, top);
+  grid.fingers = fingers.fingers;
+  grid.finger_base = fingers.base;
+  place_hand(plan, fingers.base, grid);
   std::vector<SegmentPlan> motor_side;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     if (network.segments[i].kind == SegmentKind::motor_side) {

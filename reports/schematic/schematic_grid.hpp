@@ -20,6 +20,12 @@ struct FingerHeights {
   double centre = 0;  // of the turn at the tip
 };
 
+struct FingerRow {
+  std::vector<FingerHeights> fingers;
+  double base = 0;  // where the palm begins
+};
+FingerRow finger_row(int fingers, Grasp held, double top);
+
 struct SchematicGrid {
   double left = 0;  // what the blocks take
   double right = 0;

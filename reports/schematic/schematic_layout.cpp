@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "reports/schematic/floating/fittings.hpp"
+#include "reports/schematic/floating/floating_layout.hpp"
 #include "reports/schematic/schematic_grid.hpp"
 #include "reports/schematic/schematic_measures.hpp"
 #include "reports/schematic/schematic_plan.hpp"
@@ -159,7 +161,7 @@ class Layouter {
     drawn.path = {{top, 0}};
     append(drawn.path, foot(c));
     if (front != nowhere) std::reverse(drawn.path.begin(), drawn.path.end());
-    out_.ends.push_back({false, top, -1});
+    out_.ends.push_back({EndHold::fixed, top, -1});
     place_label(top.x, grid_.arch + 18, true, drawn);
   }
 
@@ -172,7 +174,7 @@ class Layouter {
     const std::size_t other = sheath_first ? segment.after : segment.before;
     if (other == nowhere) {
       drawn.path.push_back({{x, grid_.tied}, 0});
-      out_.ends.push_back({true, {x, grid_.tied}, 1});
+      out_.ends.push_back({EndHold::tied, {x, grid_.tied}, 1});
     } else {
       append(drawn.path, leg(c, other, plan_.carriage_arcs, grid_.carriage_rows));
     }
@@ -191,7 +193,7 @@ class Layouter {
     const double x = grid_.column[c];
     switch (column.foot) {
       case Foot::fixed:
-        out_.ends.push_back({false, {x, grid_.fixed}, 1});
+        out_.ends.push_back({EndHold::fixed, {x, grid_.fixed}, 1});
         return {{{x, grid_.fixed}, 0}};
       case Foot::sheath:
         return {{{x, grid_.sheath}, 0}};
@@ -265,33 +267,8 @@ class Layouter {
 }  // namespace
 
 SchematicLayout layout(const Network& network, const SchematicFrame& frame) {
+  if (has_floating_parts(network)) return floating_layout(network, frame);
   return Layouter(network, frame).run();
-}
-
-Box bounds(const DrawnContact& contact) {
-  const Point& at = contact.centre;
-  if (contact.place == ContactPlace::sheath) {
-    constexpr double ferrule = sleeve + 2;
-    constexpr double arrow = sleeve + 13;
-    const bool right = contact.arrow_side > 0;
-    return {at.x - (right ? ferrule : arrow), at.y - contact.length / 2,
-            at.x + (right ? arrow : ferrule), at.y + contact.length / 2};
-  }
-  const bool wheel = contact.kind == ContactKind::bearing;
-  const double reach = contact.radius + (wheel ? thickest / 2 : sleeve);
-  const double inner = wheel ? contact.radius - thickest / 2 : 4;
-  return {at.x - reach, at.y - (contact.apex > 0 ? inner : reach), at.x + reach,
-          at.y + (contact.apex > 0 ? reach : inner)};
-}
-
-Box bounds(const DrawnEnd& end) {
-  if (end.tied) {
-    return {end.at.x - knot_size / 2, end.at.y - knot_size / 2, end.at.x + knot_size / 2,
-            end.at.y + knot_size / 2};
-  }
-  const double deep = end.away * fixation_depth;
-  return {end.at.x - fixation_width / 2, end.at.y + std::min(0.0, deep),
-          end.at.x + fixation_width / 2, end.at.y + std::max(0.0, deep)};
 }
 
 }  // namespace reeve::reports

@@ -27,7 +27,8 @@ struct DrawnSegment {
   Align align = Align::start;
 };
 
-// A turn (tip, join or movable pulley) has its tendon on a half circle; a sheath is straight.
+// A turn (tip, join, movable pulley or pass of a block) has its tendon on a half circle; a sheath
+// is straight; a bar has its pivot as its centre.
 struct DrawnContact {
   ContactKind kind = ContactKind::tube;
   ContactPlace place = ContactPlace::tip;
@@ -40,11 +41,31 @@ struct DrawnContact {
   bool forward = true;
 };
 
+enum class EndHold : std::uint8_t {
+  fixed,     // at the hand
+  tied,      // to the carriage
+  anchored,  // at a fingertip
+  block,     // to a block's eye or a bar's hole
+};
+
 // Where a tendon ends.
 struct DrawnEnd {
-  bool tied = false;  // to the carriage; otherwise fixed at the hand
+  EndHold hold = EndHold::fixed;
   Point at;
   double away = 1;  // what holds it lies below (1) or above (-1)
+};
+
+// A floating block: sheaves side by side in one shell, which narrows to the eye of its tail; or a
+// bar with the ends of its arms and its pivot. Beckets are eyes beside the sheaves.
+struct DrawnBlock {
+  bool is_bar = false;
+  double apex = 1;           // its tails lie below (1) or above (-1)
+  std::vector<Point> axles;  // of its sheaves
+  double sheave = 0;         // their radius
+  std::vector<Point> eyes;   // of beckets, or the ends of the arms
+  std::vector<Point> tails;  // the eyes of its tails, or the pivot
+  double beam = 0;           // the height of what joins these
+  Box motion;                // where there is room for an arrow that says which way it moves
 };
 
 struct DrawnFinger {
@@ -53,7 +74,28 @@ struct DrawnFinger {
   Box object;  // what holds it, if it is held
 };
 
-enum class LegendSymbol : std::uint8_t { tube, bearing, sheath, fixed, tied, slides, slack };
+enum class LegendSymbol : std::uint8_t {
+  tube,
+  bearing,
+  sheath,
+  fixed,
+  tied,
+  anchored,
+  block,
+  bar,
+  slides,
+  slack,
+};
+
+// What a legend need not explain where there is none.
+struct FloatingParts {
+  bool anchors = false;
+  bool blocks = false;
+  bool bars = false;
+
+  friend bool operator==(const FloatingParts&, const FloatingParts&) = default;
+  FloatingParts& operator|=(const FloatingParts& other);
+};
 
 struct LegendItem {
   LegendSymbol symbol = LegendSymbol::tube;
@@ -66,7 +108,7 @@ struct Legend {
   double bottom = 0;
 };
 
-// Parallel to the network's segments, contacts and fingers.
+// Parallel to the network's segments, contacts, blocks and fingers.
 struct SchematicLayout {
   std::string title;
   std::string subtitle;
@@ -74,6 +116,7 @@ struct SchematicLayout {
   double height = 0;
   std::vector<DrawnSegment> segments;
   std::vector<DrawnContact> contacts;
+  std::vector<DrawnBlock> blocks;
   std::vector<DrawnEnd> ends;
   std::vector<DrawnFinger> fingers;
   Box hand;
@@ -92,13 +135,18 @@ struct SchematicFrame {
   bool with_tension = true;  // whether the legend explains what only tensions show
 };
 
+// Drawings with floating blocks, bars or anchored tips: floating/floating_layout.hpp.
 SchematicLayout layout(const Network& network, const SchematicFrame& frame);
 
+FloatingParts floating_parts(const SchematicLayout& layout);
+FloatingParts floating_parts(const Network& network);
+
 // The symbols' meanings, flowing between left and right.
-Legend legend(const Box& room, bool with_tension);
+Legend legend(const Box& room, bool with_tension, const FloatingParts& parts = {});
 
 // What a symbol covers.
 Box bounds(const DrawnContact& contact);
 Box bounds(const DrawnEnd& end);
+std::vector<Box> bounds(const DrawnBlock& block);
 
 }  // namespace reeve::reports

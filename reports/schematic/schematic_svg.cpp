@@ -68,8 +68,8 @@ std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
               draw(schematic));
 }
 
-std::string schematic_legend(double width, const std::string& ids) {
-  const Legend key = legend({measures::margin, 0, width - measures::margin, 0}, true);
+std::string schematic_legend(double width, const std::string& ids, const FloatingParts& parts) {
+  const Legend key = legend({measures::margin, 0, width - measures::margin, 0}, true, parts);
   return file({0, 0, width, key.bottom + measures::margin / 2}, "img", ids, "Symbols",
               "What the symbols of the schematics mean.", draw(key));
 }
@@ -94,7 +94,10 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
   const double right = width * static_cast<double>(std::min(columns, schematics.size()));
   const bool with_tension = std::any_of(schematics.begin(), schematics.end(),
                                         [](const Schematic& s) { return s.state != nullptr; });
-  const Legend key = legend({measures::margin, bottom, right - measures::margin, 0}, with_tension);
+  FloatingParts parts;
+  for (const Schematic& schematic : schematics) parts |= floating_parts(schematic.layout);
+  const Legend key =
+      legend({measures::margin, bottom, right - measures::margin, 0}, with_tension, parts);
   return file({0, 0, right, key.bottom + measures::margin / 2}, "group", ids, title, "",
               content + draw(key));
 }

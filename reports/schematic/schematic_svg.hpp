@@ -35,7 +35,8 @@ Schematic schematic(const Network& network, const std::string& title, const Gras
 std::string schematic_svg(const Schematic& schematic, const std::string& ids = "schematic");
 
 // The symbols' meanings alone, for drawings without a legend.
-std::string schematic_legend(double width, const std::string& ids = "legend");
+std::string schematic_legend(double width, const std::string& ids = "legend",
+                             const FloatingParts& parts = {});
 
 // Several side by side, `columns` in a row, over one legend.
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reports/schematic/floating/floating_measures.hpp"
 #include "reports/schematic/schematic_measures.hpp"
 #include "reports/svg.hpp"
 
@@ -26,10 +27,9 @@ std::string arrow_head(Point at, double dx, double dy) {
               std::string(ink) + " stroke=\"none\"");
 }
 
-// Round the turn's centre, from the left to the right or back.
-std::string curved_arrow(const DrawnContact& turn, bool to_the_right) {
-  const double radius = turn.radius - 13;
-  const double start = to_the_right ? -1.3 : 1.3;
+// Round the turn's centre, from the left to the right or back; `reach` from the apex, in rad.
+std::string curved_arrow(const DrawnContact& turn, double radius, double reach, bool to_the_right) {
+  const double start = to_the_right ? -reach : reach;
   const double end = -0.75 * start;
   const auto at = [&](double angle) {
     return Point{turn.centre.x + radius * std::sin(angle),
@@ -124,7 +124,15 @@ std::string hatching(const Box& finger) {
 
 std::string sliding(const DrawnContact& contact, bool with_walk) {
   const bool forward = with_walk == contact.forward;
-  if (contact.place != ContactPlace::sheath) return curved_arrow(contact, forward);
+  if (contact.kind == ContactKind::bar) {
+    // A sheave in its place would turn the same way; there is room on the side of the arms.
+    DrawnContact over = contact;
+    over.apex = -contact.apex;
+    return curved_arrow(over, measures::turning_arrow, 0.95, !forward);
+  }
+  if (contact.place != ContactPlace::sheath) {
+    return curved_arrow(contact, contact.radius - 13, 1.3, forward);
+  }
   constexpr double aside = measures::sleeve + 8;
   const double half = contact.length / 2 - 12;
   const double x = contact.centre.x + contact.arrow_side * aside;

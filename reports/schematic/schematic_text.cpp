@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reports/schematic/floating/fittings.hpp"
 #include "reports/schematic/schematic_measures.hpp"
 
 namespace reeve::reports {
@@ -32,13 +33,37 @@ struct SymbolMeaning {
 };
 
 constexpr double legend_size = 12;
-constexpr std::array<SymbolMeaning, 7> legend_entries{{{LegendSymbol::tube, "tube"},
-                                                       {LegendSymbol::bearing, "bearing"},
-                                                       {LegendSymbol::sheath, "sheath"},
-                                                       {LegendSymbol::fixed, "fixed (F)"},
-                                                       {LegendSymbol::tied, "tied (M)"},
-                                                       {LegendSymbol::slides, "slides"},
-                                                       {LegendSymbol::slack, "slack"}}};
+constexpr std::array<SymbolMeaning, 10> legend_entries{{{LegendSymbol::tube, "tube"},
+                                                        {LegendSymbol::bearing, "bearing"},
+                                                        {LegendSymbol::sheath, "sheath"},
+                                                        {LegendSymbol::fixed, "fixed (F)"},
+                                                        {LegendSymbol::tied, "tied (M)"},
+                                                        {LegendSymbol::anchored, "tied (1x)"},
+                                                        {LegendSymbol::block, "block (Y)"},
+                                                        {LegendSymbol::bar, "bar (W)"},
+                                                        {LegendSymbol::slides, "slides"},
+                                                        {LegendSymbol::slack, "slack"}}};
+
+bool is_shown(LegendSymbol symbol, bool with_tension, const FloatingParts& parts) {
+  switch (symbol) {
+    case LegendSymbol::slides:
+    case LegendSymbol::slack:
+      return with_tension;
+    case LegendSymbol::anchored:
+      return parts.anchors;
+    case LegendSymbol::block:
+      return parts.blocks;
+    case LegendSymbol::bar:
+      return parts.bars;
+    case LegendSymbol::tube:
+    case LegendSymbol::bearing:
+    case LegendSymbol::sheath:
+    case LegendSymbol::fixed:
+    case LegendSymbol::tied:
+      return true;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -95,7 +120,32 @@ void add_note(const Box& room, Legend& legend) {
 
 }  // namespace
 
-Legend legend(const Box& room, bool with_tension) {
+FloatingParts& FloatingParts::operator|=(const FloatingParts& other) {
+  anchors = anchors || other.anchors;
+  blocks = blocks || other.blocks;
+  bars = bars || other.bars;
+  return *this;
+}
+
+FloatingParts floating_parts(const Network& network) {
+  FloatingParts parts;
+  for (int finger = 1; finger <= network.fingers; ++finger) {
+    parts.anchors = parts.anchors || is_anchored(network, finger);
+  }
+  for (const core::Block& block : network.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
+  return parts;
+}
+
+FloatingParts floating_parts(const SchematicLayout& layout) {
+  FloatingParts parts;
+  for (const DrawnEnd& end : layout.ends) {
+    parts.anchors = parts.anchors || end.hold == EndHold::anchored;
+  }
+  for (const DrawnBlock& block : layout.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
+  return parts;
+}
+
+Legend legend(const Box& room, bool with_tension, const FloatingParts& parts) {
   constexpr double symbol = 22;
   constexpr double high = 22;
   constexpr double cell = 86;
@@ -103,9 +153,7 @@ Legend legend(const Box& room, bool with_tension) {
   double x = room.left;
   double y = room.top;
   for (const SymbolMeaning& entry : legend_entries) {
-    const bool shows_tension =
-        entry.symbol == LegendSymbol::slides || entry.symbol == LegendSymbol::slack;
-    if (shows_tension && !with_tension) continue;
+    if (!is_shown(entry.symbol, with_tension, parts)) continue;
     if (x + cell > room.right + 1) {
       x = room.left;
       y += high;

@@ -55,6 +55,21 @@ TEST(Schematic, LiesBesideTheUsualResult) {
   }
 }
 
+TEST(Schematic, OfFloatingPartsShowsThem) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  for (const Arguments& options : {Arguments{}, Arguments{"--held", "2"}}) {
+    Arguments command{"show", "M-Y1+1x-W1/2:1-2x+W1-Y1-3x", "--svg", file};
+    command.insert(command.end(), options.begin(), options.end());
+    EXPECT_EQ(reeve(command).exit_code, 0);
+    const std::string svg = read_text(file);
+    for (const char* name : {">Y1</text>", ">W1 2:1</text>", ">block (Y)</text>"}) {
+      EXPECT_NE(svg.find(name), std::string::npos) << name;
+    }
+    EXPECT_EQ(svg.find("reeve-moves") != std::string::npos, !options.empty());
+  }
+}
+
 TEST(Schematic, WithoutAGraspHasNoTensions) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "drawing.svg").string();
