@@ -20,9 +20,9 @@ namespace reeve::core {
 
 struct Performance {
   double uniformity = 0;
-  double finger_uniformity = 0;
   double efficiency = 0;
   double force_transmission = 0;
+  double finger_uniformity = 0;
 };
 
 // The sums of a finger's strand tensions, over the fingers; 0 without fingers.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "pages/exploration/objective_title.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -84,6 +85,14 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
     designs.push_back({Kind::sample, design.word, "", 0, 0, design.values, std::nullopt});
   }
   return designs;
+}
+
+std::vector<Objective> page_objectives(const ExploreReport& report) {
+  std::vector<Objective> shown =
+      search::shown_objectives(report.options.order, report.options.score);
+  const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
+  if (!told && report.options.generator.parts.blocks > 0) shown.push_back(Objective::blocks);
+  return shown;
 }
 
 Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown) {

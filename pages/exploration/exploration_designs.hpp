@@ -40,6 +40,9 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 // In columns, as assets/exploration_charts.js describes them: {"word", "name", "rank", "front",
 // "kind", "values", "distribution"}; the last is empty unless the listed designs have one.
 // `shown` are the objectives whose values are given.
+// The objectives that are shown to people, with the blocks where the parts allow them.
+std::vector<Objective> page_objectives(const ExploreReport& report);
+
 Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown);
 
 // [{"name", "title", "unit", "better", "least", "greatest", "meaning"}], "least" and "greatest"

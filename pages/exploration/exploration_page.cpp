@@ -14,7 +14,6 @@
 #include "pages/shell/compressed.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/schematic/schematic_svg.hpp"
-#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -28,16 +27,12 @@ struct HeldDesigns {
   std::size_t listed = 0;
 };
 
-std::vector<Objective> shown(const ExploreReport& report) {
-  return shown_objectives(report.options.order, report.options.score);
-}
-
 // As many as fit.
 HeldDesigns held_designs(const ExploreReport& report) {
   std::size_t most = listed_designs(report).size();
   for (;;) {
     std::vector<PageDesign> designs = page_designs(report, most);
-    std::string packed = compressed(design_columns(designs, shown(report)).dump());
+    std::string packed = compressed(design_columns(designs, page_objectives(report)).dump());
     if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
     const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
     most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
@@ -46,7 +41,7 @@ HeldDesigns held_designs(const ExploreReport& report) {
 
 // Places of what is ranked by among the objectives that are shown.
 Json ranking_json(const ExploreReport& report) {
-  const std::vector<Objective> objectives = shown(report);
+  const std::vector<Objective> objectives = page_objectives(report);
   Json list = Json::array();
   for (const Objective objective : report.options.order.objectives) {
     list.push_back(std::find(objectives.begin(), objectives.end(), objective) - objectives.begin());
@@ -205,7 +200,7 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
           render("exploration.mustache", body),
           "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "
           "exploration.js",
-          {{"objectives", objectives_json(shown(view.report))},
+          {{"objectives", objectives_json(page_objectives(view.report))},
            {"ranking", ranking_json(view.report)},
            {"specifications", specifications()},
            {"columns", held.packed},
@@ -230,7 +225,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   const ExploreReport& report = view.report;
   const HeldDesigns held = held_designs(report);
   const ExplorationPicture pareto = pareto_picture(held.designs, report.options.order.objectives);
-  const ExplorationPicture parallel = parallel_picture(held.designs, shown(report));
+  const ExplorationPicture parallel = parallel_picture(held.designs, page_objectives(report));
   std::vector<FigureFile> figures = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));

@@ -10,7 +10,6 @@
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/objective_title.hpp"
-#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -67,8 +66,7 @@ Json static_tables(const ExploreReport& report) {
   const std::size_t shown = std::min(
       listed.size(), std::max(first_designs, std::min(front_designs, report.front.size())));
   Json json{{"objectives", Json::array()}, {"rows", Json::array()}, {"bests", Json::array()}};
-  const std::vector<Objective> objectives =
-      shown_objectives(report.options.order, report.options.score);
+  const std::vector<Objective> objectives = page_objectives(report);
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     json["objectives"].push_back(objective_json(row(objectives[i])));
     json["objectives"].back()["column"] = i;

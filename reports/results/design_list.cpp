@@ -23,9 +23,20 @@ std::string range(const RankDistribution& distribution) {
 // Objectives that make one column: the parts of one family.
 using ColumnRows = std::vector<const ObjectiveRow*>;
 
-std::vector<ColumnRows> objective_columns(const Order& order, const Score& score) {
+bool has_blocks(const std::vector<ListedDesign>& designs) {
+  return std::any_of(designs.begin(), designs.end(), [](const ListedDesign& design) {
+    return value(design.ranked.design.values, Objective::blocks) > 0;
+  });
+}
+
+// Blocks are told of where there are any.
+std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
+                                          const Order& order, const Score& score) {
+  std::vector<Objective> shown = shown_objectives(order, score);
+  const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
+  if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
   std::vector<ColumnRows> columns;
-  for (const Objective objective : shown_objectives(order, score)) {
+  for (const Objective objective : shown) {
     const ObjectiveRow& about = row(objective);
     const bool joins =
         !columns.empty() && std::string_view(columns.back().front()->family) == about.family;
@@ -65,7 +76,7 @@ std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score) {
   const bool uncertain = with_distributions(designs);
-  const std::vector<ColumnRows> objectives = objective_columns(order, score);
+  const std::vector<ColumnRows> objectives = objective_columns(designs, order, score);
   Table table{columns(objectives, uncertain), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{

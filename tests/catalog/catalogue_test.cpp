@@ -222,8 +222,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
       {"name = \"M-1-F\"\n",
        "x.toml:1:8: name = \"M-1-F\": expected a name that is not the word of a routing"},
       {"name = \"X\"\nword = \"M-1-Q\"\n",
-       "x.toml:2:8: routing 'M-1-Q', column 5: unknown token 'Q': expected M, F, T, B, P or a "
-       "finger number such as 1 or 2b"},
+       "x.toml:2:8: routing 'M-1-Q', column 5: unknown token 'Q': expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1"},
       {"name = \"X\"\nword = \"F-1-M\"\n",
        "x.toml:2:8: word = \"F-1-M\": expected the canonical word of this routing, \"M-1-F\""},
       {"name = \"X\"\nword = \"F-1-F\"\n",

@@ -224,8 +224,7 @@ TEST(BadModelFile, NamesThePlaceOfABadSubject) {
       {"cause = \"sheath_angle\"\nfinger = 0\nangle_rad = 1\n",
        "m.toml:3:10: effect[1].finger = 0: expected a whole number from 1 to 64"},
       {"cause = \"seized_contact\"\nrouting = \"M-1-Q\"\ncontact = \"T1-T2\"\n",
-       "m.toml:3:11: effect[1].routing: routing 'M-1-Q', column 5: unknown token 'Q': expected M, "
-       "F, T, B, P or a finger number such as 1 or 2b"},
+       "m.toml:3:11: effect[1].routing: routing 'M-1-Q', column 5: unknown token 'Q': expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1"},
       {"cause = \"seized_contact\"\nrouting = \"M-1-F\"\ncontact = \"T2-T3\"\n",
        "m.toml:4:11: effect[1].contact = \"T2-T3\": expected one of a-T1, T1-T2"},
       {"cause = \"wrong_grasp\"\nrouting = \"M-1-F\"\nrecorded = \"3\"\nactual = \"none\"\n",
@@ -266,10 +265,10 @@ TEST(ModelFileFault, KeepsThePartsOfWhatIsReadInsideIt) {
   const std::string file = (folder.path() / "m.toml").string();
   EXPECT_EQ(parts("[tube]\nmu = 11\n"),
             file + ":1:2: hardware | tube.mu | 11 | a number from 0 to 10");
-  EXPECT_EQ(parts("[[effect]]\ncause = \"wrong_grasp\"\nrouting = \"M-1-Q\"\n"),
-            file +
-                ":3:11: effect[1].routing: routing 'M-1-Q', column 5 | unknown token | Q | M, F, "
-                "T, B, P or a finger number such as 1 or 2b");
+  EXPECT_EQ(
+      parts("[[effect]]\ncause = \"wrong_grasp\"\nrouting = \"M-1-Q\"\n"),
+      file +
+          ":3:11: effect[1].routing: routing 'M-1-Q', column 5 | unknown token | Q | M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");
 }
 
 }  // namespace

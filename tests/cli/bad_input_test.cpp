@@ -26,9 +26,9 @@ BadLine explore(Arguments options, const std::string& message) {
 
 TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
   expect_all_bad({
-      show("M-1-Q-2-F",
-           "routing 'M-1-Q-2-F', column 5: unknown token 'Q': expected M, F, T, B, P or a finger "
-           "number such as 1 or 2b"),
+      show(
+          "M-1-Q-2-F",
+          "routing 'M-1-Q-2-F', column 5: unknown token 'Q': expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1"),
       show("m-1-t-2-f", "routing 'm-1-t-2-f', column 1: unknown token 'm'"),
       show("TR9",
            "routing 'TR9': no such name in the catalogue; expected one of TR1, TR2, TR3, TR4, TR5, "

@@ -19,9 +19,9 @@ TEST(OptionFault, NamesTheOptionAsItIsWrittenOnTheCommandLine) {
 }
 
 TEST(OptionFault, HasTheOptionAsThePlaceOfWhatIsReadForIt) {
-  EXPECT_EQ(input_fault([] { for_option("--routings", [] { return parse_routing("Q"); }); }),
-            "--routings: routing 'Q', column 1 | unknown token | Q | M, F, T, B, P or a finger "
-            "number such as 1 or 2b");
+  EXPECT_EQ(
+      input_fault([] { for_option("--routings", [] { return parse_routing("Q"); }); }),
+      "--routings: routing 'Q', column 1 | unknown token | Q | M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");
 }
 
 }  // namespace

@@ -121,9 +121,10 @@ TEST(BadRow, NamesTheRoutingThatIsNone) {
             "d.csv:2: column 'routing' = '': expected a routing such as M-1-T-2-F");
   EXPECT_EQ(data_error("run,routing,T1_N\n,TR5,1\n"),
             "d.csv:2: column 'run' = '': expected a name or number for the run");
-  EXPECT_EQ(data_error("run,routing,T1_N\nA,M-1-Q,1\n"),
-            "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5: unknown token 'Q': "
-            "expected M, F, T, B, P or a finger number such as 1 or 2b");
+  EXPECT_EQ(
+      data_error("run,routing,T1_N\nA,M-1-Q,1\n"),
+      "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5: unknown token 'Q': "
+      "expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");
   EXPECT_EQ(data_error("run,routing,T1_N\nA,F-1-F,1\n"),
             "d.csv:2: column 'routing' = 'F-1-F': routing 'F-1-F': the tendon with T1 is not "
             "actuated: it has no M and no P, so the motor cannot pull it");
@@ -167,9 +168,10 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
   EXPECT_EQ(parts("run,routing,held,T1_N\nA,TR5,3,1\n"),
             "d.csv:2 | column 'held' | 3 | an empty cell (none held), or finger numbers from 1 to "
             "2, each once, such as 1;2");
-  EXPECT_EQ(parts("run,routing,T1_N\nA,M-1-Q,1\n"),
-            "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5 | unknown token | Q | "
-            "M, F, T, B, P or a finger number such as 1 or 2b");
+  EXPECT_EQ(
+      parts("run,routing,T1_N\nA,M-1-Q,1\n"),
+      "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5 | unknown token | Q | "
+      "M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");
   EXPECT_EQ(parts("run,routing,t1_n\n"),
             "d.csv:1 | column 3 | t1_n | a tension written as T1_N (strand), Ta_N (motor-side "
             "segment) or Th1_N (stretch at the hand)");

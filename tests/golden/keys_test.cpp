@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 
 const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction "
-    "adaptability torsional_balance reliability authors_efficiency transmission score";
+    "adaptability torsional_balance reliability authors_efficiency transmission score "
+    "blocks finger_uniformity";
 const std::string common_settings = "objectives score grasps hardware model uncertainty";
 
 Json json_of(std::vector<std::string> arguments) {

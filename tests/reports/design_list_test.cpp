@@ -33,9 +33,9 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
             "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
             "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
             "return_friction,adaptability,torsional_balance,reliability,authors_efficiency,"
-            "transmission,score\n"
+            "transmission,score,blocks,finger_uniformity_mean,finger_uniformity_worst\n"
             "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"
-            "16.5\n");
+            "16.5,17.5,18.5,19.5\n");
 }
 
 TEST(DesignCsv, QuotesNamesWithCommasQuotesOrLineEnds) {
@@ -59,14 +59,15 @@ TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
   ListedDesign uncertain = design("");
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
-  EXPECT_NE(csv.find(",score,first_share,rank_median,rank_p5,rank_p95\n"), std::string::npos);
-  EXPECT_TRUE(csv.ends_with(",16.5,0.25,4,1,9\n"));
+  EXPECT_NE(csv.find(",finger_uniformity_worst,first_share,rank_median,rank_p5,rank_p95\n"),
+            std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",19.5,0.25,4,1,9\n"));
 }
 
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
   ListedDesign uncertain = design("");
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
-  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",16.5,,,,\n"));
+  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",19.5,,,,\n"));
 }
 
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
@@ -78,6 +79,16 @@ TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
   EXPECT_EQ(to_json(listed)["name"], "TR0");
   EXPECT_EQ(to_json(listed)["rank_distribution"].dump(),
             R"({"first_share":0.25,"median":4.0,"p5":1.0,"p95":9.0})");
+}
+
+TEST(DesignTable, TellsOfBlocksWhereThereAreAny) {
+  ListedDesign without = design("");
+  without.ranked.design.values[static_cast<std::size_t>(Objective::blocks)] = 0;
+  const auto told = [&](const std::vector<ListedDesign>& designs) {
+    return text(design_table(designs, {}, authors_score())).find("blocks") != std::string::npos;
+  };
+  EXPECT_FALSE(told({without}));
+  EXPECT_TRUE(told({without, design("")}));
 }
 
 TEST(DesignTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
