@@ -53,11 +53,6 @@ double get(const ListedDesign& design, Objective objective) {
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value); }
 
-double part_count(const ListedDesign& design) {
-  return get(design, Objective::sheaths) + get(design, Objective::pulleys) +
-         get(design, Objective::knots);
-}
-
 std::string values_text(const ListedDesign& design, const std::vector<Objective>& objectives) {
   std::vector<std::string> values;
   for (const Objective objective : objectives) {
@@ -68,11 +63,15 @@ std::string values_text(const ListedDesign& design, const std::vector<Objective>
 
 // ", with 4 sheaths and 1 knot": the parts that the ranking does not count, which stand elsewhere.
 std::string with_parts(const ListedDesign& design, const std::vector<Objective>& objectives) {
-  const std::pair<Objective, const char*> parts[] = {
-      {Objective::sheaths, "sheath"}, {Objective::pulleys, "pulley"}, {Objective::knots, "knot"}};
+  const std::pair<Objective, const char*> parts[] = {{Objective::sheaths, "sheath"},
+                                                     {Objective::pulleys, "pulley"},
+                                                     {Objective::knots, "knot"},
+                                                     {Objective::blocks, "floating block"}};
   std::vector<std::string> texts;
   for (const auto& [objective, noun] : parts) {
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) continue;
+    // That nothing floats at the hand is not worth a word.
+    if (objective == Objective::blocks && get(design, objective) == 0) continue;
     texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
   }
   return texts.empty() ? "" : ", with " + enumeration(texts);
@@ -85,7 +84,7 @@ std::string tie_text(const Order& order, const ListedDesign& first, const Listed
     return "";
   }
   const char* same = order.by_score ? "score" : "product";
-  if (part_count(first) < part_count(second))
+  if (part_total(first.ranked.design.values) < part_total(second.ranked.design.values))
     return fmt::format("; of those with the same {} it needs fewest parts", same);
   return fmt::format(
       "; among those with the same {} and as many parts, only the order of their words decides",

@@ -7,14 +7,11 @@
 #include "search/judge/pareto.hpp"
 
 namespace reeve::search {
-namespace {
 
 double part_total(const ObjectiveValues& values) {
   return value(values, Objective::sheaths) + value(values, Objective::pulleys) +
-         value(values, Objective::knots);
+         value(values, Objective::knots) + value(values, Objective::blocks);
 }
-
-}  // namespace
 
 double uniformity_times_efficiency(const ObjectiveValues& values) {
   return value(values, Objective::uniformity_mean) * value(values, Objective::efficiency_mean);

@@ -26,6 +26,9 @@ struct RankedDesign {
 };
 
 // Rule 2, unless by the score.
+// Sheaths, pulleys, knots, blocks and bars.
+double part_total(const ObjectiveValues& values);
+
 double uniformity_times_efficiency(const ObjectiveValues& values);
 
 // By what rule 2 orders.

@@ -41,6 +41,16 @@ TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {
   expect_says(words.won, "It stands alone on the Pareto front");
 }
 
+TEST(ExplorationWords, TellWhatFloatsAtTheHand) {
+  ExploreOptions options = small_options();
+  options.generator.parts.anchored = true;
+  options.generator.parts.blocks = 1;
+  expect_says(
+      exploration_words(explored(options)).won,
+      "M-Y1+1x-Y1-2x comes first of 283 designs: uniformity mean 0.9979 and efficiency mean "
+      "0.3224, with 1 sheath, 0 pulleys, 0 knots and 1 floating block.");
+}
+
 TEST(ExplorationWords, SayThatTheScoreOrders) {
   ExploreOptions options = small_options();
   options.order.by_score = true;

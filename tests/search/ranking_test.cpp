@@ -85,6 +85,12 @@ TEST(Ranking, Rule3FewerPartsComeFirstOfWhicheverKind) {
   EXPECT_EQ(order(designs, both_means), "d1 c1 b1 a1 e1 f1");
 }
 
+TEST(Ranking, Rule3CountsABlockAsAPart) {
+  Design with_block = design("a", {0.5, 0.5, 1, 0, 0});
+  with_block.values[static_cast<std::size_t>(Objective::blocks)] = 2;
+  EXPECT_EQ(order({with_block, design("b", {0.5, 0.5, 2, 0, 0})}, both_means), "b1 a1");
+}
+
 TEST(Ranking, Rule4TheWordDecidesByteByByte) {
   const std::vector<Design> designs{design("M-2-F", {}), design("M-10-F", {}),
                                     design("1-P-1", {}), design("M-1-M", {}),
