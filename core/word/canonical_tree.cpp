@@ -44,7 +44,7 @@ class Refinement {
   }
 
   Rank rank(std::size_t tendon) const { return tendon_rank_[tendon]; }
-  Image image(std::size_t tendon) const { return images_[tendon]; }
+  Image image(std::size_t tendon) const { return images_[tendon].front(); }
 
  private:
   Signature signature(const Tendon& tendon, Image image) const {
@@ -66,17 +66,30 @@ class Refinement {
     return all;
   }
 
+  // Where a token stands in the least image, the first of these places if several are as little.
+  Rank first_place(std::size_t tendon, std::size_t index) const {
+    const std::size_t n = tendons_[tendon].walk.size();
+    std::size_t first = n;
+    for (const Image image : images_[tendon]) {
+      const std::size_t place = image.backward ? image.start + n - index : index + n - image.start;
+      first = std::min(first, place % n);
+    }
+    return static_cast<Rank>(first);
+  }
+
   // The number of classes.
   std::size_t refine_tendons() {
     std::vector<std::pair<Rank, Signature>> keys;
     for (std::size_t t = 0; t < tendons_.size(); ++t) {
-      Signature least = signature(tendons_[t], as_it_stands);
-      images_[t] = as_it_stands;
+      Signature least;
+      images_[t].clear();
       for_each_image(tendons_[t], [&](Image image) {
         Signature other = signature(tendons_[t], image);
-        if (other < least) {
+        if (images_[t].empty() || other < least) {
           least = std::move(other);
-          images_[t] = image;
+          images_[t] = {image};
+        } else if (other == least) {
+          images_[t].push_back(image);
         }
         return true;
       });
@@ -95,10 +108,8 @@ class Refinement {
     for (std::size_t t = 0; t < tendons_.size(); ++t) {
       const Walk& walk = tendons_[t].walk;
       for (std::size_t i = 0; i < walk.size(); ++i) {
-        const Token token = image_token(walk, images_[t], i);
-        if (!is_of_block(token.kind)) continue;
-        places[block_key(token)].push_back(
-            {tendon_rank_[t], shape_code(token), static_cast<Rank>(i)});
+        if (!is_of_block(walk[i].kind)) continue;
+        places[block_key(walk[i])].push_back({tendon_rank_[t], first_place(t, i)});
       }
     }
     std::vector<std::pair<Rank, std::vector<Signature>>> keys;
@@ -115,7 +126,7 @@ class Refinement {
   FingerIdentity identity_;
   std::vector<Rank> tendon_rank_;
   std::array<Rank, block_keys> block_rank_{};
-  std::vector<Image> images_;
+  std::vector<std::vector<Image>> images_;  // of each tendon, those with the least signature
 };
 
 bool passes_a_block(const Tendon& tendon) {
