@@ -29,7 +29,7 @@ std::strong_ordering compare(const Walk& walk, Image a, Image b) {
 
 bool moves_a_finger(const Walk& walk, Image image) {
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    if (walk[i].kind == TokenKind::finger && image_index(walk, image, i) != i) return true;
+    if (is_of_finger(walk[i].kind) && image_index(walk, image, i) != i) return true;
   }
   return false;
 }

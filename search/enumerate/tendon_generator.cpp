@@ -6,23 +6,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/word/walk_image.hpp"
 #include "search/enumerate/checked.hpp"
 
 namespace reeve::search {
-namespace {
-
-// Of the fingers, those that leave the tendon's shape as it is. An open one has its reversal only.
-std::uint64_t finger_symmetries(const Tendon& tendon) {
-  if (tendon.closed) return static_cast<std::uint64_t>(symmetries(tendon));
-  const Walk& walk = tendon.walk;
-  const bool palindrome =
-      std::equal(walk.begin(), walk.end(), walk.rbegin(), walk.rend(),
-                 [](const Token& a, const Token& b) { return compare_shapes(a, b) == 0; });
-  return palindrome && finger_count(tendon) > 1 ? 2 : 1;
-}
-
-}  // namespace
 
 TendonGenerator::TendonGenerator(GeneratorOptions options) : options_(std::move(options)) {
   validate(options_.parts);
@@ -178,7 +164,8 @@ std::uint64_t TendonGenerator::numberings() const {
   for (std::size_t t = 0; t < depth_; ++t) {
     const Tendon& tendon = tendons_[t].shape();
     twins = t > 0 && same_shape(tendons_[t - 1].shape(), tendon) ? twins + 1 : 1;
-    symmetries_of_all = times(symmetries_of_all, times(twins, finger_symmetries(tendon)));
+    symmetries_of_all =
+        times(symmetries_of_all, times(twins, static_cast<std::uint64_t>(symmetries(tendon))));
   }
   return factorial(options_.fingers) / symmetries_of_all;
 }

@@ -49,8 +49,7 @@ class SizeTable {
  public:
   SizeTable() = default;
   explicit SizeTable(TreeSize largest)
-      : largest_(largest),
-        counts_(static_cast<std::size_t>((largest.fingers + 1) * (largest.blocks + 1)), 0) {}
+      : largest_(largest), counts_(at({largest.fingers + 1, 0}), 0) {}
 
   TreeSize largest() const { return largest_; }
   std::uint64_t& operator[](TreeSize size) { return counts_[at(size)]; }
@@ -58,7 +57,8 @@ class SizeTable {
 
  private:
   std::size_t at(TreeSize size) const {
-    return static_cast<std::size_t>(size.fingers * (largest_.blocks + 1) + size.blocks);
+    const auto columns = static_cast<std::size_t>(largest_.blocks) + 1;
+    return static_cast<std::size_t>(size.fingers) * columns + static_cast<std::size_t>(size.blocks);
   }
 
   TreeSize largest_;

@@ -65,31 +65,33 @@ void TreeDecoder::append_mirrored(int m, std::uint64_t index, Walk& walk) const 
   }
 }
 
+std::uint64_t TreeDecoder::tailed_halves(int m, TreeSize size) const {
+  const std::uint64_t arranged =
+      choices_of(m, size.fingers, identity_) * orders_of(m, identity_) * strings(parts_, m);
+  return arranged * counts_.branches[size - TreeSize{m, 0}];
+}
+
 void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
-  const auto [n, k] = half.size;
+  const TreeSize size = half.size;
   Digits digits(half.index);
   FingerSet fingers = half.fingers;
-  if (k == 0) {
-    if (n == 0) {
-      tendon.tokens.push_back(plain(parts_.ends[digits.rest()]));
-      return;
-    }
-    append_to_end(n, fingers, digits, tendon.tokens);
+  if (size == TreeSize{}) {
+    tendon.tokens.push_back(plain(parts_.ends[digits.rest()]));
     return;
   }
-  if (digits.is_among(counts_.branches[half.size])) {
-    tendon.tail = TreeIndex{half.size, digits.rest(), fingers};
+  if (size.blocks == 0) {
+    append_to_end(size.fingers, fingers, digits, tendon.tokens);
+    return;
+  }
+  if (digits.is_among(counts_.branches[size])) {
+    tendon.tail = TreeIndex{size, digits.rest(), fingers};
     return;
   }
   int m = 1;
-  const auto here = [&] {
-    return choices_of(m, n, identity_) * orders_of(m, identity_) * strings(parts_, m) *
-           counts_.branches[{n - m, k}];
-  };
-  while (!digits.is_among(here())) ++m;
+  while (!digits.is_among(tailed_halves(m, size))) ++m;
   FingerSet own = take_some(fingers, m, digits, identity_);
   append_string(m, own, digits, tendon.tokens);
-  tendon.tail = TreeIndex{{n - m, k}, digits.rest(), fingers};
+  tendon.tail = TreeIndex{size - TreeSize{m, 0}, digits.rest(), fingers};
 }
 
 TreeDecoder::Pair TreeDecoder::decode_pair(const SizeTable& table, std::uint64_t variants,

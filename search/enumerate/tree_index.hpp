@@ -61,6 +61,8 @@ class TreeDecoder {
   void append_middle(int m, std::uint64_t kind, Walk& walk) const;
   void append_mirrored(int m, std::uint64_t index, Walk& walk) const;
   void append_loop(int m, FingerSet fingers, Digits& digits, Walk& walk) const;
+  // Halves of this size with m fingers above a tail.
+  std::uint64_t tailed_halves(int m, TreeSize size) const;
   void decode_half(const TreeIndex& half, HalfTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;

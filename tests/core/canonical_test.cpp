@@ -117,8 +117,8 @@ TEST(Canonical, ShapesIgnoreFingerNumbersAndNothingElse) {
 
 Routing renamed(Routing routing, const std::vector<int>& names) {
   for (Token& token : routing.tendons.at(0).walk) {
-    if (token.kind == TokenKind::finger) {
-      token = finger(names[static_cast<std::size_t>(token.finger - 1)], token.tip);
+    if (token.finger > 0) {
+      token.finger = static_cast<std::uint8_t>(names[token.finger - std::size_t{1}]);
     }
   }
   return routing;
@@ -146,6 +146,9 @@ TEST(Canonical, SymmetriesAreThePermutationsOfFingersThatChangeNothing) {
                                  "M-1-T-2-B-3-M",
                                  "M-1-T-2-T-3-M",
                                  "F-1-P-2-T-3-P-4-F",
+                                 "1x-T-2x",
+                                 "1x-T-2-F",
+                                 "1x-T-2-B-3-T-4x",
                                  "1-P-1",
                                  "1-T-P-1",
                                  "1-P-2-P-1",
