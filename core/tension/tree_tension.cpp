@@ -180,12 +180,13 @@ void TreeTension::solve_linear() {
   for (Eigen::Index b = 0; b < m; ++b) {
     if (matrix(b, b) == 0) matrix(b, b) = 1;  // all its tendons are slack: it stays where it is
   }
-  const Vector travel = matrix.partialPivLu().solve(right);
+  Vector travel(m);
+  if (m > 0) travel = matrix.partialPivLu().solve(right);
   for_each_run([&](std::size_t begin, std::size_t end, const Run& run) {
     const double tension = (run.take_up + gain.dot(travel)) / run.stiff;
     for (std::size_t i = begin; i < end; ++i) cells_[i].tension = tension * cells_[i].relative;
   });
-  scale_ = travel.cwiseAbs().maxCoeff();
+  scale_ = m > 0 ? travel.cwiseAbs().maxCoeff() : 0;
   for (const Cell& cell : cells_) scale_ = std::max(scale_, cell.take_up);
   for (Eigen::Index b = 0; b < m; ++b) travel_[in_tree_[static_cast<std::size_t>(b)]] = travel(b);
 }

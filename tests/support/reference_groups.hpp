@@ -30,4 +30,9 @@ struct Groups {
 // In that order; a contact between segments that are already in one group adds nothing.
 Groups gather(const Tree& tree, const std::vector<Known>& known);
 
+// A tree without blocks has no equations for them.
+inline Vector solved_for_blocks(const Matrix& matrix, const Vector& right) {
+  return matrix.rows() == 0 ? Vector() : Vector(matrix.fullPivLu().solve(right));
+}
+
 }  // namespace reeve::testing::reference

@@ -190,7 +190,7 @@ class TreeInterior {
     for (Index b = 0; b < z_.size(); ++b)
       if (response.row(b).isZero(0)) response(b, b) = 1;
     response.diagonal().array() += damping_ * response.norm();
-    const Vector dz = response.fullPivLu().solve(-off - gradient * alone);
+    const Vector dz = solved_for_blocks(response, -off - gradient * alone);
     const Vector du = alone + moved * dz;
     change_ = du.cwiseAbs().maxCoeff();
     return move(du.cwiseMax(-farthest).cwiseMin(farthest), dz, target);

@@ -33,7 +33,7 @@ TreeState state_of(const Tree& tree, std::vector<Verdict> verdicts) {
   Matrix response = groups.pull.transpose() * give;
   for (Index b = 0; b < response.rows(); ++b)
     if (response.row(b).isZero(0)) response(b, b) = 1;
-  state.z = -response.fullPivLu().solve(groups.pull.transpose() * alone);
+  state.z = -solved_for_blocks(response, groups.pull.transpose() * alone);
   const Vector level = alone + give * state.z;
   state.tension.resize(tree.length.size());
   for (Index i = 0; i < state.tension.size(); ++i)
