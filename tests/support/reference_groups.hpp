@@ -1,6 +1,8 @@
 // Segments of a tree whose tension ratios are known, taken together.
 #pragma once
 
+#include <Eigen/LU>
+
 #include <vector>
 
 #include "tests/support/reference_tree.hpp"
