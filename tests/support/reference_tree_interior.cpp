@@ -184,7 +184,8 @@ class TreeInterior {
                        spread(target.cwiseQuotient(q_) - target.cwiseQuotient(p_)) - carried;
     Matrix gradient;
     const Vector off = balances(gradient);
-    const Matrix moved = factor.solve(groups_.imposed);
+    const bool has_blocks = groups_.imposed.cols() > 0;
+    const Matrix moved = has_blocks ? Matrix(factor.solve(groups_.imposed)) : groups_.imposed;
     const Vector alone = factor.solve(out);
     Matrix response = gradient * moved;
     for (Index b = 0; b < z_.size(); ++b)
