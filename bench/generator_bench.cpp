@@ -7,33 +7,31 @@
 namespace reeve::bench {
 namespace {
 
-void generate(benchmark::State& state) {
-  const GeneratorOptions options = full_search(static_cast<int>(state.range(0)));
+// Calls visit(routing) for each of them.
+template <typename Visit>
+void generate_all(benchmark::State& state, const GeneratorOptions& options, Visit visit) {
   std::int64_t routings = 0;
   Routing routing;
   for (auto _ : state) {
     RoutingGenerator generator(options);
     while (generator.next(routing)) {
       ++routings;
-      benchmark::DoNotOptimize(routing.tendons.data());
+      visit(routing);
     }
   }
   state.SetItemsProcessed(routings);
 }
 
+void keep(Routing& routing) { benchmark::DoNotOptimize(routing.tendons.data()); }
+
+void generate(benchmark::State& state) {
+  generate_all(state, full_search(static_cast<int>(state.range(0))), keep);
+}
+
 // What a list on paper costs: the word of each, too.
 void generate_words(benchmark::State& state) {
-  const GeneratorOptions options = full_search(static_cast<int>(state.range(0)));
-  std::int64_t routings = 0;
-  Routing routing;
-  for (auto _ : state) {
-    RoutingGenerator generator(options);
-    while (generator.next(routing)) {
-      ++routings;
-      benchmark::DoNotOptimize(to_word(routing));
-    }
-  }
-  state.SetItemsProcessed(routings);
+  generate_all(state, full_search(static_cast<int>(state.range(0))),
+               [](const Routing& routing) { benchmark::DoNotOptimize(to_word(routing)); });
 }
 
 // Anchored tips and up to so many floating blocks, too.
@@ -41,16 +39,7 @@ void generate_trees(benchmark::State& state) {
   GeneratorOptions options = full_search(static_cast<int>(state.range(0)));
   options.parts.anchored = true;
   options.parts.blocks = static_cast<int>(state.range(1));
-  std::int64_t routings = 0;
-  Routing routing;
-  for (auto _ : state) {
-    RoutingGenerator generator(options);
-    while (generator.next(routing)) {
-      ++routings;
-      benchmark::DoNotOptimize(routing.tendons.data());
-    }
-  }
-  state.SetItemsProcessed(routings);
+  generate_all(state, options, keep);
 }
 
 BENCHMARK(generate)->ArgName("fingers")->Arg(5)->Arg(6)->UseRealTime()->Unit(

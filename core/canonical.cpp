@@ -43,14 +43,6 @@ Tendon least_image(const Tendon& tendon) {
   return walked(tendon, least);
 }
 
-std::strong_ordering compare_shapes(const Tendon& a, const Tendon& b) {
-  if (const auto fingers = finger_count(b) <=> finger_count(a); fingers != 0) return fingers;
-  if (const auto closed = a.closed <=> b.closed; closed != 0) return closed;
-  return std::lexicographical_compare_three_way(
-      a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
-      [](const Token& x, const Token& y) { return compare_shapes(x, y); });
-}
-
 using Tree = std::vector<Tendon>;
 
 template <typename Number>

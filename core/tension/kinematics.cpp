@@ -17,10 +17,6 @@ struct TendonTally {
   double closing_weight = 0;  // each finger counts with both of its strands
 };
 
-bool closes(const Segment& segment, Grasp grasp) {
-  return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
-}
-
 double closing_weight(const Segment& segment, const Mechanics& mechanics) {
   return mechanics.closing[static_cast<std::size_t>(segment.finger - 1)];
 }

@@ -37,16 +37,12 @@ Constraints constraints(const Network& network, const Mechanics& mechanics, Gras
   }
   for (Eigen::Index row = 0; row < rows; ++row) {
     const TendonSpan& tendon = network.tendons[static_cast<std::size_t>(row)];
-    for_each_weighted_segment(network, tendon, [&](std::size_t i, double of_segment) {
-      const Segment& segment = network.segments[i];
-      if (segment.kind == SegmentKind::motor_side) result.motor(row) += of_segment;
-      if (segment.kind == SegmentKind::strand && !grasp.holds(segment.finger)) {
-        result.give(row, segment.finger - 1) += of_segment;
-      }
-    });
-    for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
-      result.give(row, fingers + static_cast<Eigen::Index>(block)) -= sign * weight;
-    });
+    for_each_term(
+        network, tendon, grasp, [&](double length) { result.motor(row) += length; },
+        [&](int finger, double factor) { result.give(row, finger - 1) += factor; },
+        [&](std::size_t block, double factor) {
+          result.give(row, fingers + static_cast<Eigen::Index>(block)) -= factor;
+        });
   }
   return result;
 }

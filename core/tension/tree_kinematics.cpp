@@ -11,10 +11,6 @@ namespace {
 // Of lengths of order one, sums of a few tens of terms.
 constexpr double length_tolerance = 1e-9;
 
-bool closes(const Segment& segment, Grasp grasp) {
-  return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
-}
-
 double closing_weight(const Mechanics& mechanics, int finger) {
   return mechanics.closing[static_cast<std::size_t>(finger) - 1];
 }
@@ -58,17 +54,15 @@ struct CommonClosing {
     Eigen::Index row = 0;
     for (const TendonSpan& tendon : network.tendons) {
       if (tendon.tree != tree) continue;
-      for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
-        const Segment& segment = network.segments[i];
-        if (segment.kind == SegmentKind::motor_side) motor(row) += weight;
-        if (!closes(segment, grasp)) return;
-        any_closes = true;
-        matrix(row, columns.blocks) -= weight * closing_weight(mechanics, segment.finger);
-      });
-      for_each_pull(network, tendon,
-                    [&](std::size_t, std::size_t block, double sign, double weight) {
-                      matrix(row, columns.of_block[block]) += sign * weight;
-                    });
+      for_each_term(
+          network, tendon, grasp, [&](double length) { motor(row) += length; },
+          [&](int finger, double factor) {
+            any_closes = true;
+            matrix(row, columns.blocks) -= factor * closing_weight(mechanics, finger);
+          },
+          [&](std::size_t block, double factor) {
+            matrix(row, columns.of_block[block]) += factor;
+          });
       ++row;
     }
     if (!any_closes) return;
@@ -100,16 +94,13 @@ TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechan
   Eigen::Index row = common + 1;
   for (const TendonSpan& tendon : network.tendons) {
     if (tendon.tree != tree) continue;
-    for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
-      const Segment& segment = network.segments[i];
-      if (segment.kind == SegmentKind::motor_side) right(row) -= weight;
-      if (!closes(segment, grasp)) return;
-      free[static_cast<std::size_t>(segment.finger) - 1] = true;
-      matrix(row, m + segment.finger - 1) -= weight;
-    });
-    for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
-      matrix(row, columns.of_block[block]) += sign * weight;
-    });
+    for_each_term(
+        network, tendon, grasp, [&](double length) { right(row) -= length; },
+        [&](int finger, double factor) {
+          free[static_cast<std::size_t>(finger) - 1] = true;
+          matrix(row, m + finger - 1) -= factor;
+        },
+        [&](std::size_t block, double factor) { matrix(row, columns.of_block[block]) += factor; });
     ++row;
   }
   const Eigen::MatrixXd tendons = matrix.bottomRows(n);
@@ -137,21 +128,21 @@ void write_blocks(const TreeColumns& columns, const double* travel,
   }
 }
 
-// False if a finger would have to open.
+// A finger can only close.
 template <typename ClosingOf>
-bool write_closings(const Network& network, Grasp grasp, std::size_t tree, ClosingOf closing_of,
-                    std::vector<double>& closing) {
+TreeState write_closings(const Network& network, Grasp grasp, std::size_t tree,
+                         ClosingOf closing_of, std::vector<double>& closing) {
   for (const TendonSpan& tendon : network.tendons) {
     if (tendon.tree != tree) continue;
     for (std::size_t i = 0; i < tendon.segments; ++i) {
       const Segment& segment = network.segments[tendon.first_segment + i];
       if (!closes(segment, grasp)) continue;
       const double dl = closing_of(segment.finger);
-      if (dl < -length_tolerance) return false;
+      if (dl < -length_tolerance) return TreeState::undetermined;
       closing[static_cast<std::size_t>(segment.finger) - 1] = std::max(dl, 0.0);
     }
   }
-  return true;
+  return TreeState::moves;
 }
 
 template <int Most>
@@ -166,8 +157,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
     const auto shared = [&](int finger) {
       return common.closing * closing_weight(mechanics, finger);
     };
-    const bool closing_only = write_closings(network, grasp, tree, shared, closing);
-    return closing_only ? TreeState::moves : TreeState::undetermined;
+    return write_closings(network, grasp, tree, shared, closing);
   }
   const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
   if (nearly.state != TreeState::moves) return nearly.state;
@@ -175,8 +165,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
   const auto found = [&](int finger) {
     return nearly.closings[static_cast<std::size_t>(finger) - 1];
   };
-  const bool closing_only = write_closings(network, grasp, tree, found, closing);
-  return closing_only ? TreeState::moves : TreeState::undetermined;
+  return write_closings(network, grasp, tree, found, closing);
 }
 
 }  // namespace

@@ -70,6 +70,25 @@ void for_each_pull(const Network& network, const TendonSpan& tendon, Visit visit
   at_end(tendon.right, tendon.first_segment + tendon.segments - 1, weight);
 }
 
+inline bool closes(const Segment& segment, Grasp grasp) {
+  return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
+}
+
+// The terms of a tendon's equation: calls on_motor(length), on_closing(finger, factor) for what a
+// dl of that finger gives up, and on_block(block, factor) for what a z of that block takes up.
+template <typename OnMotor, typename OnClosing, typename OnBlock>
+void for_each_term(const Network& network, const TendonSpan& tendon, Grasp grasp, OnMotor on_motor,
+                   OnClosing on_closing, OnBlock on_block) {
+  for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind == SegmentKind::motor_side) on_motor(weight);
+    if (closes(segment, grasp)) on_closing(segment.finger, weight);
+  });
+  for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
+    on_block(block, sign * weight);
+  });
+}
+
 // Writes the tree's part of `closing` (of fingers 1 … n) and of `block_travel` (of the network's
 // blocks), both for a pull.
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,

@@ -14,16 +14,7 @@ constexpr double rounding = 1e-12;
 constexpr int most_rounds = 60;
 constexpr int most_steps = 5000;
 
-// Blocks of one tree; no memory from the heap.
-constexpr int most_in_tree = static_cast<int>(block_keys);
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_in_tree, most_in_tree>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_in_tree, 1>;
-
-// Cells whose tensions have given ratios.
-struct Run {
-  double stiff = 0;  // Λ
-  double take_up = 0;
-};
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, block_keys, block_keys>;
 
 }  // namespace
 
@@ -68,6 +59,7 @@ void TreeTension::add_pulls(const Network& network, const TendonSpan& tendon, st
 void TreeTension::add_chain(const Network& network, const Mechanics& mechanics,
                             const Motion& motion, const TendonSpan& tendon, std::size_t first) {
   const std::size_t n = tendon.segments;
+  chains_.push_back({cells_.size(), cells_.size() + n, pulls_.size()});
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t i = (first + j) % n;
     Cell cell;
@@ -96,7 +88,6 @@ void TreeTension::add_chain(const Network& network, const Mechanics& mechanics,
     }
     cells_.push_back(cell);
   }
-  chains_.push_back({cells_.size(), pulls_.size(), false});
 }
 
 void TreeTension::build(const Network& network, const Mechanics& mechanics, const Motion& motion,
@@ -124,56 +115,55 @@ void TreeTension::build(const Network& network, const Mechanics& mechanics, cons
   }
 }
 
-// With sticks and creeps as they stand, each run of cells between two sticks has one unknown
-// tension t: Λ t = E + c·z, and each block a balance Σ β t = 0. Eliminating t leaves the blocks.
+TreeTension::Run TreeTension::sum_up(std::size_t first_cell, std::size_t& pull, Vector& force,
+                                     Vector& gain) {
+  Run run{first_cell};
+  double relative = 1;
+  double weight = 1;
+  force.setZero();
+  gain.setZero();
+  while (true) {
+    Cell& cell = cells_[run.end_cell++];
+    cell.relative = relative;
+    run.stiff += weight * cell.length * relative;
+    run.take_up += weight * cell.take_up;
+    for (; pull < cell.pulls; ++pull) {
+      const auto b = std::find(in_tree_.begin(), in_tree_.end(), pulls_[pull].block);
+      force(b - in_tree_.begin()) += pulls_[pull].sign * relative;
+      gain(b - in_tree_.begin()) += pulls_[pull].sign * weight;
+    }
+    if (cell.link == Link::none || cell.link == Link::stick) return run;
+    if (cell.is_bar) weight /= cell.arms;
+    relative *= cell.link == Link::ratio            ? cell.ratio
+                : cell.link == Link::creep_to_right ? 1 / cell.decay
+                                                    : cell.decay;
+  }
+}
+
+// Of taut tendons. Calls visit(first cell, run, β, c).
+template <typename Visit>
+void TreeTension::for_each_run(Visit visit) {
+  const auto m = static_cast<Eigen::Index>(in_tree_.size());
+  Vector force(m);
+  Vector gain(m);
+  for (const Chain& chain : chains_) {
+    if (chain.slack) continue;
+    std::size_t pull = chain.first_pull;
+    for (std::size_t cell = chain.first_cell; cell < chain.end_cell;) {
+      const Run run = sum_up(cell, pull, force, gain);
+      visit(cell, run, force, gain);
+      cell = run.end_cell;
+    }
+  }
+}
+
+// With sticks and creeps as they stand, each run has one unknown tension t, and each block a
+// balance Σ β t = 0. Eliminating t leaves the blocks.
 void TreeTension::solve_linear() {
   const auto m = static_cast<Eigen::Index>(in_tree_.size());
   Matrix matrix = Matrix::Zero(m, m);
   Vector right = Vector::Zero(m);
-  Vector force(m);
-  Vector gain(m);
-  const auto index_of = [&](std::size_t block) {
-    return std::find(in_tree_.begin(), in_tree_.end(), block) - in_tree_.begin();
-  };
-  // Of the cells from `begin` to the next stick; where they end.
-  const auto sum_up = [&](std::size_t begin, std::size_t& pull, Run& run) {
-    double relative = 1;
-    double weight = 1;
-    run = {};
-    force.setZero();
-    gain.setZero();
-    for (std::size_t i = begin;; ++i) {
-      Cell& cell = cells_[i];
-      cell.relative = relative;
-      run.stiff += weight * cell.length * relative;
-      run.take_up += weight * cell.take_up;
-      for (; pull < cell.pulls; ++pull) {
-        const Eigen::Index b = index_of(pulls_[pull].block);
-        force(b) += pulls_[pull].sign * relative;
-        gain(b) += pulls_[pull].sign * weight;
-      }
-      if (cell.link == Link::none || cell.link == Link::stick) return i + 1;
-      if (cell.is_bar) weight /= cell.arms;
-      relative *= cell.link == Link::ratio            ? cell.ratio
-                  : cell.link == Link::creep_to_right ? 1 / cell.decay
-                                                      : cell.decay;
-    }
-  };
-  const auto for_each_run = [&](auto visit) {
-    std::size_t begin = 0;
-    std::size_t pull = 0;
-    Run run;
-    for (const Chain& chain : chains_) {
-      while (!chain.slack && begin < chain.end_cell) {
-        const std::size_t end = sum_up(begin, pull, run);
-        visit(begin, end, run);
-        begin = end;
-      }
-      begin = chain.end_cell;
-      pull = chain.end_pull;
-    }
-  };
-  for_each_run([&](std::size_t, std::size_t, const Run& run) {
+  for_each_run([&](std::size_t, const Run& run, const Vector& force, const Vector& gain) {
     matrix += force * gain.transpose() / run.stiff;
     right -= force * (run.take_up / run.stiff);
   });
@@ -182,9 +172,11 @@ void TreeTension::solve_linear() {
   }
   Vector travel(m);
   if (m > 0) travel = matrix.partialPivLu().solve(right);
-  for_each_run([&](std::size_t begin, std::size_t end, const Run& run) {
+  for_each_run([&](std::size_t first, const Run& run, const Vector&, const Vector& gain) {
     const double tension = (run.take_up + gain.dot(travel)) / run.stiff;
-    for (std::size_t i = begin; i < end; ++i) cells_[i].tension = tension * cells_[i].relative;
+    for (std::size_t i = first; i < run.end_cell; ++i) {
+      cells_[i].tension = tension * cells_[i].relative;
+    }
   });
   scale_ = m > 0 ? travel.cwiseAbs().maxCoeff() : 0;
   for (const Cell& cell : cells_) scale_ = std::max(scale_, cell.take_up);
@@ -192,12 +184,11 @@ void TreeTension::solve_linear() {
 }
 
 // How much the tendon is stretched in all; below 0 it is slack.
-double TreeTension::room(std::size_t chain) const {
-  std::size_t i = chain == 0 ? 0 : chains_[chain - 1].end_cell;
-  std::size_t pull = chain == 0 ? 0 : chains_[chain - 1].end_pull;
+double TreeTension::room(const Chain& chain) const {
+  std::size_t pull = chain.first_pull;
   double weight = 1;
   double stretch = 0;
-  for (; i < chains_[chain].end_cell; ++i) {
+  for (std::size_t i = chain.first_cell; i < chain.end_cell; ++i) {
     const Cell& cell = cells_[i];
     stretch += weight * cell.take_up;
     for (; pull < cell.pulls; ++pull) {
@@ -208,12 +199,11 @@ double TreeTension::room(std::size_t chain) const {
   return std::abs(stretch) <= rounding * scale_ ? 0 : stretch;
 }
 
-void TreeTension::find_wrong_links(std::size_t chain) {
+void TreeTension::find_wrong_links(const Chain& chain) {
   double slip = 0;
   double size = 0;  // of the lengths that slip is a sum of
-  std::size_t pull = chain == 0 ? 0 : chains_[chain - 1].end_pull;
-  std::size_t i = chain == 0 ? 0 : chains_[chain - 1].end_cell;
-  for (; i < chains_[chain].end_cell; ++i) {
+  std::size_t pull = chain.first_pull;
+  for (std::size_t i = chain.first_cell; i < chain.end_cell; ++i) {
     const Cell& cell = cells_[i];
     double take_up = cell.take_up;
     for (; pull < cell.pulls; ++pull) take_up += pulls_[pull].sign * travel_[pulls_[pull].block];
@@ -239,12 +229,12 @@ void TreeTension::find_wrong_links(std::size_t chain) {
 // left room.
 void TreeTension::find_exchanges() {
   exchanges_.clear();
-  for (std::size_t c = 0; c < chains_.size(); ++c) {
-    if (!chains_[c].slack) find_wrong_links(c);
+  for (const Chain& chain : chains_) {
+    if (!chain.slack) find_wrong_links(chain);
   }
   if (!exchanges_.empty()) return;
   for (std::size_t c = 0; c < chains_.size(); ++c) {
-    const double stretch = room(c);
+    const double stretch = room(chains_[c]);
     if (chains_[c].slack ? stretch > 0 : stretch < 0) exchanges_.push_back({c, Link::none, true});
   }
 }
@@ -259,10 +249,9 @@ void TreeTension::apply(const Exchange& exchange) {
 
 bool TreeTension::write(std::vector<double>& tension) const {
   bool in_range = true;
-  std::size_t i = 0;
-  for (std::size_t c = 0; c < chains_.size(); ++c) {
-    const bool taut = room(c) > 0;
-    for (; i < chains_[c].end_cell; ++i) {
+  for (const Chain& chain : chains_) {
+    const bool taut = room(chain) > 0;
+    for (std::size_t i = chain.first_cell; i < chain.end_cell; ++i) {
       tension[cells_[i].segment] = taut ? cells_[i].tension : 0;
       in_range &= !taut || std::isnormal(cells_[i].tension);
     }

@@ -20,6 +20,8 @@
 // that does not slide (tension.hpp).
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +39,9 @@ class TreeTension {
              std::size_t tree, std::vector<double>& tension);
 
  private:
+  // Of the blocks of one tree; no memory from the heap.
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, block_keys, 1>;
+
   enum class Link : std::uint8_t {
     ratio,  // T_next = ratio * T, whatever the slip
     stick,  // no slip: the tensions lie in the cone
@@ -62,7 +67,6 @@ class TreeTension {
     bool is_bar = false;
     std::size_t pulls = 0;  // end of its part of pulls_
     double relative = 1;    // tension over that of the first cell since a stick
-    double weight = 1;      // of its length, in the sum since a stick
     double tension = 0;
   };
 
@@ -76,9 +80,17 @@ class TreeTension {
 
   // The cells of one tendon.
   struct Chain {
+    std::size_t first_cell;
     std::size_t end_cell;
-    std::size_t end_pull;
-    bool slack;
+    std::size_t first_pull;
+    bool slack = false;
+  };
+
+  // Cells whose tensions have given ratios, up to a stick: Λ t = E + c·z, and β t in the balances.
+  struct Run {
+    std::size_t end_cell;
+    double stiff = 0;    // Λ
+    double take_up = 0;  // E
   };
 
   // Another link behind a cell, or another state of a chain.
@@ -96,9 +108,12 @@ class TreeTension {
                  const TendonSpan& tendon, std::size_t first);
   void add_pulls(const Network& network, const TendonSpan& tendon, std::size_t i);
   bool settle();
+  Run sum_up(std::size_t first_cell, std::size_t& pull, Vector& force, Vector& gain);
+  template <typename Visit>
+  void for_each_run(Visit visit);
   void solve_linear();
-  double room(std::size_t chain) const;
-  void find_wrong_links(std::size_t chain);
+  double room(const Chain& chain) const;
+  void find_wrong_links(const Chain& chain);
   void find_exchanges();
   void apply(const Exchange& exchange);
   bool write(std::vector<double>& tension) const;

@@ -2,6 +2,7 @@
 // both ways round.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 
@@ -54,6 +55,15 @@ inline std::strong_ordering compare_shapes(const Token& a, const Token& b) {
   if (const auto kind = a.kind <=> b.kind; kind != 0) return kind;
   if (const auto tip = a.tip <=> b.tip; tip != 0) return tip;
   return a.arms <=> b.arms;
+}
+
+// More fingers first, open before closed, then token by token.
+inline std::strong_ordering compare_shapes(const Tendon& a, const Tendon& b) {
+  if (const auto fingers = finger_count(b) <=> finger_count(a); fingers != 0) return fingers;
+  if (const auto closed = a.closed <=> b.closed; closed != 0) return closed;
+  return std::lexicographical_compare_three_way(
+      a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
+      [](const Token& x, const Token& y) { return compare_shapes(x, y); });
 }
 
 }  // namespace reeve::core

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
 #include "pages/exploration/exploration_tables.hpp"
 #include "pages/exploration/exploration_words.hpp"

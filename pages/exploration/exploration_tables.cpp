@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/objective_title.hpp"
 

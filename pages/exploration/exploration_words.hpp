@@ -9,9 +9,6 @@
 
 namespace reeve::pages {
 
-// How many were left to rank: evaluated, and no constraint rejected them.
-std::uint64_t ranked_designs(const ExploreReport& report);
-
 // Sentences.
 struct ExplorationWords {
   std::vector<std::string> won;

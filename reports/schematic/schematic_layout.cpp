@@ -226,13 +226,6 @@ class Layouter {
     path.insert(path.end(), more.begin(), more.end());
   }
 
-  // Beside the line at x.
-  static void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn) {
-    const double left = to_the_right ? x + label_gap : x - label_gap - label_width;
-    drawn.label = {left, top, left + label_width, top + label_height};
-    drawn.align = to_the_right ? Align::start : Align::end;
-  }
-
   void add_carriage() {
     double left = out_.width;
     double right = 0;
@@ -242,13 +235,7 @@ class Layouter {
       right = std::max(right, grid_.column[c]);
     }
     if (right < left) return;
-    constexpr double overhang = 22;
-    constexpr double arrow = 34;
-    out_.carriage = {left - overhang, grid_.carriage_top, right + overhang, grid_.carriage_bottom};
-    const double x = (left + right) / 2;
-    const double top = grid_.carriage_bottom + 2;
-    out_.motor = {x - 6, top, x + 6, top + arrow};
-    out_.motor_text = motor_text(out_);
+    place_carriage(left, right, grid_.carriage_top, grid_.carriage_bottom, out_);
   }
 
   void add_legend() {

@@ -65,6 +65,21 @@ bool is_shown(LegendSymbol symbol, bool with_tension, const FloatingParts& parts
   return true;
 }
 
+DrawnText motor_text(const SchematicLayout& layout) {
+  const double top = (layout.motor.top + layout.motor.bottom - line_height) / 2;
+  const double width = text_width("motor 1.00", small_size, false);
+  constexpr double aside = 5;
+  DrawnText text{{}, "", small_size, Weight::normal, Align::start};
+  const double right = layout.motor.right + aside;
+  text.box = {right, top, right + width, top + line_height};
+  if (text.box.right > layout.width - margin / 2) {
+    const double left = layout.motor.left - aside;
+    text.box = {left - width, top, left, top + line_height};
+    text.align = Align::end;
+  }
+  return text;
+}
+
 }  // namespace
 
 double add_heading(const SchematicFrame& frame, SchematicLayout& layout) {
@@ -90,19 +105,19 @@ void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& lay
   add(fmt::format("finger {}", number), Weight::normal);
 }
 
-DrawnText motor_text(const SchematicLayout& layout) {
-  const double top = (layout.motor.top + layout.motor.bottom - line_height) / 2;
-  const double width = text_width("motor 1.00", small_size, false);
-  constexpr double aside = 5;
-  DrawnText text{{}, "", small_size, Weight::normal, Align::start};
-  const double right = layout.motor.right + aside;
-  text.box = {right, top, right + width, top + line_height};
-  if (text.box.right > layout.width - margin / 2) {
-    const double left = layout.motor.left - aside;
-    text.box = {left - width, top, left, top + line_height};
-    text.align = Align::end;
-  }
-  return text;
+void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn) {
+  const double left = to_the_right ? x + label_gap : x - label_gap - label_width;
+  drawn.label = {left, top, left + label_width, top + label_height};
+  drawn.align = to_the_right ? Align::start : Align::end;
+}
+
+void place_carriage(double left, double right, double top, double bottom, SchematicLayout& layout) {
+  constexpr double overhang = 22;
+  constexpr double arrow = 34;
+  layout.carriage = {left - overhang, top, right + overhang, bottom};
+  const double x = (left + right) / 2;
+  layout.motor = {x - 6, bottom + 2, x + 6, bottom + 2 + arrow};
+  layout.motor_text = motor_text(layout);
 }
 
 namespace {

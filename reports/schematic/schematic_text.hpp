@@ -1,4 +1,4 @@
-// The texts of a schematic that are no labels of segments, and their places.
+// The texts of a schematic, their places, and the carriage with its text.
 #pragma once
 
 #include <string>
@@ -14,6 +14,10 @@ double add_heading(const SchematicFrame& frame, SchematicLayout& layout);
 void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& layout);
 
 // Beside the arrow at the carriage: its place and size.
-DrawnText motor_text(const SchematicLayout& layout);
+// Beside the line at x.
+void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn);
+
+// Below what hangs on it, from its leftmost to its rightmost line, with the motor's arrow and text.
+void place_carriage(double left, double right, double top, double bottom, SchematicLayout& layout);
 
 }  // namespace reeve::reports

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/word/walk_image.hpp"
 #include "search/enumerate/checked.hpp"
 
 namespace reeve::search {
@@ -120,7 +121,7 @@ bool TreeGenerator::precedes(const Span& a, const Span& b) const {
   };
   return std::lexicographical_compare(
       at(a.begin), at(a.end), at(b.begin), at(b.end),
-      [](const Tendon& x, const Tendon& y) { return compare_tendons(x, y) < 0; });
+      [](const Tendon& x, const Tendon& y) { return compare_shapes(x, y) < 0; });
 }
 
 void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, int& blocks,

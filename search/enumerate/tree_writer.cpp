@@ -47,14 +47,6 @@ void walk_loop_from_least(Tendon& tendon) {
 
 }  // namespace
 
-std::strong_ordering compare_tendons(const Tendon& a, const Tendon& b) {
-  if (const auto fingers = finger_count(b) <=> finger_count(a); fingers != 0) return fingers;
-  if (const auto closed = a.closed <=> b.closed; closed != 0) return closed;
-  return std::lexicographical_compare_three_way(
-      a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
-      [](const Token& x, const Token& y) { return compare_shapes(x, y); });
-}
-
 void TreeWriter::write(const TreeIndex& tree, TendonList& list) {
   branches_.clear();
   decoder_.decode_root(tree, tendon_);
@@ -109,7 +101,7 @@ bool TreeWriter::precedes(const TreeIndex& a, const TreeIndex& b) const {
   writer.write_below(branches, second);
   return std::lexicographical_compare(
       first.tendons.begin(), first.tendons.end(), second.tendons.begin(), second.tendons.end(),
-      [](const Tendon& x, const Tendon& y) { return compare_tendons(x, y) < 0; });
+      [](const Tendon& x, const Tendon& y) { return compare_shapes(x, y) < 0; });
 }
 
 }  // namespace reeve::search

@@ -45,7 +45,4 @@ class TreeWriter {
   std::vector<TreeIndex> branches_;
 };
 
-// The order of canonical.hpp of tendons side by side, by their shapes.
-std::strong_ordering compare_tendons(const Tendon& a, const Tendon& b);
-
 }  // namespace reeve::search

@@ -70,12 +70,12 @@ double DesignEvaluator::travel() {
                       [kind](const Segment& segment) { return segment.kind == kind; }));
   };
   const double strands = count(SegmentKind::strand);
-  if (network_.blocks.empty()) return strands / count(SegmentKind::motor_side);
-  solver_.solve(network_, mechanics_, Grasp{}, Direction::pull, state_);
+  if (strands == 0 || network_.blocks.empty()) return strands / count(SegmentKind::motor_side);
+  kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
   double closing = 0;
   for (const Segment& segment : network_.segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    closing += state_.closing[static_cast<std::size_t>(segment.finger - 1)];
+    closing += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
   }
   return strands / closing;
 }

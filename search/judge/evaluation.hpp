@@ -63,6 +63,8 @@ class DesignEvaluator {
   Network network_;
   Mechanics mechanics_;
   TensionSolver solver_;
+  Kinematics kinematics_;  // of the travel alone
+  Motion motion_;
   TensionState state_;
   DesignOutcome outcome_;
 };

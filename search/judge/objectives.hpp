@@ -58,7 +58,8 @@ struct DesignOutcome {
   std::vector<GraspOutcome> grasps;
   PartCount parts;
   // Carriage travel per unit that a strand gives up, on average over the strands, when all fingers
-  // close: without blocks, strands / motor-side segments.
+  // close: without blocks, strands / motor-side segments. 0 without strands, infinite where blocks
+  // keep all of them from moving.
   double travel = 0;
 };
 

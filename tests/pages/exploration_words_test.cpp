@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/exploration/exploration_method.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {

@@ -135,6 +135,8 @@ TEST(Evaluation, TravelWithBlocksFollowsFromTheirMotion) {
   EXPECT_NEAR(value(evaluate("M-Y1+1x-Y1-2x"), Objective::travel), 1, 1e-10);
   EXPECT_NEAR(value(evaluate("M-Y1-B-Y1k+Y1-1x"), Objective::travel), 3, 1e-10);
   EXPECT_NEAR(value(evaluate("1x-P-2x"), Objective::travel), 1, 1e-10);
+  EXPECT_EQ(value(evaluate("M-Y1+F-Y1-F"), Objective::travel), 0);
+  EXPECT_TRUE(std::isinf(value(evaluate("M-Y1+F-Y1-F+M-1-F"), Objective::travel)));
   EXPECT_EQ(value(evaluate("M-Y1+1x-Y1-2x"), Objective::blocks), 1);
 }
 

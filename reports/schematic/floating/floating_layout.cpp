@@ -212,13 +212,6 @@ class FloatingLayouter {
                 drawn);
   }
 
-  // Beside the line at x.
-  static void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn) {
-    const double left = to_the_right ? x + label_gap : x - label_gap - label_width;
-    drawn.label = {left, top, left + label_width, top + label_height};
-    drawn.align = to_the_right ? Align::start : Align::end;
-  }
-
   void add_carriage() {
     double left = out_.width;
     double right = 0;
@@ -230,14 +223,8 @@ class FloatingLayouter {
       }
     }
     if (right < left) return;
-    constexpr double overhang = 22;
-    constexpr double arrow = 34;
-    const FloatingHeights& heights = arrangement_.heights;
-    out_.carriage = {left - overhang, heights.carriage_top, right + overhang, heights.bottom};
-    const double x = (left + right) / 2;
-    const double top = heights.bottom + 2;
-    out_.motor = {x - 6, top, x + 6, top + arrow};
-    out_.motor_text = motor_text(out_);
+    place_carriage(left, right, arrangement_.heights.carriage_top, arrangement_.heights.bottom,
+                   out_);
   }
 
   void add_legend() {

@@ -9,9 +9,10 @@
 
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
-#include "tests/property/reference_comparison.hpp"
+#include "tests/property/observed_state.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
+#include "tests/support/reference_comparison.hpp"
 
 namespace reeve {
 namespace {
@@ -114,7 +115,7 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
     seen.released += !pull;
     count(network, state, seen);
     const auto expected = reference();
-    testing::expect_state(network, m, state, expected);
+    EXPECT_EQ(testing::disagreement(word, expected, testing::observed(network, m, state)), "");
     if (::testing::Test::HasFailure()) return;
   }
   EXPECT_LT(refused, trials() / 50);

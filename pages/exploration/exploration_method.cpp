@@ -1,0 +1,96 @@
+#include "pages/exploration/exploration_method.hpp"
+
+#include <fmt/format.h>
+
+#include "pages/exploration/phrases.hpp"
+#include "reports/results/model_text.hpp"
+
+namespace reeve::pages {
+namespace {
+
+// "T,B,P" for reading.
+std::string spaced(const std::string& list) {
+  if (list.empty()) return "none";
+  std::string text;
+  for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text;
+}
+
+std::string friction_text(const Hardware& hardware) {
+  const auto law = [](const char* what, const ContactLaw& contact) {
+    return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.angle_rad);
+  };
+  std::string text =
+      fmt::format("Friction: {}, {}, {}{}.", law("tubes", hardware.tube),
+                  law("bearings", hardware.bearing), law("sheaths", hardware.sheath),
+                  hardware.block ? ", " + law("floating blocks", *hardware.block) : "");
+  if (!hardware.fingers.empty() || !hardware.contacts.empty()) {
+    text += fmt::format(" {} and {} have values of their own.",
+                        plural(hardware.fingers.size(), "finger"),
+                        plural(hardware.contacts.size(), "contact"));
+  }
+  return text;
+}
+
+std::string ranked_text(const ExploreOptions& options) {
+  if (options.order.by_score) return ". " + order_text(options.order, options.score);
+  return fmt::format(" and ranked over {}, front by front", titles(options.order.objectives));
+}
+
+// Of the parts, but those that are not allowed.
+std::string tied_text(const PartSet& parts) {
+  std::string text;
+  if (parts.anchored) text += "; anchored tips";
+  if (parts.blocks > 0) {
+    text += fmt::format("; up to {}",
+                        plural(static_cast<std::uint64_t>(parts.blocks), "floating block"));
+  }
+  return text;
+}
+
+}  // namespace
+
+// Only what the motor pulls is evaluated; the constraints look at the values.
+std::uint64_t ranked_designs(const ExploreReport& report) {
+  std::uint64_t count = report.result.evaluated;
+  for (const Rejection& rejection : report.result.rejected) {
+    if (rejection.constraint) count -= rejection.count;
+  }
+  return count;
+}
+
+std::vector<std::string> explored_words(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  std::vector<std::string> text{fmt::format(
+      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}{}; {}; fingers {}.",
+      report.result.generated, plural(report.result.total, "routing"),
+      plural(static_cast<std::uint64_t>(generator.fingers), "finger"),
+      spaced(tips_text(generator.parts)), spaced(joins_text(generator.parts)),
+      spaced(ends_text(generator.parts)), tied_text(generator.parts),
+      generator.one_tendon ? "one tendon" : "any number of tendons",
+      generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
+  text.push_back(fmt::format("Each was judged over the grasps {} (which fingers are held){}.",
+                             to_text(options.grasps), ranked_text(options)));
+  text.push_back(friction_text(effective_hardware(options.model)));
+  for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
+    text.push_back(line.text);
+  }
+  return text;
+}
+
+std::vector<std::string> rejected_words(const ExploreReport& report) {
+  std::uint64_t sum = 0;
+  for (const Rejection& rejection : report.result.rejected) sum += rejection.count;
+  std::vector<std::string> text{fmt::format("{} of {} were rejected; {} are left and ranked.", sum,
+                                            plural(report.result.generated, "generated routing"),
+                                            ranked_designs(report))};
+  for (const Rejection& rejection : report.result.rejected) {
+    text.push_back(
+        fmt::format("{}: {}{}.", rejection.count, rejection_text(rejection, report.options),
+                    rejection.constraint ? " not met" : "; one of the tendons hangs on no motor"));
+  }
+  return text;
+}
+
+}  // namespace reeve::pages
