@@ -218,6 +218,11 @@ int TomlNode::integer(int low, int high) const {
   return static_cast<int>(number);
 }
 
+bool TomlNode::truth() const {
+  if (kind != TomlKind::boolean) fail_expected("true or false");
+  return number != 0;
+}
+
 double TomlNode::number_from_zero() const {
   if (!is_number() || !std::isfinite(number) || number < 0) {
     fail_expected("a finite number, not negative");

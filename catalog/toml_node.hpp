@@ -29,7 +29,7 @@ class TomlNode {
   std::string name;                // "finger.2.tip_mu", "table.tension[3]"; empty for the file
   TomlPosition key_at;             // of the key, or of an array's item
   TomlPosition at;                 // of the value
-  double number = 0;               // integer, floating
+  double number = 0;               // integer, floating; boolean: 0 or 1
   std::string content;             // string
   std::vector<TomlNode> children;  // array, table; in the order of the file
 
@@ -46,6 +46,7 @@ class TomlNode {
   const TomlNode& table() const;
   const std::string& text() const;
   int integer(int low, int high) const;
+  bool truth() const;
   // An integer is a number, too.
   double number_from_zero() const;                       // finite, not negative
   double number_between(double low, double high) const;  // both included

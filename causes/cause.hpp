@@ -85,7 +85,8 @@ bool is_channel(const Segment& segment, const Subject& subject);
 // A contact while the tendon runs through it.
 struct ContactLoad {
   ContactKind kind = ContactKind::tube;
-  double high_N = 0;  // the larger of the tensions beside it
+  double high_N = 0;       // the larger of the tensions beside it
+  std::size_t number = 0;  // of those of its kind in the routing's network, from 0
 };
 
 enum class Reach : std::uint8_t {

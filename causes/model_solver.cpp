@@ -1,6 +1,7 @@
 #include "causes/model_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,14 @@ void gather(std::vector<T>& values, const std::vector<std::size_t>& from) {
   result.reserve(from.size());
   for (const std::size_t i : from) result.push_back(values[i]);
   values = std::move(result);
+}
+
+void number_by_kind(const Network& network, std::vector<std::size_t>& numbers) {
+  std::array<std::size_t, contact_kinds> met{};
+  numbers.clear();
+  for (const Contact& contact : network.contacts) {
+    numbers.push_back(met[static_cast<std::size_t>(contact.kind)]++);
+  }
 }
 
 }  // namespace
@@ -41,12 +50,14 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
                               const Mechanics& plain) {
   plain_ = plain;
   seized_.network = network;
+  number_by_kind(network, number_);
   const std::vector<std::size_t> contacts = seized_contacts(*model_, word, network);
   if (!contacts.empty()) {
     seized_ = seize(network, contacts);
     gather(plain_.length, seized_.segment_from);
     gather(plain_.phi, seized_.contact_from);
     gather(plain_.decay, seized_.contact_from);
+    gather(number_, seized_.contact_from);
   }
   mechanics_ = plain_;
   left_.assign(network.contacts.size(), 0);
@@ -62,7 +73,7 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
 
 double ModelSolver::exponent(std::size_t contact, double high_N,
                              const Conditions& conditions) const {
-  const ContactLoad load{seized_.network.contacts[contact].kind, high_N};
+  const ContactLoad load{seized_.network.contacts[contact].kind, high_N, number_[contact]};
   double phi = plain_.phi[contact];
   for (const Effect* effect : exponent_effects_) {
     phi = effect->cause->exponent(phi, load, conditions, *effect);

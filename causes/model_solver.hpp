@@ -55,6 +55,7 @@ class ModelSolver {
   Mechanics mechanics_;
   std::vector<std::size_t> left_;  // of each contact; equal to right_ if it is seized
   std::vector<std::size_t> right_;
+  std::vector<std::size_t> number_;  // of each contact among those of its kind, before a seizure
   std::vector<double> share_;  // of the way to its new value that an exponent goes in a step
   std::vector<double> way_;    // in the last step
   TensionSolver solver_;

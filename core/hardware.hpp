@@ -20,6 +20,7 @@ namespace reeve::core {
 struct ContactLaw {
   double mu = 0;         // friction coefficient, 1
   double angle_rad = 0;  // wrap angle, rad
+  bool known = false;    // mu was measured: who fits measured tensions leaves it as it is
 
   double exponent() const { return mu * angle_rad; }
 };

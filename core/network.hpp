@@ -44,6 +44,7 @@ struct Segment {
 
 // A block's sheave turns on a bearing of its own law; a bar has no friction.
 enum class ContactKind : std::uint8_t { tube, bearing, sheath, block, bar };
+inline constexpr std::size_t contact_kinds = 5;
 
 enum class ContactPlace : std::uint8_t { tip, hand_join, carriage, sheath, block };
 

@@ -8,12 +8,10 @@
 #include "diagnosis/data/sample.hpp"
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
-#include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
 #include "diagnosis/search/candidates.hpp"
-#include "diagnosis/search/cause_search.hpp"
-#include "diagnosis/search/cross_validation.hpp"
+#include "diagnosis/search/explanation.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "diagnosis/search/weighed.hpp"
 #include "numerics/streams.hpp"
@@ -21,15 +19,11 @@
 namespace reeve::diagnosis {
 namespace {
 
-// A second name, or the claim that something is left that no cause explains, has to stand against
-// a smaller chance than the first name.
-constexpr double further_share_of_alpha = 0.5;
+// The claim that something is left that no cause explains has to stand against a smaller chance
+// than the first name.
 constexpr double structure_share_of_alpha = 0.25;
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
-// Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
-// they say nothing: what they know of it may all stand in one run.
-constexpr double refuted = -2;
 
 class Diagnosis {
  public:
@@ -44,12 +38,15 @@ class Diagnosis {
   }
 
   std::optional<DiagnosisResult> run() {
-    estimate_noise();
+    candidates_ = candidates(survey(data_), nominal_.hardware);
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
+      found_ = nothing_explained(sample_.training, nominal_, explanation_options());
+      take_over_found();
     } else {
       if (!find_causes()) return std::nullopt;
-      if (!drop_unconfirmed()) return std::nullopt;
+      withdraw_what_may_lose();
+      take_over_found();
       if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
@@ -62,11 +59,11 @@ class Diagnosis {
     if (stopped("leaving out one run after the other")) return std::nullopt;
     leave_out_runs();
     result_.cells =
-        compared_cells(sample_, nominal_, result_.model, result_.noise, result_.left_out);
+        compared_cells(sample_, nominal_, result_.model, found_.scatter, result_.left_out);
     result_.share_errors = share_errors(data_, result_.cells);
     result_.losses = losses(data_, result_.model, result_.cells);
     result_.without_apart =
-        without_apart(data_, result_.model, result_.noise, result_.cells, result_.losses);
+        without_apart(data_, result_.model, found_.scatter, result_.cells, result_.losses);
     return std::move(result_);
   }
 
@@ -95,76 +92,99 @@ class Diagnosis {
          {}});
   }
 
-  void estimate_noise() {
-    const std::optional<Noise> measured = noise_without_model(sample_.training);
-    noise_is_measured_ = measured.has_value();
-    result_.noise = measured ? *measured : noise_left_by(sample_.training, nominal_);
-    problem_ = problem(sample_.training, deviations_under(sample_.training, nominal_));
-  }
-
-  Eigen::VectorXd deviations_under(const Dataset& part, const Model& model) const {
-    return deviations(part, result_.noise, forecast(part, model).reading_N);
-  }
-
-  void update_noise(Problem& problem, const Model& model) {
-    if (!noise_is_measured_) result_.noise = noise_left_by(sample_.training, model);
-    problem.deviation_N = deviations_under(sample_.training, model);
+  ExplanationOptions explanation_options() const {
+    return {options_.alpha, options_.replicates, options_.most_causes, options_.mounting_scatter,
+            options_.seed};
   }
 
   bool find_causes() {
-    candidates_ = candidates(survey(data_), nominal_.hardware);
-    const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
-                                     options_.replicates, options_.most_causes, options_.seed};
-    auto found = search_causes(
-        problem_, nominal_, candidates_, options, workers_,
-        [this](Problem& problem, const Model& model) { update_noise(problem, model); },
-        [this] { return stopped("searching for causes"); });
+    auto found = explain(sample_.training, nominal_, candidates_, explanation_options(), workers_,
+                         [this](const char* stage) { return stopped(stage); });
     if (!found) return false;
-    result_.model = found->model;
-    result_.p_value =
-        found->accepted.empty() ? found->p_value_of_next : found->accepted.front().p_value;
-    for (const AcceptedCause& accepted : found->accepted) {
-      NamedCause cause;
-      cause.effect = accepted.effect;
-      cause.name = effect_name(accepted.effect);
-      cause.p_value = accepted.p_value;
-      result_.causes.push_back(std::move(cause));
-    }
+    found_ = std::move(*found);
     return true;
   }
 
-  // Decided by the training runs, each forecast from the others: what the held-out runs say of the
-  // named causes is then no choice of theirs. The weakest goes first, since it may have stood in
-  // the others' way.
-  bool drop_unconfirmed() {
-    while (!result_.causes.empty()) {
-      if (stopped("confirming the causes")) return false;
-      const LeftOutMisfits with_all = left_out_misfits(problem_, result_.model);
-      double least = refuted;
-      std::size_t weakest = result_.causes.size();
-      Model kept;
-      for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-        const std::size_t at = place(result_.model, result_.causes[c].effect);
-        const Model before = fit(problem_, without(result_.model, at)).model;
-        const double gain = left_out_gain(left_out_misfits(problem_, before), with_all);
-        if (gain >= least) continue;
-        least = gain;
-        weakest = c;
-        kept = before;
+  bool differs(const Calibration& calibration) const {
+    return calibration.p_value < options_.alpha;
+  }
+
+  bool names_a_coefficient() const {
+    return std::any_of(found_.calibrations.begin(), found_.calibrations.end(),
+                       [&](const Calibration& calibration) { return differs(calibration); });
+  }
+
+  // The held-out runs are opened here. Each name had its own test; whether the names together
+  // forecast runs that nobody has seen, these alone can say.
+  void withdraw_what_may_lose() {
+    if (sample_.held_out.cells.empty()) return;
+    const auto may_lose = [&](const Model& before) {
+      const Problem unseen = problem(sample_.held_out, found_.scatter, found_.model);
+      const HeldOut gain = held_out_gain(unseen, before, found_.model, options_.seed);
+      if (gain.gain_low >= 0) return false;
+      result_.withdrawn_held_out = gain;
+      return true;
+    };
+    if (!found_.accepted.empty() && (may_lose(found_.base) || may_lose(nominal_))) {
+      for (const AcceptedCause& accepted : found_.accepted) {
+        result_.withdrawn.push_back(effect_name(accepted.effect));
       }
-      if (weakest == result_.causes.size()) return true;
-      result_.not_confirmed.push_back(result_.causes[weakest].name);
-      result_.model = kept;
-      update_noise(problem_, result_.model);
-      result_.causes.erase(result_.causes.begin() + static_cast<std::ptrdiff_t>(weakest));
+      take_back_causes(found_);
     }
-    return true;
+    if (names_a_coefficient() && may_lose(nominal_)) {
+      for (Calibration& calibration : found_.calibrations) {
+        if (differs(calibration)) result_.withdrawn.push_back(effect_name(calibration.effect));
+        calibration.p_value = 1;
+      }
+      found_.model = nominal_;
+      found_.problem = problem(sample_.training, found_.scatter, nominal_);
+    }
+  }
+
+  void add_cause(const Effect& effect, double p_value) {
+    NamedCause cause;
+    cause.effect = effect;
+    cause.name = effect_name(effect);
+    cause.p_value = p_value;
+    result_.causes.push_back(std::move(cause));
+  }
+
+  void take_over_found() {
+    result_.noise = found_.scatter.noise;
+    result_.mounting = found_.scatter.mounting;
+    result_.model = found_.model;
+    result_.p_value = found_.p_value;
+    result_.most_causes = found_.most_causes;
+    result_.not_confirmed = found_.not_confirmed;
+    result_.not_sure = found_.not_sure;
+    for (const Calibration& calibration : found_.calibrations) {
+      CalibratedCoefficient coefficient{effect_name(calibration.effect),
+                                        estimated(calibration.effect, 0, calibration.interval),
+                                        calibration.p_value, differs(calibration)};
+      if (coefficient.differs) {
+        add_cause(calibration.effect, calibration.p_value);
+        result_.p_value = std::min(result_.p_value, calibration.p_value);
+      }
+      result_.calibration.push_back(std::move(coefficient));
+    }
+    for (const AcceptedCause& accepted : found_.accepted) {
+      add_cause(accepted.effect, accepted.p_value);
+    }
+  }
+
+  EstimatedParameter estimated(const Effect& effect, std::size_t p,
+                               const ParameterInterval& interval) const {
+    const Parameter parameter = effect.cause->parameters(nominal_.hardware)[p];
+    const bool at_bound =
+        interval.low <= parameter.range.low || interval.high >= parameter.range.high;
+    return {parameter.name, parameter.unit, effect.values[p],  interval.low,
+            interval.high,  at_bound,       parameter.nominal, parameter.literature};
   }
 
   bool weigh_rivals() {
     for (NamedCause& cause : result_.causes) {
       if (stopped("weighing other causes")) return false;
-      rivals_.push_back(rivals(problem_, result_.model, place(result_.model, cause.effect),
+      rivals_.push_back(rivals(found_.problem, result_.model, place(result_.model, cause.effect),
                                candidates_, workers_));
       const std::vector<Rival>& others = rivals_.back();
       if (!others.empty()) cause.runner_up = RunnerUp{others.front().name, others.front().deficit};
@@ -174,20 +194,19 @@ class Diagnosis {
     return true;
   }
 
-  // The held-out runs are opened here, once: every number that needs them is taken now.
+  // Every number that needs the held-out runs is taken here.
   void confirm() {
     std::vector<std::string> names;
     for (const NamedCause& cause : result_.causes) names.push_back(cause.name);
-    const auto weighed = weighed_models(problem_, nominal_, result_.model, names, rivals_);
+    const auto weighed = weighed_models(found_.problem, nominal_, result_.model, names, rivals_);
     for (const WeighedModel& model : weighed) {
       result_.weighed.push_back({model.causes, model.gain, std::nullopt});
     }
     if (sample_.held_out.cells.empty()) return;
-    const Problem unseen =
-        problem(sample_.held_out, deviations_under(sample_.held_out, result_.model));
+    const Problem unseen = problem(sample_.held_out, found_.scatter, result_.model);
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       NamedCause& cause = result_.causes[c];
-      const Fit before = fit(problem_, without(result_.model, place(result_.model, cause.effect)));
+      const Fit before = fit(found_.problem, without(result_.model, place(result_.model, cause.effect)));
       cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
     }
     for (std::size_t i = 0; i < weighed.size(); ++i) {
@@ -205,12 +224,12 @@ class Diagnosis {
 
   void check_what_is_left() {
     const Forecast at = forecast(sample_.training, result_.model);
-    const Projection projection(problem_, result_.model, at);
-    const Eigen::VectorXd left = projection.taken_out(residuals(problem_, at));
-    const NullModel null_model(problem_, projection, at,
+    const Projection projection(found_.problem, result_.model, at);
+    const Eigen::VectorXd left = projection.taken_out(residuals(found_.problem, at));
+    const NullModel null_model(found_.problem, projection, at,
                                streams::seed_of_what_is_left(options_.seed), options_.replicates);
-    const auto tests = structure_tests(problem_, at, projection);
-    const StructureResult found = find_structure(problem_, tests, left, null_model, workers_);
+    const auto tests = structure_tests(found_.problem, at, projection);
+    const StructureResult found = find_structure(found_.problem, tests, left, null_model, workers_);
     result_.structure = found.findings;
     result_.structure_p_value = found.p_value;
     if (found.p_value < structure_share_of_alpha * options_.alpha) {
@@ -219,17 +238,15 @@ class Diagnosis {
   }
 
   void describe_causes() {
-    const auto intervals = parameter_intervals(problem_, result_.model);
+    const auto intervals =
+        parameter_intervals(found_.problem, result_.model, found_.mounting_degrees());
     for (NamedCause& cause : result_.causes) {
       const std::size_t e = place(result_.model, cause.effect);
       cause.effect = result_.model.effects[e];
       cause.meaning = cause.effect.cause->meaning();
       cause.detail = detail(cause.effect);
-      const auto parameters = cause.effect.cause->parameters(nominal_.hardware);
-      for (std::size_t p = 0; p < parameters.size(); ++p) {
-        cause.parameters.push_back({parameters[p].name, parameters[p].unit, cause.effect.values[p],
-                                    intervals[e][p].low, intervals[e][p].high,
-                                    parameters[p].nominal, parameters[p].literature});
+      for (std::size_t p = 0; p < cause.effect.values.size(); ++p) {
+        cause.parameters.push_back(estimated(cause.effect, p, intervals[e][p]));
       }
     }
   }
@@ -261,7 +278,7 @@ class Diagnosis {
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
       result_.next_measurement =
-          shrinking_measurement(plan, problem_, result_.model, place(result_.model, cause.effect));
+          shrinking_measurement(plan, found_.problem, result_.model, place(result_.model, cause.effect));
     }
   }
 
@@ -284,7 +301,7 @@ class Diagnosis {
       for (const DatasetRow& row : part->rows) readings.push_back(row.reading);
     }
     std::sort(readings.begin(), readings.end());
-    result_.left_out = left_out_runs(data_, readings, result_.model, result_.noise, workers_);
+    result_.left_out = left_out_runs(data_, readings, result_.model, found_.scatter, workers_);
   }
 
   const MeasuredData& data_;
@@ -293,9 +310,8 @@ class Diagnosis {
   Sample sample_;
   bool stop_ = false;
   bool too_few_ = false;
-  bool noise_is_measured_ = false;
   Model nominal_;
-  Problem problem_;
+  Explanation found_;
   std::vector<Candidate> candidates_;
   std::vector<Indistinguishable> indistinguishable_;
   std::vector<std::vector<Rival>> rivals_;  // parallel to the causes

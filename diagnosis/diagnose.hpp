@@ -1,13 +1,17 @@
 // What the simulation gets wrong, why, and what mending it gains.
 //
-//   data without repetitions → runs held out → noise → causes accepted on the training runs
-//   (cause_search.hpp) → do these confirm each other (cross_validation.hpp) → what else would
-//   explain as much → the gain on the held-out runs, which are opened once, and decide nothing → is
-//   anything left (structure.hpp) → verdict
+//   data without repetitions → runs held out → coefficients calibrated (calibration.hpp) → scatter
+//   of readings and of mountings → causes accepted on the training runs (cause_search.hpp) → do
+//   these confirm each other (cross_validation.hpp), are their sizes sure → what else would explain
+//   as much → the gain on the held-out runs, which are opened once: if all names together may lose
+//   there, none is named → is anything left (structure.hpp) → verdict
 //
 // A cause is named if it was accepted against chance (family-wise, alpha), if the training runs,
-// each forecast from the others, confirm it, and if no other cause explains them nearly as well
-// (within `alias_margin` in log-likelihood). docs/diagnosis.md tells it for people.
+// each forecast from the others, confirm it, if the interval of its size excludes the nominal one
+// and the size does not stand at a bound, if the named causes together gain on the held-out runs,
+// and if no other cause explains the training runs nearly as well (within `alias_margin` in
+// log-likelihood). A coefficient is named if its calibration differs from what the hardware says.
+// docs/diagnosis.md tells it for people.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +24,7 @@
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/data/sample.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/model/scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/held_out.hpp"
@@ -40,7 +44,9 @@ struct DiagnosisSettings {
   double hold_out = 0.3;  // share of the runs
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
-  std::size_t most_causes = 3;
+  std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry
+  // Relative standard deviation of friction exponents from mounting to mounting, if it is known.
+  std::optional<double> mounting_scatter;
 };
 
 struct DiagnoseOptions : DiagnosisSettings {
@@ -61,6 +67,7 @@ struct EstimatedParameter {
   double value = 0;
   double low = 0;
   double high = 0;
+  bool at_bound = false;  // the value, or an end of its interval, stands where the search ended
   std::optional<double> nominal;
   std::optional<Range> literature;
 };
@@ -68,6 +75,14 @@ struct EstimatedParameter {
 struct RunnerUp {
   std::string name;
   double delta_log_likelihood = 0;  // by which it explains the training runs less
+};
+
+// A coefficient that is free in every model.
+struct CalibratedCoefficient {
+  std::string name;  // of the cause: tube_friction
+  EstimatedParameter parameter;
+  double p_value = 1;    // that the hardware is right and chance takes the estimate so far from it
+  bool differs = false;  // from what the hardware says; then it is a named cause, too
 };
 
 struct NamedCause {
@@ -105,13 +120,19 @@ struct DiagnosisResult {
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
+  std::vector<CalibratedCoefficient> calibration;
   std::vector<std::string> not_confirmed;   // accepted, but training runs forecast others worse
+  std::vector<std::string> not_sure;        // the interval holds the nominal size, or a bound
+  std::vector<std::string> withdrawn;       // together they may lose on the held-out runs
+  std::optional<HeldOut> withdrawn_held_out;
+  std::size_t most_causes = 0;              // that were looked for, beside coefficients
   std::optional<NoiseLimit> noise_limit;    // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;           // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
   double p_value = 1;            // that chance alone gives what the best cause gains
   double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
   Noise noise;
+  MountingScatter mounting;
   Model model;  // the extended one
   std::vector<ComparedCell> cells;
   ShareErrors share_errors;

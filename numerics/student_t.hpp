@@ -1,4 +1,4 @@
-// Quantiles of Student's t distribution: of a normal number over a standard deviation that was
+// Student's t distribution: of a normal number over a standard deviation that was
 // estimated from as many degrees of freedom.
 #pragma once
 
@@ -8,5 +8,8 @@ namespace reeve::numerics {
 
 // Below which the number is with this probability. degrees_of_freedom > 0, need not be whole.
 double student_t_quantile(double probability, double degrees_of_freedom);
+
+// That it is at least this far from 0. t >= 0, may be infinite.
+double two_sided_p_value(double t, double degrees_of_freedom);
 
 }  // namespace reeve::numerics

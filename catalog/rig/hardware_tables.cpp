@@ -18,9 +18,10 @@ void read_if_given(const TomlNode& table, std::string_view key, Number& number) 
 }
 
 void read_law(const TomlNode& node, ContactLaw& law) {
-  node.table().allow_only({"mu", "angle_rad"});
+  node.table().allow_only({"mu", "angle_rad", "known"});
   read_if_given(node, "mu", law.mu);
   read_if_given(node, "angle_rad", law.angle_rad);
+  if (const TomlNode* known = node.find("known")) law.known = known->truth();
 }
 
 void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,

@@ -21,7 +21,8 @@ std::string line(std::string_view key, const MuRange& range) {
 }
 
 std::string table(std::string_view name, const ContactLaw& law) {
-  return fmt::format("[{}]\n", name) + line("mu", law.mu) + line("angle_rad", law.angle_rad) + "\n";
+  return fmt::format("[{}]\n", name) + line("mu", law.mu) + line("angle_rad", law.angle_rad) +
+         (law.known ? "known = true\n" : "") + "\n";
 }
 
 std::string table(const FingerHardware& finger) {

@@ -31,6 +31,16 @@ bool any_given(const MeasuredData& data, Member member) {
 
 }  // namespace
 
+std::vector<bool> reads_below_zero(const MeasuredData& data) {
+  std::vector<bool> result(data.channels.size(), false);
+  for (const Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      if (reading.tension_N[c].value_or(0) < 0) result[c] = true;
+    }
+  }
+  return result;
+}
+
 double Dataset::degrees_of_freedom() const {
   const auto free = std::count_if(rows.begin(), rows.end(),
                                   [](const DatasetRow& row) { return !row.has_motor_tension; });

@@ -25,6 +25,25 @@ constexpr double enough_shared_degrees = 3;
 constexpr double covered = 0.95;
 double two_sided_t(double degrees) { return student_t_quantile(0.5 + covered / 2, degrees); }
 
+MatrixXd inverse_square(const MatrixXd& jacobian) {
+  return MatrixXd(jacobian.transpose() * jacobian)
+      .ldlt()
+      .solve(MatrixXd::Identity(jacobian.cols(), jacobian.cols()));
+}
+
+// The variances of the parameters that readings would leave which share nothing.
+VectorXd own_variance(Problem problem, const Model& model, const Forecast& at) {
+  problem.shared.clear();
+  return inverse_square(sensitivities(problem, model, at)).diagonal();
+}
+
+struct Spread {
+  double deviation = 0;
+  double degrees = 1;
+
+  double half_width() const { return two_sided_t(degrees) * deviation; }
+};
+
 // b² and its degrees of freedom; none left: 0.
 struct SharedScatter {
   double square = 0;
@@ -50,33 +69,40 @@ SharedScatter shared_scatter(const std::vector<RunEquations>& runs, const Vector
   return shared;
 }
 
-class HalfWidths {
+class Spreads {
  public:
-  HalfWidths(std::vector<RunEquations> runs, const MatrixXd& jacobian, const VectorXd& residuals,
-             double degrees)
+  Spreads(std::vector<RunEquations> runs, const MatrixXd& jacobian, const VectorXd& residuals,
+             double degrees, VectorXd own_variance, double mounting_degrees)
       : runs_(std::move(runs)),
-        inverse_(MatrixXd(jacobian.transpose() * jacobian)
-                     .ldlt()
-                     .solve(MatrixXd::Identity(jacobian.cols(), jacobian.cols()))),
+        inverse_(inverse_square(jacobian)),
         shared_(shared_scatter(runs_, column_scale(jacobian))),
         reading_spread_(std::max(1.0, residuals.squaredNorm() / degrees)),
-        degrees_(degrees) {}
+        degrees_(degrees),
+        own_variance_(std::move(own_variance)),
+        mounting_degrees_(mounting_degrees) {}
 
   // Infinite where no reading depends on the parameter.
-  double operator()(Index parameter) const {
-    const double half = std::max(of_readings(parameter), of_runs(parameter));
-    return half > 0 ? half : std::numeric_limits<double>::infinity();
+  Spread operator()(Index parameter) const {
+    const Spread known = of_known_scatter(parameter);
+    const Spread runs = of_runs(parameter);
+    Spread spread = runs.half_width() > known.half_width() ? runs : known;
+    if (!(spread.deviation > 0)) spread.deviation = std::numeric_limits<double>::infinity();
+    return spread;
   }
 
  private:
   double known(Index parameter) const { return std::max(0.0, inverse_(parameter, parameter)); }
 
-  double of_readings(Index parameter) const {
-    return two_sided_t(degrees_) * std::sqrt(reading_spread_ * known(parameter));
+  Spread of_known_scatter(Index parameter) const {
+    const double all = known(parameter);
+    const double shared = all > 0 ? std::max(0.0, 1 - own_variance_[parameter] / all) : 0;
+    const double degrees = 1 / ((1 - shared) * (1 - shared) / degrees_ +
+                                shared * shared / mounting_degrees_);
+    return {std::sqrt(reading_spread_ * all), degrees};
   }
 
-  double of_runs(Index parameter) const {
-    if (static_cast<double>(runs_.size()) < enough_telling_runs) return 0;
+  Spread of_runs(Index parameter) const {
+    if (static_cast<double>(runs_.size()) < enough_telling_runs) return {};
     double told = 0;
     double told_squares = 0;
     double moved_squares = 0;
@@ -88,10 +114,10 @@ class HalfWidths {
     }
     const double telling = told_squares > 0 ? told * told / told_squares : 0;
     if (telling >= enough_telling_runs) {
-      return two_sided_t(telling - 1) * std::sqrt(telling / (telling - 1) * moved_squares);
+      return {std::sqrt(telling / (telling - 1) * moved_squares), telling - 1};
     }
-    if (shared_.degrees < enough_shared_degrees) return 0;
-    return two_sided_t(shared_.degrees) * std::sqrt(shared_.square * known(parameter));
+    if (shared_.degrees < enough_shared_degrees) return {};
+    return {std::sqrt(shared_.square * known(parameter)), shared_.degrees};
   }
 
   std::vector<RunEquations> runs_;
@@ -99,12 +125,15 @@ class HalfWidths {
   SharedScatter shared_;
   double reading_spread_;
   double degrees_;
+  VectorXd own_variance_;
+  double mounting_degrees_;
 };
 
 }  // namespace
 
 std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& problem,
-                                                                const Model& model) {
+                                                                const Model& model,
+                                                                double mounting_degrees) {
   const Forecast at = forecast(*problem.dataset, model);
   const MatrixXd jacobian = sensitivities(problem, model, at);
   std::vector<std::vector<ParameterInterval>> result(model.effects.size());
@@ -112,17 +141,20 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
   const VectorXd left = residuals(problem, at);
   const double degrees =
       std::max(1.0, problem.dataset->degrees_of_freedom() - static_cast<double>(jacobian.cols()));
-  const HalfWidths half(run_equations(problem, jacobian, left), jacobian, left, degrees);
+  const Spreads spreads(run_equations(problem, jacobian, left), jacobian, left, degrees,
+                        own_variance(problem, model, at), mounting_degrees);
   Index column = 0;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     const Effect& effect = model.effects[e];
     const auto parameters = effect.cause->parameters(model.hardware);
     for (std::size_t p = 0; p < parameters.size(); ++p, ++column) {
       const Range range = parameters[p].range;
-      const double width = half(column);
+      const Spread spread = spreads(column);
+      const double width = spread.half_width();
       const double reach = std::isfinite(width) ? width : range.high - range.low;
       result[e].push_back({std::max(range.low, effect.values[p] - reach),
-                           std::min(range.high, effect.values[p] + reach)});
+                           std::min(range.high, effect.values[p] + reach), spread.deviation,
+                           spread.degrees});
     }
   }
   return result;

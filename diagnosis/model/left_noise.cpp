@@ -9,7 +9,7 @@ Noise noise_left_by(const Dataset& dataset, const Model& model) {
   constexpr double sure_N = 1e-6;
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
   const Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
-  return noise_of_residuals(dataset, sure_N * residuals(plain, forecast(dataset, model)),
+  return noise_of_residuals(dataset, sure_N * own_residuals(plain, forecast(dataset, model)),
                             static_cast<double>(parameter_count(model)));
 }
 

@@ -29,50 +29,92 @@ double median_reading(const Dataset& dataset) {
 
 double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
 
-// Twice the negative restricted log-likelihood.
-double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative) {
-  double sum = 0;
-  for (const ScatterSample& sample : samples) {
-    const double scatter = relative * sample.level_N;
-    const double variance = absolute * absolute + scatter * scatter;
-    sum += sample.kept * std::log(variance) + sample.residual_N * sample.residual_N / variance;
-  }
-  return sum;
-}
-
-Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
-  constexpr int evaluations = 150;
-  const double level = median_reading(dataset);
-  const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
-                                  {std::log(1e-5), std::log(2.0)}};
-  const Minimum best = minimise(
-      [&](const std::vector<double>& x) { return misfit(samples, std::exp(x[0]), std::exp(x[1])); },
-      box, evaluations);
-  Noise noise{std::exp(best.at[1]), std::exp(best.at[0]), source, 0};
-  for (const ScatterSample& sample : samples) noise.degrees_of_freedom += sample.kept;
-  return noise;
-}
-
-using CellGroup = std::vector<std::size_t>;  // cells
-
 double degrees(const std::vector<ScatterSample>& samples) {
   double sum = 0;
   for (const ScatterSample& sample : samples) sum += sample.kept;
   return sum;
 }
 
+// Twice the negative restricted log-likelihood, but for a constant; of normal residuals, or of
+// Student's t.
+double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative,
+              double tail) {
+  double sum = 0;
+  for (const ScatterSample& sample : samples) {
+    if (sample.kept <= 0) continue;
+    const double scatter = relative * sample.level_N;
+    const double variance = absolute * absolute + scatter * scatter;
+    const double square = sample.residual_N * sample.residual_N / variance;
+    sum += sample.kept * std::log(variance);
+    sum += tail == 0 ? square
+                     : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
+  }
+  return sum;
+}
+
+// Of a density of Student's t over that of a normal one at 0, twice the logarithm.
+double height(double tail) {
+  return 2 * (std::lgamma((tail + 1) / 2) - std::lgamma(tail / 2)) - std::log(tail / 2);
+}
+
+struct ScatterFit {
+  double tail = 0;
+  double misfit = 0;
+  std::vector<double> at;  // logarithms of the absolute and the relative part
+};
+
+ScatterFit fit_with(const Dataset& dataset, const std::vector<ScatterSample>& samples,
+                    double tail) {
+  constexpr int evaluations = 150;
+  const double level = median_reading(dataset);
+  const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
+                                  {std::log(1e-5), std::log(2.0)}};
+  const Minimum best = minimise(
+      [&](const std::vector<double>& x) {
+        return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
+      },
+      box, evaluations);
+  return {tail, best.value - (tail == 0 ? 0 : degrees(samples) * height(tail)), best.at};
+}
+
+Noise noise_of(const ScatterFit& best, const std::vector<ScatterSample>& samples,
+               NoiseSource source) {
+  return {std::exp(best.at[1]), std::exp(best.at[0]), source, degrees(samples), best.tail, true};
+}
+
+Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
+  constexpr double heavy_tails[] = {3, 6};
+  // Twice the log-likelihood by which heavier tails have to be the likelier: chance brings that in
+  // 1 of 1000 normal samples (chi-squared of one degree of freedom, on its edge).
+  constexpr double clearly = 9.5;
+  ScatterFit best = fit_with(dataset, samples, 0);
+  const double normal = best.misfit;
+  // Residuals of a model that is wrong are of many sizes, too.
+  if (source == NoiseSource::residuals) return noise_of(best, samples, source);
+  for (const double tail : heavy_tails) {
+    ScatterFit heavy = fit_with(dataset, samples, tail);
+    if (heavy.misfit < std::min(best.misfit, normal - clearly)) best = std::move(heavy);
+  }
+  return noise_of(best, samples, source);
+}
+
+using CellGroup = std::vector<std::size_t>;  // cells
+
+// Whether runs have levels of their own.
+enum class Runs : std::uint8_t { by_themselves, alike };
+
 // Marks the cells that it used.
-std::vector<ScatterSample> repeats(const Dataset& dataset, std::vector<char>& used) {
-  using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction, double, double, double,
-                         double, std::optional<double>>;
+std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vector<char>& used) {
+  using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::uint64_t, Direction, double,
+                         double, double, double, std::optional<double>>;
   std::map<Key, CellGroup> groups;
   for (const DatasetRow& row : dataset.rows) {
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     const Conditions& at = row.conditions;
     for (std::size_t i = row.first; i < row.last; ++i) {
-      groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held, reading.direction,
-              at.motor_tension_N, at.speed_mm_s, at.cycle, at.temperature_C,
+      groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
+              reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N, at.speed_mm_s, at.cycle, at.temperature_C,
               reading.sheath_angle_rad}]
           .push_back(i);
     }
@@ -91,8 +133,25 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, std::vector<char>& us
   return samples;
 }
 
+// Each run's rows have a column.
+Eigen::MatrixXd run_columns(const Dataset& dataset, const std::vector<std::size_t>& rows) {
+  std::map<std::size_t, Eigen::Index> place;
+  for (const std::size_t r : rows) {
+    const std::size_t run = dataset.data->readings[dataset.rows[r].reading].run;
+    place.emplace(run, static_cast<Eigen::Index>(place.size()));
+  }
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+                                                  static_cast<Eigen::Index>(place.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t run = dataset.data->readings[dataset.rows[rows[i]].reading].run;
+    columns(static_cast<Eigen::Index>(i), place.at(run)) = 1;
+  }
+  return columns;
+}
+
 // The columns of a regression of T / T_M that vary among these rows, centred.
-Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::size_t>& rows) {
+Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::size_t>& rows,
+                               Runs runs) {
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd all(n, 7);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -103,9 +162,11 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
         dataset.data->readings[row.reading].sheath_angle_rad.value_or(0),
         static_cast<double>(row.reading);
   }
-  Eigen::MatrixXd columns(n, 8);
-  columns.col(0).setOnes();
-  Eigen::Index used = 1;
+  const Eigen::MatrixXd levels =
+      runs == Runs::alike ? Eigen::MatrixXd::Ones(n, 1) : run_columns(dataset, rows);
+  Eigen::MatrixXd columns(n, levels.cols() + all.cols());
+  columns.leftCols(levels.cols()) = levels;
+  Eigen::Index used = levels.cols();
   for (Eigen::Index c = 0; c < all.cols(); ++c) {
     const Eigen::VectorXd centred = all.col(c).array() - all.col(c).mean();
     const double size = centred.norm();
@@ -115,8 +176,8 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
 }
 
 void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const CellGroup& cells,
-            double level, std::vector<ScatterSample>& samples) {
-  const Eigen::MatrixXd columns = smooth_columns(dataset, rows);
+            double level, Runs runs, std::vector<ScatterSample>& samples) {
+  const Eigen::MatrixXd columns = smooth_columns(dataset, rows, runs);
   if (columns.rows() < columns.cols() + 3) return;
   Eigen::VectorXd ratio(columns.rows());
   Eigen::VectorXd weight(columns.rows());
@@ -127,9 +188,10 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
     weight[i] = motor / (measured + 0.1 * level);
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(weighted);
+  // What is the same in every row of a run is one with the runs' levels.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
   const Eigen::MatrixXd q =
-      qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), weighted.cols());
+      qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), qr.rank());
   const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
   const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
   for (Eigen::Index i = 0; i < left.size(); ++i) {
@@ -140,7 +202,8 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
   }
 }
 
-std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<char>& used) {
+std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
+                                     const std::vector<char>& used) {
   const double level = median_reading(dataset);
   std::vector<ScatterSample> samples;
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
@@ -158,9 +221,25 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, const std::vector<c
     }
   }
   for (const auto& [key, group] : groups) {
-    smooth(dataset, group.first, group.second, level, samples);
+    smooth(dataset, group.first, group.second, level, runs, samples);
   }
   return samples;
+}
+
+// Nothing if too few readings tell.
+std::optional<Noise> noise_told_by(const Dataset& dataset, Runs runs) {
+  std::vector<char> used(dataset.cells.size(), 0);
+  std::vector<ScatterSample> samples = repeats(dataset, runs, used);
+  const bool repeated = !samples.empty();
+  const std::vector<ScatterSample> smoothed = smoothing(dataset, runs, used);
+  samples.insert(samples.end(), smoothed.begin(), smoothed.end());
+  if (degrees(samples) < enough_noise_degrees) return std::nullopt;
+  Noise noise = fit(dataset, samples,
+                    !repeated          ? NoiseSource::smoothing
+                    : smoothed.empty() ? NoiseSource::repeats
+                                       : NoiseSource::repeats_and_smoothing);
+  noise.within_mountings = runs == Runs::by_themselves;
+  return noise;
 }
 
 }  // namespace
@@ -191,23 +270,22 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const double measured = dataset.cells[static_cast<std::size_t>(i)].measured_N;
     const double at_expected = noise.deviation(expected_N[i]);
-    const bool near = std::abs(measured - expected_N[i]) <= far * at_expected;
-    result[i] = near ? at_expected : noise.deviation(measured);
+    const double z = (measured - expected_N[i]) / at_expected;
+    if (noise.tail_degrees > 0) {
+      const double tail = noise.tail_degrees;
+      result[i] = at_expected * std::sqrt((tail + z * z) / (tail + 1));
+    } else {
+      result[i] = std::abs(z) <= far ? at_expected : noise.deviation(std::max(measured, 0.0));
+    }
   }
   return result;
 }
 
 std::optional<Noise> noise_without_model(const Dataset& dataset) {
-  std::vector<char> used(dataset.cells.size(), 0);
-  std::vector<ScatterSample> samples = repeats(dataset, used);
-  const bool repeated = !samples.empty();
-  const std::vector<ScatterSample> smoothed = smoothing(dataset, used);
-  samples.insert(samples.end(), smoothed.begin(), smoothed.end());
-  if (degrees(samples) < enough_noise_degrees) return std::nullopt;
-  return fit(dataset, samples,
-             !repeated          ? NoiseSource::smoothing
-             : smoothed.empty() ? NoiseSource::repeats
-                                : NoiseSource::repeats_and_smoothing);
+  for (const Runs runs : {Runs::by_themselves, Runs::alike}) {
+    if (auto noise = noise_told_by(dataset, runs)) return noise;
+  }
+  return std::nullopt;
 }
 
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,

@@ -1,15 +1,21 @@
-// How far readings scatter where nothing changes: sd² = absolute² + (relative T)².
+// How far readings of one mounting scatter where nothing changes: sd² = absolute² + (relative T)².
 //
 // Estimated from
-//   repeats     readings of a channel under the same conditions
+//   repeats     readings of a channel under the same conditions, in one mounting
 //   smoothing   other readings of a channel in one routing, grasp and direction, beside a
 //   regression
-//               of T / T_M on load, speed, cycle, temperature and order: what no smooth law
-//               explains
+//               of T / T_M on load, speed, cycle, temperature and order, with a level of its own
+//               in each run: what no smooth law explains
 // together, since repeats of few conditions cannot tell the relative part from the absolute one;
-// or, where the data are too few for either, from
+// where the data are too few for that, from the same without regard to runs; or, where they are
+// too few for either, from
 //   residuals   of a model
 // Both parts together maximise the (restricted) likelihood of the residuals.
+//
+// Readings may scatter with heavier tails than normal ones: Student's t of ν degrees of freedom,
+// where that is clearly the likelier (K. L. Lange, R. J. A. Little, J. M. G. Taylor, J. Am. Stat.
+// Assoc. 84, 1989). sd is then the scale of the t, and a reading z scales away from what a model
+// expects weighs as one of the scale sd √((ν + z²) / (ν + 1)).
 #pragma once
 
 #include <Eigen/Core>
@@ -27,6 +33,8 @@ struct Noise {
                           // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
   double degrees_of_freedom = 0;
+  double tail_degrees = 0;     // ν; 0: normal
+  bool within_mountings = true;  // otherwise it contains what differs between them
 
   double deviation(double tension_N) const;
 };

@@ -57,12 +57,17 @@ NullModel::NullModel(const Problem& problem, const Projection& projection, const
 
 Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
   Eigen::VectorXd drawn(reading_.size());
+  const auto stream = static_cast<std::uint32_t>(replicate);
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
-    const double z =
-        normal(seed_, static_cast<std::uint32_t>(replicate), static_cast<std::uint64_t>(i));
-    drawn[i] = std::max(0.0, reading_[i] + z) - expected_[i];
+    drawn[i] = reading_[i] + normal(seed_, stream, static_cast<std::uint64_t>(i));
   }
+  add_shared_draws(problem_.shared, seed_, stream, static_cast<std::uint64_t>(drawn.size()), drawn);
+  for (Eigen::Index i = 0; i < drawn.size(); ++i) {
+    if (problem_.clips[static_cast<std::size_t>(i)]) drawn[i] = std::max(0.0, drawn[i]);
+  }
+  drawn -= expected_;
   take_out_scales(problem_, at_, drawn);
+  whiten(problem_.shared, drawn);
   return projection_.taken_out(std::move(drawn));
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace reeve::diagnosis {
 namespace {
@@ -43,6 +44,20 @@ void for_each_free_scale(const Problem& problem, const Forecast& at, Use use) {
   }
 }
 
+// N², of each cell: what it shares with the others of its mounting.
+Eigen::VectorXd shared_variance(const Problem& problem) {
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(problem.deviation_N.size());
+  for (const SharedScatter& shared : problem.shared) {
+    const Eigen::ArrayXd square = (1 - shared.shrunk.array()).square().inverse() - 1;  // S²
+    const Eigen::VectorXd own = shared.axes.array().square().matrix() * square.matrix();
+    for (std::size_t i = 0; i < shared.cells.size(); ++i) {
+      const Index k = shared.cells[i];
+      variance[k] = own[static_cast<Index>(i)] * std::pow(problem.deviation_N[k], 2);
+    }
+  }
+  return variance;
+}
+
 }  // namespace
 
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
@@ -52,21 +67,56 @@ void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd
 }
 
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
-  return forecast.reading_N.binaryExpr(problem.deviation_N, &rectified);
+  Eigen::VectorXd expected = forecast.reading_N;
+  for (Index i = 0; i < expected.size(); ++i) {
+    if (!problem.clips[static_cast<std::size_t>(i)]) continue;
+    expected[i] = rectified(expected[i], problem.deviation_N[i]);
+  }
+  return expected;
 }
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
-  Problem result{&dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())), deviation_N};
+  const auto cells = static_cast<Index>(dataset.cells.size());
+  Problem result{&dataset, Eigen::VectorXd(cells), deviation_N, {}, {}};
+  const std::vector<bool> below_zero = reads_below_zero(*dataset.data);
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
     result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
+    result.clips.push_back(!below_zero[dataset.cells[i].channel]);
   }
   return result;
 }
 
-Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
+void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
+                   const Forecast& at) {
+  problem.shared.clear();
+  Eigen::MatrixXd loadings = problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N;
+  for (Index k = 0; k < loadings.cols(); ++k) {
+    loadings.col(k) *= scatter[static_cast<std::size_t>(modes.kind[static_cast<std::size_t>(k)])];
+  }
+  Eigen::MatrixXd seen = loadings;
+  for (Index k = 0; k < seen.cols(); ++k) {
+    Eigen::VectorXd column = seen.col(k);
+    take_out_scales(problem, at, column);
+    seen.col(k) = column;
+  }
+  if (loadings.squaredNorm() == 0) return;
+  for (Mounting& mounting : mountings(*problem.dataset)) {
+    const Eigen::MatrixXd own = loadings(mounting.cells, Eigen::all);
+    const Eigen::MatrixXd own_seen = seen(mounting.cells, Eigen::all);
+    problem.shared.push_back(shared_scatter(std::move(mounting.cells), own, own_seen));
+  }
+}
+
+Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast) {
   Eigen::VectorXd result = (problem.measured_N - expected_readings(problem, forecast))
                                .cwiseQuotient(problem.deviation_N);
   take_out_scales(problem, forecast, result);
+  return result;
+}
+
+Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
+  Eigen::VectorXd result = own_residuals(problem, forecast);
+  whiten(problem.shared, result);
   return result;
 }
 
@@ -75,7 +125,12 @@ Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
   for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
     variance.segment(first, size).array() *= 1 - scale.array().square();
   });
+  variance += shared_variance(problem);
   return variance;
+}
+
+Eigen::VectorXd total_deviations(const Problem& problem) {
+  return (problem.deviation_N.cwiseAbs2() + shared_variance(problem)).cwiseSqrt();
 }
 
 double misfit(const Problem& problem, const Model& model) {
@@ -87,6 +142,7 @@ Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const For
   Eigen::VectorXd result = (expected_readings(problem, other) - expected_readings(problem, at))
                                .cwiseQuotient(problem.deviation_N);
   take_out_scales(problem, at, result);
+  whiten(problem.shared, result);
   return result;
 }
 

@@ -2,13 +2,15 @@
 // the parameters of a model.
 //
 //   e_i = (T_i − m_i) / sd_i,    J_ij = dm_i/dθ_j / sd_i
-//   m_i = p_i Φ(p_i / sd_i) + sd_i φ(p_i / sd_i)
+//   m_i = p_i Φ(p_i / sd_i) + sd_i φ(p_i / sd_i)     of a channel that never reads below 0
+//   m_i = p_i                                        of one that does: a load cell that drifts
 //
 // m is what a sensor reads on average that should read p and cannot read less than 0: where p is
 // more than some sd, p itself.
 //
 // Where a row has no motor tension its scale is free, and what a change of scale could explain is
-// taken out of both.
+// taken out of both. Where readings of a mounting share a part of their scatter, both are made
+// independent (whitening.hpp); residuals in units of their own noise alone are `own_residuals`.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,16 +20,24 @@
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/model/forecast.hpp"
+#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/whitening.hpp"
 
 namespace reeve::diagnosis {
 
 struct Problem {
   const Dataset* dataset = nullptr;  // must outlive the problem
   Eigen::VectorXd measured_N;
-  Eigen::VectorXd deviation_N;
+  Eigen::VectorXd deviation_N;  // of each reading by itself
+  std::vector<bool> clips;      // parallel to the cells: cannot read below 0
+  Whitening shared;             // none: readings scatter independently
 };
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
+
+// Readings of a mounting share what these things do that scatter so much.
+void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
+                   const Forecast& at);
 
 // m of each cell, N.
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);
@@ -36,9 +46,13 @@ Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& foreca
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened);
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
+Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast);
 
-// N², of each cell: of the residuals, in newton, that nothing but noise leaves.
+// N², of each cell: of its own residual, in newton, that nothing but scatter leaves.
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at);
+
+// N, of each cell: of its reading, with what it shares with its mounting.
+Eigen::VectorXd total_deviations(const Problem& problem);
 
 // Σ e²; infinite where the model has no tensions.
 double misfit(const Problem& problem, const Model& model);

@@ -16,31 +16,9 @@ constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
 constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
 
-// A friction coefficient of all contacts of a kind, which the hardware does not say to be none.
-bool is_coefficient(const Effect& effect, const Hardware& hardware) {
-  return effect.cause->reach() == Reach::hardware &&
-         effect.cause->subject_kind() == SubjectKind::rig &&
-         effect.cause->parameters(hardware).front().nominal.value_or(0) > 0;
-}
-
-// From the nominal values, and from parts of them: rigs are mostly smoother than they are thought.
-Fit fit_together(const Problem& problem, const Model& model,
-                 const std::vector<AcceptedCause>& causes) {
-  Fit best;
-  for (const double part : {1.0, 0.3}) {
-    Model start = model;
-    for (const AcceptedCause& cause : causes) {
-      start.effects[place(start, cause.effect)].values.front() *= part;
-    }
-    Fit fitted = fit(problem, start);
-    if (best.model.effects.empty() || fitted.misfit < best.misfit) best = std::move(fitted);
-  }
-  return best;
-}
-
 class Search {
  public:
-  Search(Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+  Search(Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
          const CauseSearchOptions& options, Workers& workers,
          const std::function<void(Problem&, const Model&)>& changed,
          const std::function<bool()>& stop)
@@ -50,7 +28,7 @@ class Search {
         workers_(workers),
         changed_(changed),
         stop_(stop) {
-    result_.model = nominal;
+    result_.model = base;
   }
 
   std::optional<CauseSearchResult> run() {
@@ -106,33 +84,9 @@ class Search {
     fit_those(false);
     const std::size_t best = least_misfit(fits);
     if (gain(before, fits[best].misfit) < critical_gain_) return false;
-    if (accept_coefficients(outlook.candidates(), fits[best].misfit)) return true;
     const Effect effect = outlook.candidates()[which[best]].effect;
     result_.model = std::move(fits[best].model);
     result_.accepted.push_back({effect, result_.p_value_of_next});
-    changed_(problem_, result_.model);
-    return true;
-  }
-
-  // Where several coefficients are wrong, each of them alone may explain less than one cause that
-  // stands in for them all. So they are tried together too, and taken if they explain more than
-  // the best single cause by what a further cause has to gain; those that are not needed lose
-  // their places when they defend them.
-  bool accept_coefficients(const std::vector<Candidate>& candidates, double best_misfit) {
-    Model together = result_.model;
-    std::vector<AcceptedCause> added;
-    for (const Candidate& candidate : candidates) {
-      if (!is_coefficient(candidate.effect, result_.model.hardware)) continue;
-      add_effect(together, candidate.effect);
-      added.push_back({candidate.effect, result_.p_value_of_next});
-    }
-    if (added.size() < 2 || result_.accepted.size() + added.size() > options_.most_causes) {
-      return false;
-    }
-    Fit fitted = fit_together(problem_, together, added);
-    if (gain(best_misfit, fitted.misfit) < critical_gain_) return false;
-    result_.model = std::move(fitted.model);
-    result_.accepted.insert(result_.accepted.end(), added.begin(), added.end());
     changed_(problem_, result_.model);
     return true;
   }
@@ -148,6 +102,11 @@ class Search {
     };
     exhausted_ |= std::any_of(met_.begin(), met_.end(), is_here);
     met_.push_back(result_.accepted);
+  }
+
+  bool is_accepted(const Effect& effect) const {
+    return std::any_of(result_.accepted.begin(), result_.accepted.end(),
+                       [&](const AcceptedCause& other) { return same_effect(other.effect, effect); });
   }
 
   double gain(double before, double after) const {
@@ -168,10 +127,6 @@ class Search {
 
   // Whether the cause lost its place.
   bool defend_one(std::size_t accepted) {
-    // A coefficient is the plainest cause: it makes room only for one that the data tell from it.
-    const double clearly = is_coefficient(result_.accepted[accepted].effect, result_.model.hardware)
-                               ? alias_margin
-                               : least_advantage;
     const double now = misfit(problem_, result_.model);
     const Fit base = fit(
         problem_, without(result_.model, place(result_.model, result_.accepted[accepted].effect)));
@@ -179,7 +134,7 @@ class Search {
     const auto which = outlook.contenders(most_rivals, Outlook::Laws::by_gain);
     std::vector<Fit> fits = outlook.fit_each(which);
     const std::size_t best = fits.empty() ? 0 : least_misfit(fits);
-    if (!fits.empty() && gain(now, fits[best].misfit) > clearly) {
+    if (!fits.empty() && gain(now, fits[best].misfit) > least_advantage) {
       result_.model = std::move(fits[best].model);
       result_.accepted[accepted].effect = outlook.candidates()[which[best]].effect;
       changed_(problem_, result_.model);
@@ -202,8 +157,9 @@ class Search {
     for (const AcceptedCause& accepted : result_.accepted) {
       if (stop_()) return;
       Model alone = result_.model;
-      std::erase_if(alone.effects,
-                    [&](const Effect& effect) { return !same_effect(effect, accepted.effect); });
+      std::erase_if(alone.effects, [&](const Effect& effect) {
+        return is_accepted(effect) && !same_effect(effect, accepted.effect);
+      });
       const Fit base = fit(problem_, alone);
       const Outlook outlook(problem_, base.model, candidates_, workers_);
       const auto which = outlook.contenders(most_rivals, Outlook::Laws::always);
@@ -236,10 +192,10 @@ class Search {
 }  // namespace
 
 std::optional<CauseSearchResult> search_causes(
-    Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+    Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
     const CauseSearchOptions& options, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop) {
-  return Search(problem, nominal, candidates, options, workers, changed, stop).run();
+  return Search(problem, base, candidates, options, workers, changed, stop).run();
 }
 
 }  // namespace reeve::diagnosis

@@ -4,7 +4,8 @@
 // judges the greatest gain by what the whole screening finds in data simulated from the current
 // model, fits the other promising causes, and accepts the likeliest. Afterwards each accepted cause
 // has to defend its place: against others (one that explains more takes it), and against nothing
-// (one that no longer gains enough goes).
+// (one that no longer gains enough goes). What the base model has already (coefficients that are
+// free in every model, calibration.hpp) is fitted again each time, and stays.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +41,7 @@ struct CauseSearchResult {
 // Returns nothing if `stop` says so. `changed` is called after each step with the current model,
 // and may give the problem other standard deviations.
 std::optional<CauseSearchResult> search_causes(
-    Problem& problem, const Model& nominal, const std::vector<Candidate>& candidates,
+    Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
     const CauseSearchOptions& options, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop);
 

@@ -26,7 +26,7 @@ LeftOutForecasts forecasts_of(const std::vector<LeftOutRun>& runs) {
 }  // namespace
 
 std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
-                                         const Model& after, const Noise& noise,
+                                         const Model& after, const Scatter& scatter,
                                          const std::vector<LeftOutRun>& left_out) {
   const LeftOutForecasts others = forecasts_of(left_out);
   std::vector<ComparedCell> result;
@@ -35,10 +35,11 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
     if (part.cells.empty()) continue;
     const Forecast at_first = forecast(part, before);
     const Forecast at_last = forecast(part, after);
-    const Eigen::VectorXd deviation = deviations(part, noise, at_last.reading_N);
-    const Problem seen = problem(part, deviation);
-    const Eigen::VectorXd residual_before = residuals(seen, at_first);
-    const Eigen::VectorXd residual_after = residuals(seen, at_last);
+    const Problem seen = problem(part, scatter, after);
+    const Eigen::VectorXd deviation = total_deviations(seen);
+    const Eigen::VectorXd share = seen.deviation_N.cwiseQuotient(deviation);
+    const Eigen::VectorXd residual_before = own_residuals(seen, at_first).cwiseProduct(share);
+    const Eigen::VectorXd residual_after = own_residuals(seen, at_last).cwiseProduct(share);
     for (std::size_t i = 0; i < part.cells.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       const auto other = others.find({part.cells[i].reading, part.cells[i].channel});

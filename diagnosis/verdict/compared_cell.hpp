@@ -6,7 +6,7 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/data/sample.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/model/scatter.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 
 namespace reeve::diagnosis {
@@ -16,7 +16,7 @@ struct ComparedCell {
   bool held_out = false;
   double before_N = 0;  // forecast of the model as it was
   double after_N = 0;   // of the extended one
-  double deviation_N = 0;
+  double deviation_N = 0;  // with what the reading shares with its mounting
   // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
   // would read on average that cannot read below 0, without what a free scale explains.
   double residual_before = 0;
@@ -26,7 +26,7 @@ struct ComparedCell {
 
 // All cells of the sample, in the order of the readings.
 std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
-                                         const Model& after, const Noise& noise,
+                                         const Model& after, const Scatter& scatter,
                                          const std::vector<LeftOutRun>& left_out);
 
 }  // namespace reeve::diagnosis

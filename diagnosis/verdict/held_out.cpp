@@ -34,8 +34,12 @@ double reduction(const Unit& sum) {
   return sum.before > 0 ? 1 - std::sqrt(sum.after / sum.before) : 0;
 }
 
-std::vector<Unit> units(const Problem& problem, const Eigen::VectorXd& before,
-                        const Eigen::VectorXd& after) {
+// Errors in newton are the readings' own; the likelihood knows what a mounting shares.
+std::vector<Unit> units(const Problem& problem, const Forecast& first, const Forecast& second) {
+  const Eigen::VectorXd before = own_residuals(problem, first);
+  const Eigen::VectorXd after = own_residuals(problem, second);
+  const Eigen::VectorXd likely_before = residuals(problem, first);
+  const Eigen::VectorXd likely_after = residuals(problem, second);
   const Dataset& dataset = *problem.dataset;
   std::map<std::size_t, Unit> by_run;
   std::vector<Unit> by_row;
@@ -47,7 +51,7 @@ std::vector<Unit> units(const Problem& problem, const Eigen::VectorXd& before,
       unit.before += before[k] * before[k] * sd * sd;
       unit.after += after[k] * after[k] * sd * sd;
       unit.cells += 1;
-      unit.gain += (before[k] * before[k] - after[k] * after[k]) / 2;
+      unit.gain += (std::pow(likely_before[k], 2) - std::pow(likely_after[k], 2)) / 2;
     }
     by_row.push_back(unit);
     by_run[dataset.data->readings[row.reading].run] += unit;
@@ -69,8 +73,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
                       std::uint64_t seed) {
   const Forecast first = forecast(*held_out.dataset, before);
   const Forecast second = forecast(*held_out.dataset, after);
-  const std::vector<Unit> all =
-      units(held_out, residuals(held_out, first), residuals(held_out, second));
+  const std::vector<Unit> all = units(held_out, first, second);
   Unit sum;
   for (const Unit& unit : all) sum += unit;
   HeldOut result;

@@ -28,11 +28,11 @@ Model fitted(const Problem& problem, const Model& model) {
 }
 
 LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& readings,
-                    std::size_t run, const Model& model, const Noise& noise) {
+                    std::size_t run, const Model& model, const Scatter& scatter) {
   std::vector<std::size_t> own, others;
   for (const std::size_t i : readings) (data.readings[i].run == run ? own : others).push_back(i);
   const Dataset rest = dataset(data, others);
-  const Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
+  const Problem known = problem(rest, scatter, model);
   LeftOutRun result{run, fitted(known, model), {}, {}};
   const Dataset unseen = dataset(data, own);
   // Fitted to the others, the model may have no tensions here.
@@ -47,7 +47,7 @@ LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& re
 
 std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
                                       const std::vector<std::size_t>& readings, const Model& model,
-                                      const Noise& noise, Workers& workers) {
+                                      const Scatter& scatter, Workers& workers) {
   std::set<std::size_t> seen;
   for (const std::size_t i : readings) seen.insert(data.readings[i].run);
   if (parameter_count(model) == 0 || seen.size() < fewest_runs_left_out ||
@@ -57,7 +57,7 @@ std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
   const std::vector<std::size_t> runs(seen.begin(), seen.end());
   std::vector<LeftOutRun> result(runs.size());
   workers.for_each_block(runs.size(), 1, [&](const IndexBlock& block) {
-    result[block.begin] = left_out(data, readings, runs[block.begin], model, noise);
+    result[block.begin] = left_out(data, readings, runs[block.begin], model, scatter);
   });
   return result;
 }

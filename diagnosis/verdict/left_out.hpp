@@ -10,7 +10,7 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/model/scatter.hpp"
 #include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {
@@ -30,6 +30,6 @@ struct LeftOutRun {
 // the numbers of runs above. `readings` (ascending) are those that take part.
 std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
                                       const std::vector<std::size_t>& readings, const Model& model,
-                                      const Noise& noise, Workers& workers);
+                                      const Scatter& scatter, Workers& workers);
 
 }  // namespace reeve::diagnosis

@@ -7,9 +7,9 @@ namespace reeve::diagnosis {
 
 std::vector<RunGain> run_gains(const Problem& held_out, const Model& before, const Model& after) {
   const Dataset& dataset = *held_out.dataset;
-  const Eigen::VectorXd first = residuals(held_out, forecast(dataset, before));
+  const Eigen::VectorXd first = own_residuals(held_out, forecast(dataset, before));
   const Forecast extended = forecast(dataset, after);
-  const Eigen::VectorXd second = residuals(held_out, extended);
+  const Eigen::VectorXd second = own_residuals(held_out, extended);
   const Eigen::VectorXd noise = noise_variance(held_out, extended);
   std::map<std::size_t, RunGain> by_run;
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {

@@ -42,7 +42,8 @@ std::map<std::string, std::vector<std::size_t>> groups(const Dataset& dataset, c
 class Tests {
  public:
   Tests(const Problem& problem, const Forecast& at, const Projection& projection)
-      : dataset_(*problem.dataset),
+      : problem_(problem),
+        dataset_(*problem.dataset),
         data_(*problem.dataset->data),
         projection_(projection),
         relative_(relative(problem, at)),
@@ -78,6 +79,7 @@ class Tests {
 
  private:
   void add(std::string about, MatrixXd columns, bool scan) {
+    whiten_columns(problem_.shared, columns);
     projection_.take_out(columns);
     if (!scan) columns = orthonormal_basis(columns);
     if (scan) normalise_pairs(columns);
@@ -167,6 +169,7 @@ class Tests {
     add("order of the rows", std::move(columns), true);
   }
 
+  const Problem& problem_;
   const Dataset& dataset_;
   const MeasuredData& data_;
   const Projection& projection_;

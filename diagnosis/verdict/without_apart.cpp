@@ -84,7 +84,8 @@ std::optional<double> share_error_of(const MeasuredData& data, const Model& mode
 
 }  // namespace
 
-std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Noise noise,
+std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model,
+                                          Scatter scatter,
                                           const std::vector<ComparedCell>& cells,
                                           const std::vector<Loss>& losses) {
   WithoutApart result;
@@ -95,11 +96,11 @@ std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model&
     others.readings[cell.reading].tension_N[cell.channel].reset();
   const Dataset rest = dataset(others, readings_of(cells));
   if (rest.cells.empty()) return std::nullopt;
-  Problem known = problem(rest, deviations(rest, noise, forecast(rest, model).reading_N));
+  Problem known = problem(rest, scatter, model);
   result.model = fit(known, model).model;
-  if (noise.source == NoiseSource::residuals) {
-    noise = noise_left_by(rest, result.model);
-    known.deviation_N = deviations(rest, noise, forecast(rest, result.model).reading_N);
+  if (scatter.noise.source == NoiseSource::residuals) {
+    scatter.noise = noise_left_by(rest, result.model);
+    known = problem(rest, scatter, result.model);
     result.model = fit(known, result.model).model;
   }
   result.intervals = parameter_intervals(known, result.model);

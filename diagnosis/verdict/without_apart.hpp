@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "diagnosis/model/intervals.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/model/scatter.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/losses.hpp"
 
@@ -23,9 +23,9 @@ struct WithoutApart {
   std::optional<double> share_error;
 };
 
-// Nothing if no stretch stands apart, or the model has no parameter. `noise` is estimated anew if
+// Nothing if no stretch stands apart, or the model has no parameter. `scatter.noise` is estimated anew if
 // it is what the model leaves.
-std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Noise noise,
+std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Scatter scatter,
                                           const std::vector<ComparedCell>& cells,
                                           const std::vector<Loss>& losses);
 

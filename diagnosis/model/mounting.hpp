@@ -1,0 +1,53 @@
+// What mounting a routing anew changes: the readings of one mounting (one routing in one run) share
+// what it did to the friction of each contact and to the gain of each channel.
+//
+//   φ_c = φ (1 + τ z_c),   T_j = T_j (1 + τ z_j),   z standard normal, new in each mounting
+//
+// to first order: with D the standard deviations of the readings' own noise and j_k the change of
+// the mounting's readings by the k-th of these, the readings of a mounting have the covariance
+//
+//   D² + Σ_k τ_k² j_k j_kᵀ
+//
+// of a linear mixed model. The scatter τ is one number for each kind of thing that is mounted.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/data/dataset.hpp"
+
+namespace reeve::diagnosis {
+
+// Exponents of sheaths, tubes and bearings, gains of channels (that of the motor tension is one).
+enum class Mounted : std::uint8_t { sheath, tube, bearing, gain };
+inline constexpr std::size_t mounted_kinds = 4;
+const char* mounted_name(Mounted kind);
+
+// Relative, one standard deviation from mounting to mounting.
+using MountedScatter = std::array<double, mounted_kinds>;
+
+struct Mounting {
+  std::size_t run = 0;      // in MeasuredData::runs
+  std::size_t routing = 0;  // in MeasuredData::routings
+  std::vector<Eigen::Index> cells;
+};
+
+// In the order of run and routing.
+std::vector<Mounting> mountings(const Dataset& dataset);
+
+// One column for each thing that a mounting changes: the n-th contact of a kind in the routing's
+// network, or a channel. It acts in each mounting by itself.
+struct MountingModes {
+  std::vector<Mounted> kind;   // of each column
+  Eigen::MatrixXd by_share_N;  // of each cell: its change by a relative change of the thing
+};
+
+// At these tensions of the model; things without effect have no column, and a model without
+// tensions a little beside it none at all.
+MountingModes mounting_modes(const Dataset& dataset, const Model& model);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,302 @@
+#include "diagnosis/model/mounting_scatter.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/model/null_model.hpp"
+#include "numerics/minimise.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Of one routing; more say little more about four numbers, and cost the cube.
+constexpr std::size_t most_mountings = 12;
+
+// What any model of a routing could say of its mountings together.
+class CommonColumns {
+ public:
+  CommonColumns(const Problem& problem, const Forecast& at)
+      : dataset_(*problem.dataset), relative_(at.reading_N.cwiseQuotient(problem.deviation_N)) {}
+
+  MatrixXd of(const std::vector<Index>& cells) const {
+    std::map<std::tuple<std::uint64_t, Direction, std::size_t>, Index> classes;
+    std::map<std::size_t, Index> channels;
+    for (const Index i : cells) {
+      const Cell& cell = dataset_.cells[static_cast<std::size_t>(i)];
+      const Reading& reading = dataset_.data->readings[cell.reading];
+      classes.emplace(std::tuple(reading.grasp.held, reading.direction, cell.channel),
+                      static_cast<Index>(classes.size()));
+      channels.emplace(cell.channel, static_cast<Index>(channels.size()));
+    }
+    const auto means = static_cast<Index>(classes.size());
+    MatrixXd columns = MatrixXd::Zero(static_cast<Index>(cells.size()),
+                                      means + 3 * static_cast<Index>(channels.size()));
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      const Cell& cell = dataset_.cells[static_cast<std::size_t>(cells[n])];
+      const Reading& reading = dataset_.data->readings[cell.reading];
+      const double relative = relative_[cells[n]];
+      const auto row = static_cast<Index>(n);
+      columns(row, classes.at({reading.grasp.held, reading.direction, cell.channel})) = relative;
+      const Index trend = means + 3 * channels.at(cell.channel);
+      const double motor = std::max(reading.motor_tension_N.value_or(1), 1e-6);
+      columns(row, trend) = relative / motor;
+      columns(row, trend + 1) = relative * std::log(motor);
+      columns(row, trend + 2) =
+          relative * std::log(std::max(reading.speed_mm_s.value_or(10), 0.01) / 10);
+    }
+    return columns;
+  }
+
+ private:
+  const Dataset& dataset_;
+  VectorXd relative_;
+};
+
+// What goes with cycle and temperature at each kind of contact, and with the order at each channel.
+MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
+  const Dataset& dataset = *problem.dataset;
+  constexpr Index conditions = 4;
+  std::vector<Eigen::Vector4d> of_row;
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  for (const DatasetRow& row : dataset.rows) {
+    const Reading& reading = dataset.data->readings[row.reading];
+    const double cycle = reading.cycle.value_or(0);
+    of_row.emplace_back(cycle, std::log1p(std::max(cycle, 0.0) / 100),
+                        reading.temperature_C.value_or(20), static_cast<double>(row.reading));
+    mean += of_row.back() / static_cast<double>(dataset.rows.size());
+  }
+  MatrixXd result = MatrixXd::Zero(modes.by_share_N.rows(),
+                                   conditions * static_cast<Index>(mounted_kinds));
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const Eigen::Vector4d centred = of_row[r] - mean;
+    for (std::size_t i = dataset.rows[r].first; i < dataset.rows[r].last; ++i) {
+      const auto cell = static_cast<Index>(i);
+      for (std::size_t k = 0; k < modes.kind.size(); ++k) {
+        const double change =
+            modes.by_share_N(cell, static_cast<Index>(k)) / problem.deviation_N[cell];
+        const Index first = conditions * static_cast<Index>(modes.kind[k]);
+        for (Index c = 0; c < conditions; ++c) result(cell, first + c) += change * centred[c];
+      }
+    }
+  }
+  return result;
+}
+
+// A, b and the kind of each perturbation, of all mountings that can be compared.
+struct Equations {
+  MatrixXd square;
+  VectorXd along;
+  std::vector<Mounted> kind;
+};
+
+class Comparison {
+ public:
+  Comparison(const Problem& problem, const Forecast& at, const MountingModes& modes)
+      : common_(problem, at), modes_(modes), problem_(problem), at_(at) {
+    residuals_ = own_residuals(problem, at);
+    conditions_ = without_scales(condition_columns(problem, modes));
+    loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() *
+                               modes.by_share_N);
+    std::map<std::size_t, std::vector<Mounting>> by_routing;
+    for (Mounting& mounting : mountings(*problem.dataset)) {
+      by_routing[mounting.routing].push_back(std::move(mounting));
+    }
+    for (const auto& [routing, all] : by_routing) {
+      if (all.size() > 1) add(chosen(all));
+    }
+  }
+
+  std::size_t mounted_again() const { return mounted_again_; }
+
+  Equations equations() const {
+    const auto size = static_cast<Index>(kind_.size());
+    MatrixXd square = MatrixXd::Zero(size, size);
+    for (const Part& part : parts_) {
+      square.block(part.first, part.first, part.square.rows(), part.square.cols()) = part.square;
+    }
+    if (parts_.empty()) return {square, VectorXd(0), {}};
+    // The conditions are common to all routings.
+    Index rows = 0;
+    for (const Part& part : parts_) rows += part.conditions.rows();
+    MatrixXd conditions(rows, conditions_.cols());
+    rows = 0;
+    for (const Part& part : parts_) {
+      conditions.middleRows(rows, part.conditions.rows()) = part.conditions;
+      rows += part.conditions.rows();
+    }
+    const MatrixXd basis = orthonormal_basis(conditions);
+    MatrixXd shared = MatrixXd::Zero(size, basis.cols());
+    VectorXd of_residuals = VectorXd::Zero(basis.cols());
+    VectorXd along(size);
+    rows = 0;
+    for (const Part& part : parts_) {
+      const auto own = basis.middleRows(rows, part.conditions.rows());
+      shared.middleRows(part.first, part.loadings.cols()) = part.loadings.transpose() * own;
+      of_residuals += own.transpose() * part.residuals;
+      along.segment(part.first, part.loadings.cols()) = part.loadings.transpose() * part.residuals;
+      rows += part.conditions.rows();
+    }
+    return {square - shared * shared.transpose(), along - shared * of_residuals, kind_};
+  }
+
+ private:
+  // Of one routing, with everything taken out that its mountings have in common.
+  struct Part {
+    Index first = 0;  // of its perturbations among all
+    MatrixXd loadings;
+    MatrixXd conditions;
+    VectorXd residuals;
+    MatrixXd square;
+  };
+
+  static std::vector<Mounting> chosen(const std::vector<Mounting>& all) {
+    const std::size_t count = std::min(all.size(), most_mountings);
+    std::vector<Mounting> result;
+    for (std::size_t i = 0; i < count; ++i) result.push_back(all[i * all.size() / count]);
+    return result;
+  }
+
+  MatrixXd without_scales(MatrixXd columns) const {
+    for (Index c = 0; c < columns.cols(); ++c) {
+      VectorXd column = columns.col(c);
+      take_out_scales(problem_, at_, column);
+      columns.col(c) = column;
+    }
+    return columns;
+  }
+
+  void add(const std::vector<Mounting>& mountings) {
+    std::vector<Index> cells;
+    for (const Mounting& mounting : mountings) {
+      cells.insert(cells.end(), mounting.cells.begin(), mounting.cells.end());
+    }
+    const auto modes = static_cast<Index>(modes_.kind.size());
+    MatrixXd loadings = MatrixXd::Zero(static_cast<Index>(cells.size()),
+                                       modes * static_cast<Index>(mountings.size()));
+    Index row = 0;
+    Index column = 0;
+    for (const Mounting& mounting : mountings) {
+      const MatrixXd own = loadings_(mounting.cells, Eigen::all);
+      loadings.block(row, column, own.rows(), modes) = own;
+      row += own.rows();
+      column += modes;
+      kind_.insert(kind_.end(), modes_.kind.begin(), modes_.kind.end());
+    }
+    const MatrixXd basis = orthonormal_basis(common_.of(cells));
+    Part part{parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {},
+              {}};
+    part.loadings = loadings - basis * (basis.transpose() * loadings);
+    const MatrixXd conditions = conditions_(cells, Eigen::all);
+    part.conditions = conditions - basis * (basis.transpose() * conditions);
+    const VectorXd residuals = residuals_(cells);
+    part.residuals = residuals - basis * (basis.transpose() * residuals);
+    part.square = part.loadings.transpose() * part.loadings;
+    parts_.push_back(std::move(part));
+    mounted_again_ += mountings.size() - 1;
+  }
+
+  CommonColumns common_;
+  const MountingModes& modes_;
+  const Problem& problem_;
+  const Forecast& at_;
+  VectorXd residuals_;
+  MatrixXd conditions_;
+  MatrixXd loadings_;
+  std::vector<Part> parts_;
+  std::vector<Mounted> kind_;
+  std::size_t mounted_again_ = 0;
+};
+
+struct Posterior {
+  double misfit = 0;  // −2 ℓ
+  std::array<double, mounted_kinds> told_by{};
+};
+
+Posterior posterior(const Equations& equations, const MountedScatter& scatter) {
+  Posterior result;
+  const auto size = static_cast<Index>(equations.kind.size());
+  if (size == 0) return result;
+  VectorXd tau(size);
+  for (Index i = 0; i < size; ++i) {
+    tau[i] = scatter[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])];
+  }
+  MatrixXd covariance = tau.asDiagonal() * equations.square * tau.asDiagonal();
+  covariance.diagonal().array() += 1;
+  const Eigen::LLT<MatrixXd> factor(covariance);
+  const VectorXd along = tau.cwiseProduct(equations.along);
+  result.misfit = 2 * factor.matrixLLT().diagonal().array().log().sum() -
+                  along.dot(factor.solve(along));
+  // Of each perturbation, 1 − its variance given the readings over that without them.
+  const MatrixXd lower =
+      factor.matrixL().solve(MatrixXd::Identity(size, size));
+  const VectorXd variance = lower.colwise().squaredNorm().transpose();
+  for (Index i = 0; i < size; ++i) {
+    result.told_by[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])] +=
+        1 - variance[i];
+  }
+  return result;
+}
+
+double penalty(double scatter, double assumed) {
+  return -2 * std::log(scatter / assumed) + 2 * scatter / assumed;
+}
+
+}  // namespace
+
+bool is_told(const MountingScatter& scatter, Mounted kind) {
+  return scatter.told_by[static_cast<std::size_t>(kind)] >= 1;
+}
+
+MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
+                                 const MountingModes& modes, std::optional<double> given) {
+  constexpr int evaluations = 60;
+  constexpr double least = 1e-3;  // of the assumed one
+  constexpr double most = 20;
+  MountingScatter result;
+  result.given = given.has_value();
+  for (const Mounted kind : modes.kind) result.present[static_cast<std::size_t>(kind)] = true;
+  const Comparison comparison(problem, at, modes);
+  result.mounted_again = comparison.mounted_again();
+  const Equations equations = comparison.equations();
+  std::vector<std::size_t> free;
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    if (!result.present[k]) continue;
+    const bool is_given = given && k != static_cast<std::size_t>(Mounted::gain);
+    result.relative[k] = is_given ? *given : assumed_scatter[k];
+    if (!is_given) free.push_back(k);
+  }
+  const auto at_logarithms = [&](const std::vector<double>& x) {
+    MountedScatter scatter = result.relative;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      scatter[free[i]] = assumed_scatter[free[i]] * std::exp(x[i]);
+    }
+    return scatter;
+  };
+  if (!free.empty() && !equations.kind.empty()) {
+    const std::vector<Interval> box(free.size(), Interval{std::log(least), std::log(most)});
+    const Minimum best = refine(
+        [&](const std::vector<double>& x) {
+          const MountedScatter scatter = at_logarithms(x);
+          double misfit = posterior(equations, scatter).misfit;
+          for (const std::size_t k : free) misfit += penalty(scatter[k], assumed_scatter[k]);
+          return misfit;
+        },
+        box, std::vector<double>(free.size(), 0.0),
+        evaluations * static_cast<int>(free.size() + 1));
+    result.relative = at_logarithms(best.at);
+  }
+  result.told_by = posterior(equations, result.relative).told_by;
+  return result;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,51 @@
+// How much mountings of a routing differ (mounting.hpp), estimated from the differences between
+// mountings of the same routing.
+//
+// Residuals y in units of the readings' own noise; in each routing everything that its mountings
+// have in common is taken out, whatever it is: the mean of each channel in each grasp and
+// direction, and how it follows load and speed; then what follows the cycle or the temperature at
+// each kind of contact, and the order at each channel, since conditions differ between mountings
+// too. With X a basis of that, V the loadings of what mountings change and D = diag(τ²) the
+// scatters are those of the greatest restricted likelihood (H. D. Patterson and R. Thompson,
+// Biometrika 58, 1971)
+//
+//   −2 ℓ = ln |I + D^{1/2} A D^{1/2}| − bᵀ D^{1/2} (I + D^{1/2} A D^{1/2})⁻¹ D^{1/2} b,
+//   A = Vᵀ M V,  b = Vᵀ M y,  M = I − X X⁺
+//
+// times τ e^{−τ/s}, a gamma density of shape 2 about the assumed scatter s: where readings tell
+// much it moves the estimate by about a standard error from 0, where they tell nothing (each
+// routing mounted once) the estimate is s (Y. Chung, S. Rabe-Hesketh, V. Dorie, A. Gelman, J. Liu,
+// Psychometrika 78, 2013).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/problem.hpp"
+
+namespace reeve::diagnosis {
+
+// A rig that nobody knows. Exponents: ten lifts over one carabiner and one pulley, and strands of
+// one hand's routings, scatter by 3 to 9 % (docs/diagnosis.md); gains: what load cells are quoted
+// with.
+inline constexpr MountedScatter assumed_scatter{0.04, 0.04, 0.10, 0.005};
+
+struct MountingScatter {
+  MountedScatter relative{};  // τ
+  // How many independent differences tell of each; below 1 it is the assumed one.
+  std::array<double, mounted_kinds> told_by{};
+  std::array<bool, mounted_kinds> present{};  // in these data
+  std::size_t mounted_again = 0;              // mountings of routings beyond the first of each
+  bool given = false;                         // by the user
+};
+
+// Whether the readings tell it.
+bool is_told(const MountingScatter& scatter, Mounted kind);
+
+// The problem's residuals must not be whitened yet. `given` is what the user knows of exponents:
+// then only the gains are estimated.
+MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
+                                 const MountingModes& modes, std::optional<double> given);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,12 @@
+#include "diagnosis/model/scatter.hpp"
+
+namespace reeve::diagnosis {
+
+Problem problem(const Dataset& dataset, const Scatter& scatter, const Model& model) {
+  const Forecast at = forecast(dataset, model);
+  Problem result = problem(dataset, deviations(dataset, scatter.noise, at.reading_N));
+  share_scatter(result, mounting_modes(dataset, model), scatter.mounting.relative, at);
+  return result;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,38 @@
+// The coefficients that no rig knows beforehand: one for each kind of contact that is there.
+//
+// They are free in every model that the data are explained with, so that no cause stands in for a
+// coefficient that was guessed wrong. The hardware can say that one is known (`known = true`), or
+// that there is no friction (mu = 0): those stay, as do those of which the data say too little to
+// tell them apart within their range.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/model/fit.hpp"
+#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/search/candidates.hpp"
+
+namespace reeve::diagnosis {
+
+bool is_coefficient(const Effect& effect);
+
+// Whether the hardware leaves the coefficient open; `effect` is one.
+bool is_open(const Effect& effect, const Hardware& hardware);
+
+// The model with each open coefficient of the candidates free, fitted from several starts.
+Model calibrated(const Problem& problem, const Model& nominal,
+                 const std::vector<Candidate>& candidates);
+
+struct Calibration {
+  Effect effect;  // fitted
+  ParameterInterval interval;
+  // That chance alone takes the estimate so far from what the hardware says, by Student's t, for as
+  // many coefficients as there are.
+  double p_value = 1;
+};
+
+// Of each coefficient that the model has free.
+std::vector<Calibration> calibrations(const Problem& problem, const Model& model,
+                                      double mounting_degrees);
+
+}  // namespace reeve::diagnosis

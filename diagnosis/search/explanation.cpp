@@ -1,0 +1,203 @@
+#include "diagnosis/search/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "diagnosis/model/left_noise.hpp"
+#include "diagnosis/search/cross_validation.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+// A second name has to stand against a smaller chance than the first.
+constexpr double further_share_of_alpha = 0.5;
+// Independent readings that each cause takes, and more causes than anybody would believe.
+constexpr double readings_of_a_cause = 12;
+constexpr double most_believed = 6;
+// Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
+// they say nothing: what they know of it may all stand in one run.
+constexpr double refuted = -2;
+
+std::size_t carried_causes(const Dataset& training) {
+  const double carried = std::floor(training.degrees_of_freedom() / readings_of_a_cause);
+  return static_cast<std::size_t>(std::clamp(carried, 1.0, most_believed));
+}
+
+class Explaining {
+ public:
+  Explaining(const Dataset& training, const Model& nominal,
+             const std::vector<Candidate>& candidates, const ExplanationOptions& options)
+      : training_(training), nominal_(nominal), options_(options) {
+    for (const Candidate& candidate : candidates) {
+      (is_coefficient(candidate.effect) ? coefficients_ : causes_).push_back(candidate);
+    }
+    result_.most_causes = options.most_causes.value_or(carried_causes(training));
+  }
+
+  void calibrate() {
+    const std::optional<Noise> measured = noise_without_model(training_);
+    noise_is_measured_ = measured.has_value();
+    result_.scatter.noise = measured ? *measured : noise_left_by(training_, nominal_);
+    result_.problem = problem(training_, result_.scatter, nominal_);
+    result_.base = calibrated(result_.problem, nominal_, coefficients_);
+    if (measured && measured->within_mountings) {
+      result_.scatter.mounting = scatter_of_mountings();
+      result_.problem = problem(training_, result_.scatter, result_.base);
+      result_.base = calibrated(result_.problem, nominal_, coefficients_);
+    }
+    rescatter(result_.problem, result_.base);
+    result_.model = result_.base;
+  }
+
+  bool find(Workers& workers, const std::function<bool(const char*)>& stop) {
+    const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
+                                     options_.replicates, result_.most_causes, options_.seed};
+    auto found = search_causes(
+        result_.problem, result_.base, causes_, options, workers,
+        [this](Problem& problem, const Model& model) { rescatter(problem, model); },
+        [&] { return stop("searching for causes"); });
+    if (!found) return false;
+    result_.model = std::move(found->model);
+    result_.accepted = std::move(found->accepted);
+    result_.p_value =
+        result_.accepted.empty() ? found->p_value_of_next : result_.accepted.front().p_value;
+    return true;
+  }
+
+  // Decided by the training runs, each forecast from the others: what the held-out runs say of the
+  // named causes is then no choice of theirs. The weakest goes first, since it may have stood in
+  // the others' way.
+  bool drop_unconfirmed(const std::function<bool(const char*)>& stop) {
+    while (!result_.accepted.empty()) {
+      if (stop("confirming the causes")) return false;
+      const LeftOutMisfits with_all = left_out_misfits(result_.problem, result_.model);
+      double least = refuted;
+      std::size_t weakest = result_.accepted.size();
+      for (std::size_t c = 0; c < result_.accepted.size(); ++c) {
+        const Model before = without_cause(c);
+        const double gain = left_out_gain(left_out_misfits(result_.problem, before), with_all);
+        if (gain >= least) continue;
+        least = gain;
+        weakest = c;
+      }
+      if (weakest == result_.accepted.size()) return true;
+      drop(weakest, result_.not_confirmed);
+    }
+    return true;
+  }
+
+  // An interval that holds the nominal size, or a size at the end of what was searched, says that
+  // the cause may be none, or another.
+  void drop_unsure() {
+    for (std::size_t c = 0; c < result_.accepted.size();) {
+      if (is_sure(result_.accepted[c])) {
+        ++c;
+      } else {
+        drop(c, result_.not_sure);
+        c = 0;
+      }
+    }
+  }
+
+  void judge_coefficients() {
+    result_.calibrations =
+        calibrations(result_.problem, result_.model, result_.mounting_degrees());
+  }
+
+  Explanation take() { return std::move(result_); }
+
+ private:
+  MountingScatter scatter_of_mountings() const {
+    const Forecast at = forecast(training_, result_.base);
+    const Problem own =
+        problem(training_, deviations(training_, result_.scatter.noise, at.reading_N));
+    return mounting_scatter(own, at, mounting_modes(training_, result_.base),
+                            options_.mounting_scatter);
+  }
+
+  void rescatter(Problem& problem, const Model& model) {
+    if (!noise_is_measured_) result_.scatter.noise = noise_left_by(training_, model);
+    problem = diagnosis::problem(training_, result_.scatter, model);
+  }
+
+  Model without_cause(std::size_t cause) const {
+    const std::size_t at = place(result_.model, result_.accepted[cause].effect);
+    return fit(result_.problem, without(result_.model, at)).model;
+  }
+
+  void drop(std::size_t cause, std::vector<std::string>& to) {
+    to.push_back(effect_name(result_.accepted[cause].effect));
+    result_.model = without_cause(cause);
+    rescatter(result_.problem, result_.model);
+    result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(cause));
+  }
+
+  bool is_sure(const AcceptedCause& accepted) const {
+    constexpr double near = 1e-3;  // of the range
+    const std::size_t e = place(result_.model, accepted.effect);
+    const Effect& effect = result_.model.effects[e];
+    const auto parameters = effect.cause->parameters(nominal_.hardware);
+    if (parameters.empty()) return true;
+    const ParameterInterval size =
+        parameter_intervals(result_.problem, result_.model, result_.mounting_degrees())[e].front();
+    const Range range = parameters.front().range;
+    const double nominal = *parameters.front().nominal;
+    const double margin = near * (range.high - range.low);
+    const double value = effect.values.front();
+    return (size.low > nominal || size.high < nominal) && value > range.low + margin &&
+           value < range.high - margin;
+  }
+
+  const Dataset& training_;
+  const Model& nominal_;
+  const ExplanationOptions& options_;
+  std::vector<Candidate> coefficients_;
+  std::vector<Candidate> causes_;
+  bool noise_is_measured_ = false;
+  Explanation result_;
+};
+
+}  // namespace
+
+double Explanation::mounting_degrees() const {
+  double degrees = 0;
+  for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
+    if (is_told(scatter.mounting, kind)) {
+      degrees += scatter.mounting.told_by[static_cast<std::size_t>(kind)];
+    }
+  }
+  return degrees > 0 ? degrees : std::numeric_limits<double>::infinity();
+}
+
+Explanation nothing_explained(const Dataset& training, const Model& nominal,
+                              const ExplanationOptions& options) {
+  Explaining explaining(training, nominal, {}, options);
+  explaining.calibrate();
+  return explaining.take();
+}
+
+std::optional<Explanation> explain(const Dataset& training, const Model& nominal,
+                                   const std::vector<Candidate>& candidates,
+                                   const ExplanationOptions& options, Workers& workers,
+                                   const std::function<bool(const char*)>& stop) {
+  Explaining explaining(training, nominal, candidates, options);
+  explaining.calibrate();
+  if (!explaining.find(workers, stop)) return std::nullopt;
+  if (!explaining.drop_unconfirmed(stop)) return std::nullopt;
+  explaining.drop_unsure();
+  explaining.judge_coefficients();
+  return explaining.take();
+}
+
+void take_back_causes(Explanation& explanation) {
+  explanation.model = explanation.base;
+  explanation.problem =
+      problem(*explanation.problem.dataset, explanation.scatter, explanation.base);
+  explanation.accepted.clear();
+  explanation.calibrations =
+      calibrations(explanation.problem, explanation.model, explanation.mounting_degrees());
+}
+
+}  // namespace reeve::diagnosis
