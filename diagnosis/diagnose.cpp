@@ -109,6 +109,11 @@ class Diagnosis {
     return calibration.p_value < options_.alpha;
   }
 
+  // No smaller chance than the replicates could tell of a cause.
+  double resolved(double p_value) const {
+    return std::max(p_value, 1 / static_cast<double>(options_.replicates + 1));
+  }
+
   bool names_a_coefficient() const {
     return std::any_of(found_.calibrations.begin(), found_.calibrations.end(),
                        [&](const Calibration& calibration) { return differs(calibration); });
@@ -160,10 +165,10 @@ class Diagnosis {
     for (const Calibration& calibration : found_.calibrations) {
       CalibratedCoefficient coefficient{effect_name(calibration.effect),
                                         estimated(calibration.effect, 0, calibration.interval),
-                                        calibration.p_value, differs(calibration)};
+                                        resolved(calibration.p_value), differs(calibration)};
       if (coefficient.differs) {
-        add_cause(calibration.effect, calibration.p_value);
-        result_.p_value = std::min(result_.p_value, calibration.p_value);
+        add_cause(calibration.effect, coefficient.p_value);
+        result_.p_value = std::min(result_.p_value, coefficient.p_value);
       }
       result_.calibration.push_back(std::move(coefficient));
     }
@@ -206,7 +211,8 @@ class Diagnosis {
     const Problem unseen = problem(sample_.held_out, found_.scatter, result_.model);
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       NamedCause& cause = result_.causes[c];
-      const Fit before = fit(found_.problem, without(result_.model, place(result_.model, cause.effect)));
+      const Fit before =
+          fit(found_.problem, without(result_.model, place(result_.model, cause.effect)));
       cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
     }
     for (std::size_t i = 0; i < weighed.size(); ++i) {
@@ -277,8 +283,8 @@ class Diagnosis {
       result_.next_measurement = result_.separating_measurement;
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
-      result_.next_measurement =
-          shrinking_measurement(plan, found_.problem, result_.model, place(result_.model, cause.effect));
+      result_.next_measurement = shrinking_measurement(plan, found_.problem, result_.model,
+                                                       place(result_.model, cause.effect));
     }
   }
 

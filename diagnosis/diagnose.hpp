@@ -121,13 +121,13 @@ struct DiagnosisResult {
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<CalibratedCoefficient> calibration;
-  std::vector<std::string> not_confirmed;   // accepted, but training runs forecast others worse
-  std::vector<std::string> not_sure;        // the interval holds the nominal size, or a bound
-  std::vector<std::string> withdrawn;       // together they may lose on the held-out runs
+  std::vector<std::string> not_confirmed;  // accepted, but training runs forecast others worse
+  std::vector<std::string> not_sure;       // the interval holds the nominal size, or a bound
+  std::vector<std::string> withdrawn;      // together they may lose on the held-out runs
   std::optional<HeldOut> withdrawn_held_out;
-  std::size_t most_causes = 0;              // that were looked for, beside coefficients
-  std::optional<NoiseLimit> noise_limit;    // over the model as it was; nothing if nothing held out
-  std::vector<RunGain> run_gains;           // all causes over none, each held-out run
+  std::size_t most_causes = 0;            // that were looked for, beside coefficients
+  std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
+  std::vector<RunGain> run_gains;         // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
   double p_value = 1;            // that chance alone gives what the best cause gains
   double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise

@@ -70,7 +70,8 @@ int run_main(int argc, char** argv) {
   app.add_option("--sets", options.sets, "data sets of each part")->capture_default_str();
   app.add_option("--seed", options.seed)->capture_default_str();
   app.add_option("--part", options.part,
-                 "single, null, pairs, unknown, alias, coverage, leakage or all")
+                 "single, null, pairs, unknown, alias, coverage, leakage, mounting, "
+                 "few_mountings, heavy, negative or all")
       ->capture_default_str();
   app.add_option("--visible", options.visible,
                  "least log-likelihood ratio of the truth that counts as visible")

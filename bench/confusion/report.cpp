@@ -162,6 +162,20 @@ bool same_as_without_copies(const Outcome& outcome) {
          outcome.with_more->named == outcome.finding.named;
 }
 
+// Some of them hide a cause, others none.
+std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
+  std::vector<const Outcome*> hidden, calm;
+  for (const Outcome* outcome : seen) {
+    (outcome->planted.empty() ? calm : hidden).push_back(outcome);
+  }
+  return at_least("named right", rate(hidden, as_it_should_be), 95) +
+         at_most("named wrong", rate(hidden, wrong), 2) +
+         at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
+         plain("any verdict but none where none is hidden",
+               rate(calm, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
+         "\n" + coverage(seen) + gains(hidden);
+}
+
 std::string rates(Part part, const std::vector<const Outcome*>& seen) {
   switch (part) {
     case Part::single:
@@ -185,6 +199,11 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
     case Part::alias:
       return at_least("indistinguishable, with both names", rate(seen, reports_both), 95) +
              at_least("resolved with the further runs", rate(seen, resolves), 95);
+    case Part::mounting:
+    case Part::few_mountings:
+    case Part::heavy:
+    case Part::negative:
+      return of_hard_readings(seen);
     case Part::leakage:
       return at_least("all copied rows dropped",
                       rate(seen, [](const Outcome& o) { return o.copies_dropped.value(); }), 100) +

@@ -1,5 +1,7 @@
 #include "bench/confusion/trial.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,10 +83,30 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
     case Part::leakage:
       if (index % 2 == 1) plan.effects = {turn<EffectKind>(testing::library_effects(), index)};
       break;
+    case Part::mounting:
+    case Part::heavy:
+    case Part::negative:
+      if (index % 3 != 2) {
+        plan.effects = {testing::Dice(trial.seed).pick(testing::library_effects())};
+        plan.size = index % 3 == 0 ? EffectSize::medium : EffectSize::large;
+      }
+      index /= 3;
+      break;
+    case Part::few_mountings:
+      plan.runs = turn<int>(std::array{3, 6, 20}, index);
+      break;
     case Part::null:
       break;
   }
   plan.noise = turn<NoiseLevel>(noises, index);
+  if (part == Part::mounting || part == Part::few_mountings) {
+    plan.noise.mounted_exponent = turn<double>(std::array{0.03, 0.05, 0.08}, index);
+  }
+  if (part == Part::heavy) plan.noise.tail_degrees = 3;
+  if (part == Part::negative) {
+    plan.noise.below_zero = true;
+    plan.noise.absolute_N = 0.5;
+  }
   return trial;
 }
 
@@ -113,6 +135,15 @@ std::vector<FoundInterval> intervals_of(const Planted& planted, const DiagnosisR
                              truth, estimate.value, estimate.low, estimate.high});
       }
     }
+  }
+  const auto planted_too = [&](const std::string& name) {
+    return std::any_of(planted.causes.begin(), planted.causes.end(),
+                       [&](const testing::PlantedCause& hidden) { return hidden.name == name; });
+  };
+  for (const CalibratedCoefficient& free : result.calibration) {
+    if (planted_too(free.name)) continue;
+    intervals.push_back({"calibration of " + free.name, *free.parameter.nominal,
+                         free.parameter.value, free.parameter.low, free.parameter.high});
   }
   return intervals;
 }
@@ -146,7 +177,9 @@ void diagnose_planted(const Planted& planted, const DiagnoseOptions& options, Ou
   for (const auto& cause : planted.causes) outcome.planted.push_back(cause.name);
   outcome.oracle = least_ratio(planted);
   outcome.csv = planted.csv;
-  outcome.intervals = intervals_of(planted, result);
+  if (planted.causes.empty() || names_all(outcome, outcome.finding)) {
+    outcome.intervals = intervals_of(planted, result);
+  }
   if (names_all(outcome, outcome.finding) && result.held_out) {
     outcome.gain = {result.held_out->reduction, possible_gain(planted, data, result)};
   }
@@ -171,13 +204,17 @@ void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Out
 }  // namespace
 
 const char* part_name(Part part) {
-  constexpr std::array names{"single", "null", "pairs", "unknown", "alias", "coverage", "leakage"};
+  constexpr std::array names{"single",        "null",     "pairs",   "unknown",
+                             "alias",         "coverage", "leakage", "mounting",
+                             "few_mountings", "heavy",    "negative"};
   return names[static_cast<std::size_t>(part)];
 }
 
 const std::vector<Part>& all_parts() {
-  static const std::vector<Part> parts{Part::single,   Part::null,    Part::pairs, Part::unknown,
-                                       Part::coverage, Part::leakage, Part::alias};
+  static const std::vector<Part> parts{Part::single,  Part::null,     Part::pairs,
+                                       Part::unknown, Part::coverage, Part::leakage,
+                                       Part::alias,   Part::mounting, Part::few_mountings,
+                                       Part::heavy,   Part::negative};
   return parts;
 }
 
@@ -194,7 +231,12 @@ std::string Trial::kind() const {
 std::string Trial::column() const {
   const std::string noise = plan.noise.relative < 0.02 ? "1 %" : "3 %";
   const bool sized = !plan.effects.empty();
-  return (sized ? std::string(testing::size_name(plan.size)) + ", " : "") + noise;
+  std::string text = (sized ? std::string(testing::size_name(plan.size)) + ", " : "") + noise;
+  if (plan.noise.mounted_exponent > 0) {
+    text += fmt::format(", mountings {:.0f} %", 100 * plan.noise.mounted_exponent);
+  }
+  if (plan.runs > 0) text += fmt::format(", {} runs", plan.runs);
+  return text;
 }
 
 std::vector<Trial> trials_of(Part part, std::size_t sets, std::uint64_t seed) {

@@ -59,8 +59,8 @@ struct MeasuredData {
   std::vector<DataNote> notes;
 };
 
-// Parallel to the channels: whether one reads below 0 anywhere, as a load cell that drifts does. One
-// that never does may be clipped there.
+// Parallel to the channels: whether one reads below 0 anywhere, as a load cell that drifts does.
+// One that never does may be clipped there.
 std::vector<bool> reads_below_zero(const MeasuredData& data);
 
 // A routing for the text of a cell: a word, or a name where the caller knows names. Throws

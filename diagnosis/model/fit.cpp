@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "numerics/minimise.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -56,14 +58,23 @@ Fit fit(const Problem& problem, const Model& model) {
       trial.effects[free[i].effect].values[free[i].parameter] = free[i].from_search(at[i]);
     }
   };
-  const Minimum best = refine(
-      [&](const std::vector<double>& at) {
-        set(at);
-        return std::min(misfit(problem, trial), no_tensions);
-      },
-      box, start, evaluations * static_cast<int>(free.size() + 1));
-  set(best.at);
-  return {std::move(trial), best.value};
+  const auto residuals_at = [&](const std::vector<double>& at) -> std::optional<Eigen::VectorXd> {
+    set(at);
+    const auto there = try_forecast(*problem.dataset, trial);
+    if (!there) return std::nullopt;
+    return residuals(problem, *there);
+  };
+  LeastSquares found = least_squares(residuals_at, box, start);
+  if (!found.converged) {
+    found.minimum = refine(
+        [&](const std::vector<double>& at) {
+          const auto left = residuals_at(at);
+          return left ? std::min(left->squaredNorm(), no_tensions) : no_tensions;
+        },
+        box, found.minimum.at, evaluations * static_cast<int>(free.size() + 1));
+  }
+  set(found.minimum.at);
+  return {std::move(trial), found.minimum.value};
 }
 
 Fit fit(const Problem& problem, const Model& model, std::size_t effect,

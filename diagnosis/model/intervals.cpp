@@ -72,7 +72,7 @@ SharedScatter shared_scatter(const std::vector<RunEquations>& runs, const Vector
 class Spreads {
  public:
   Spreads(std::vector<RunEquations> runs, const MatrixXd& jacobian, const VectorXd& residuals,
-             double degrees, VectorXd own_variance, double mounting_degrees)
+          double degrees, VectorXd own_variance, double mounting_degrees)
       : runs_(std::move(runs)),
         inverse_(inverse_square(jacobian)),
         shared_(shared_scatter(runs_, column_scale(jacobian))),
@@ -96,8 +96,8 @@ class Spreads {
   Spread of_known_scatter(Index parameter) const {
     const double all = known(parameter);
     const double shared = all > 0 ? std::max(0.0, 1 - own_variance_[parameter] / all) : 0;
-    const double degrees = 1 / ((1 - shared) * (1 - shared) / degrees_ +
-                                shared * shared / mounting_degrees_);
+    const double degrees =
+        1 / ((1 - shared) * (1 - shared) / degrees_ + shared * shared / mounting_degrees_);
     return {std::sqrt(reading_spread_ * all), degrees};
   }
 

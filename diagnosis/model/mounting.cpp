@@ -55,9 +55,8 @@ std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
   std::size_t most = 0;
   for (const Block& block : dataset.blocks) {
     const auto& contacts = dataset.data->routings[block.routing].network.contacts;
-    const auto count = std::count_if(contacts.begin(), contacts.end(), [&](const auto& contact) {
-      return contact.kind == kind;
-    });
+    const auto count = std::count_if(contacts.begin(), contacts.end(),
+                                     [&](const auto& contact) { return contact.kind == kind; });
     most = std::max(most, static_cast<std::size_t>(count));
   }
   return most;

@@ -75,8 +75,8 @@ MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
                         reading.temperature_C.value_or(20), static_cast<double>(row.reading));
     mean += of_row.back() / static_cast<double>(dataset.rows.size());
   }
-  MatrixXd result = MatrixXd::Zero(modes.by_share_N.rows(),
-                                   conditions * static_cast<Index>(mounted_kinds));
+  MatrixXd result =
+      MatrixXd::Zero(modes.by_share_N.rows(), conditions * static_cast<Index>(mounted_kinds));
   for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
     const Eigen::Vector4d centred = of_row[r] - mean;
     for (std::size_t i = dataset.rows[r].first; i < dataset.rows[r].last; ++i) {
@@ -105,8 +105,7 @@ class Comparison {
       : common_(problem, at), modes_(modes), problem_(problem), at_(at) {
     residuals_ = own_residuals(problem, at);
     conditions_ = without_scales(condition_columns(problem, modes));
-    loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() *
-                               modes.by_share_N);
+    loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N);
     std::map<std::size_t, std::vector<Mounting>> by_routing;
     for (Mounting& mounting : mountings(*problem.dataset)) {
       by_routing[mounting.routing].push_back(std::move(mounting));
@@ -193,8 +192,8 @@ class Comparison {
       kind_.insert(kind_.end(), modes_.kind.begin(), modes_.kind.end());
     }
     const MatrixXd basis = orthonormal_basis(common_.of(cells));
-    Part part{parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {},
-              {}};
+    Part part{
+        parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {}, {}};
     part.loadings = loadings - basis * (basis.transpose() * loadings);
     const MatrixXd conditions = conditions_(cells, Eigen::all);
     part.conditions = conditions - basis * (basis.transpose() * conditions);
@@ -234,11 +233,10 @@ Posterior posterior(const Equations& equations, const MountedScatter& scatter) {
   covariance.diagonal().array() += 1;
   const Eigen::LLT<MatrixXd> factor(covariance);
   const VectorXd along = tau.cwiseProduct(equations.along);
-  result.misfit = 2 * factor.matrixLLT().diagonal().array().log().sum() -
-                  along.dot(factor.solve(along));
+  result.misfit =
+      2 * factor.matrixLLT().diagonal().array().log().sum() - along.dot(factor.solve(along));
   // Of each perturbation, 1 − its variance given the readings over that without them.
-  const MatrixXd lower =
-      factor.matrixL().solve(MatrixXd::Identity(size, size));
+  const MatrixXd lower = factor.matrixL().solve(MatrixXd::Identity(size, size));
   const VectorXd variance = lower.colwise().squaredNorm().transpose();
   for (Index i = 0; i < size; ++i) {
     result.told_by[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])] +=

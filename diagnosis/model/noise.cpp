@@ -46,8 +46,7 @@ double misfit(const std::vector<ScatterSample>& samples, double absolute, double
     const double variance = absolute * absolute + scatter * scatter;
     const double square = sample.residual_N * sample.residual_N / variance;
     sum += sample.kept * std::log(variance);
-    sum += tail == 0 ? square
-                     : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
+    sum += tail == 0 ? square : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
   }
   return sum;
 }
@@ -114,8 +113,8 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
     const Conditions& at = row.conditions;
     for (std::size_t i = row.first; i < row.last; ++i) {
       groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
-              reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N, at.speed_mm_s, at.cycle, at.temperature_C,
-              reading.sheath_angle_rad}]
+              reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N,
+              at.speed_mm_s, at.cycle, at.temperature_C, reading.sheath_angle_rad}]
           .push_back(i);
     }
   }

@@ -33,7 +33,7 @@ struct Noise {
                           // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
   double degrees_of_freedom = 0;
-  double tail_degrees = 0;     // ν; 0: normal
+  double tail_degrees = 0;       // ν; 0: normal
   bool within_mountings = true;  // otherwise it contains what differs between them
 
   double deviation(double tension_N) const;

@@ -1,9 +1,9 @@
 // What chance alone does: residuals as they would be if the current model were right.
 //
-// Each replicate draws mountings and normal readings about the model's, and fits the model's parameters again (to
-// first order: their sensitivities, and the scales of rows without motor tension, are projected
-// out). A statistic of the data is judged by the same statistic of the replicates, so that whatever
-// was searched over, is searched over there, too.
+// Each replicate draws mountings and normal readings about the model's, and fits the model's
+// parameters again (to first order: their sensitivities, and the scales of rows without motor
+// tension, are projected out). A statistic of the data is judged by the same statistic of the
+// replicates, so that whatever was searched over, is searched over there, too.
 #pragma once
 
 #include <Eigen/Core>

@@ -22,8 +22,8 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
   Index used = 0;
   while (used < all && squares[all - 1 - used] > least) ++used;
   const VectorXd kept = squares.tail(used);
-  result.axes = seen * across.eigenvectors().rightCols(used) *
-                kept.cwiseSqrt().cwiseInverse().asDiagonal();
+  result.axes =
+      seen * across.eigenvectors().rightCols(used) * kept.cwiseSqrt().cwiseInverse().asDiagonal();
   result.shrunk = 1 - (1 + kept.array()).rsqrt();
   return result;
 }

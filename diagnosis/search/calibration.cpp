@@ -86,11 +86,9 @@ std::vector<Calibration> calibrations(const Problem& problem, const Model& model
     result.push_back({model.effects[e], intervals[e].front(), 1});
   }
   for (Calibration& found : result) {
-    const double nominal =
-        *found.effect.cause->parameters(model.hardware).front().nominal;
+    const double nominal = *found.effect.cause->parameters(model.hardware).front().nominal;
     const double off = std::abs(found.effect.values.front() - nominal);
-    const double chance =
-        two_sided_p_value(off / found.interval.deviation, found.interval.degrees);
+    const double chance = two_sided_p_value(off / found.interval.deviation, found.interval.degrees);
     found.p_value = std::min(1.0, chance * static_cast<double>(result.size()));
   }
   return result;

@@ -105,8 +105,9 @@ class Search {
   }
 
   bool is_accepted(const Effect& effect) const {
-    return std::any_of(result_.accepted.begin(), result_.accepted.end(),
-                       [&](const AcceptedCause& other) { return same_effect(other.effect, effect); });
+    return std::any_of(
+        result_.accepted.begin(), result_.accepted.end(),
+        [&](const AcceptedCause& other) { return same_effect(other.effect, effect); });
   }
 
   double gain(double before, double after) const {

@@ -102,8 +102,7 @@ class Explaining {
   }
 
   void judge_coefficients() {
-    result_.calibrations =
-        calibrations(result_.problem, result_.model, result_.mounting_degrees());
+    result_.calibrations = calibrations(result_.problem, result_.model, result_.mounting_degrees());
   }
 
   Explanation take() { return std::move(result_); }

@@ -14,8 +14,8 @@ namespace reeve::diagnosis {
 struct ComparedCell {
   Cell cell;
   bool held_out = false;
-  double before_N = 0;  // forecast of the model as it was
-  double after_N = 0;   // of the extended one
+  double before_N = 0;     // forecast of the model as it was
+  double after_N = 0;      // of the extended one
   double deviation_N = 0;  // with what the reading shares with its mounting
   // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
   // would read on average that cannot read below 0, without what a free scale explains.

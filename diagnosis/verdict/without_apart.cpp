@@ -85,8 +85,7 @@ std::optional<double> share_error_of(const MeasuredData& data, const Model& mode
 }  // namespace
 
 std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model,
-                                          Scatter scatter,
-                                          const std::vector<ComparedCell>& cells,
+                                          Scatter scatter, const std::vector<ComparedCell>& cells,
                                           const std::vector<Loss>& losses) {
   WithoutApart result;
   result.left_out = cells_apart(data, cells, losses);

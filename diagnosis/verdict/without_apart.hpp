@@ -23,10 +23,10 @@ struct WithoutApart {
   std::optional<double> share_error;
 };
 
-// Nothing if no stretch stands apart, or the model has no parameter. `scatter.noise` is estimated anew if
-// it is what the model leaves.
-std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model, Scatter scatter,
-                                          const std::vector<ComparedCell>& cells,
+// Nothing if no stretch stands apart, or the model has no parameter. `scatter.noise` is estimated
+// anew if it is what the model leaves.
+std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model,
+                                          Scatter scatter, const std::vector<ComparedCell>& cells,
                                           const std::vector<Loss>& losses);
 
 }  // namespace reeve::diagnosis

@@ -14,7 +14,7 @@ const Noise noise_of_bench{0, bench_deviation_N, NoiseSource::residuals, 10};
 std::vector<LeftOutRun> left_out(const MeasuredData& data, const Model& model,
                                  const Noise& noise = noise_of_bench) {
   Workers workers(2);
-  return left_out_runs(data, all_readings(data), model, noise, workers);
+  return left_out_runs(data, all_readings(data), model, {noise, {}}, workers);
 }
 
 TEST(LeftOutRuns, AreForecastByAFitToTheOthers) {

@@ -56,7 +56,7 @@ struct Handed {
   }
 
   std::optional<WithoutApart> without(const Noise& noise) const {
-    return without_apart(data, model, noise, cells, losses);
+    return without_apart(data, model, {noise, {}}, cells, losses);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/support/planting_mounting.hpp"
 #include "tests/support/planting_readings.hpp"
 
 namespace reeve::testing {
@@ -11,6 +12,7 @@ namespace {
 
 // Streams of one seed that must not follow each other.
 std::uint64_t noise_seed(std::uint64_t seed) { return seed ^ 0x9e3779b97f4a7c15U; }
+std::uint64_t mounting_seed(std::uint64_t seed) { return seed ^ 0xd1b54a32d192ed03U; }
 
 Truth truth_without(const std::vector<PlantedEffect>& effects, std::size_t left_out) {
   Truth truth;
@@ -116,17 +118,25 @@ Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& 
                 const NoiseLevel& noise, std::uint64_t seed) {
   const Readings nominal = expected_readings({}, experiment);
   const Readings expected = expected_readings(truth_without(effects, effects.size()), experiment);
-  const Readings readings = with_noise(expected, noise, seed);
-  const double truth = log_likelihood_of(noise, expected, readings);
+  const Truth truth_of_all = truth_without(effects, effects.size());
+  const Readings readings =
+      with_noise(expected_readings(truth_of_all, mounted(experiment, noise, mounting_seed(seed))),
+                 noise, seed);
+  const auto ratio_over = [&](const Readings& other) {
+    return noise.mounted_exponent == 0 && noise.mounted_gain == 0
+               ? log_likelihood_of(noise, expected, readings) -
+                     log_likelihood_of(noise, other, readings)
+               : mounted_log_likelihood_ratio(truth_of_all, experiment, noise, other, readings);
+  };
   Planted planted;
   planted.csv = to_csv(experiment, readings, "seed " + std::to_string(seed));
   planted.noise = noise;
-  planted.log_likelihood_ratio = truth - log_likelihood_of(noise, nominal, readings);
+  planted.log_likelihood_ratio = ratio_over(nominal);
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const Readings others =
         effects.size() == 1 ? nominal : expected_readings(truth_without(effects, i), experiment);
-    planted.causes.push_back({effects[i].kind, effects[i].name, effects[i].parameters,
-                              truth - log_likelihood_of(noise, others, readings)});
+    planted.causes.push_back(
+        {effects[i].kind, effects[i].name, effects[i].parameters, ratio_over(others)});
   }
   planted.experiment = experiment;
   planted.cells = cells_of(experiment, nominal, expected, readings);
@@ -136,6 +146,7 @@ Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& 
 Planted plant(const PlantingPlan& plan, std::uint64_t seed) {
   Dice dice(seed);
   ExperimentNeeds needs;
+  needs.runs = plan.runs;
   needs.least_tension_N = 4 * plan.noise.absolute_N;
   for (const EffectKind kind : plan.effects) add_needs(kind, needs);
   const Experiment experiment = random_experiment(needs, dice);

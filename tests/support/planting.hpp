@@ -24,6 +24,7 @@ struct PlantingPlan {
   std::vector<EffectKind> effects;  // none: the nominal model is the truth
   EffectSize size = EffectSize::medium;
   NoiseLevel noise = low_noise;
+  int runs = 0;  // so many; 0: 8 to 16
 };
 
 struct PlantedCause {

@@ -221,7 +221,8 @@ std::vector<std::string> channels_of(const std::vector<ExperimentRow>& rows) {
 
 Experiment random_experiment(const ExperimentNeeds& needs, Dice& dice) {
   const std::vector<std::string> words = choose_words(needs, dice);
-  const int runs = dice.integer(8, 16);
+  const int drawn_runs = dice.integer(8, 16);
+  const int runs = needs.runs > 0 ? needs.runs : drawn_runs;
   const auto routings = assign(words, runs, dice);
   const Habits habits = random_habits(dice);
   Surroundings surroundings(needs, runs, dice);

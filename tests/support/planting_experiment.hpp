@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace reeve::testing {
 
 struct ExperimentRow {
   std::string run;
-  Condition condition;                // as recorded
-  std::vector<std::string> measured;  // segments with a reading
+  Condition condition;                   // as recorded
+  std::vector<std::string> measured;     // segments with a reading
+  std::map<std::string, double> gain{};  // what mounting did to the sensors, by segment
 };
 
 struct Experiment {
@@ -26,6 +28,7 @@ struct Experiment {
 struct ExperimentNeeds {
   bool speed = false, cycle = false, temperature = false;  // vary
   bool bearings = false;                                   // in most routings
+  int runs = 0;                                            // so many; 0: 8 to 16
   double least_tension_N = 0.1;  // nominal tensions stay above, where that is possible
 };
 

@@ -98,7 +98,10 @@ class NatureProblem {
     for (const ReferenceContact& contact : result_.contacts) {
       const ContactName name{contact.left, contact.right};
       if (!cut.locked.contains(name)) {
-        laws_.emplace(name, law_of(contact.kind, original(name), nature, factors));
+        PlantedLaw law = law_of(contact.kind, original(name), nature, factors);
+        const auto mounted = condition.exponent_factor.find(original(name));
+        if (mounted != condition.exponent_factor.end()) law.phi *= mounted->second;
+        laws_.emplace(name, law);
       }
     }
   }

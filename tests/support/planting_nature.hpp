@@ -17,6 +17,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/reference_model.hpp"
@@ -30,6 +31,8 @@ struct Condition {
   ReferenceDirection direction = ReferenceDirection::pull;
   double motor_tension_N = 0;
   std::optional<double> speed_mm_s, cycle, temperature_C;
+  // What mounting did to the exponents of contacts, named by their segments in walk order.
+  std::map<std::pair<std::string, std::string>, double> exponent_factor;
 };
 
 // Rows of that routing that are recorded in one grasp are measured in another.

@@ -1,6 +1,7 @@
 // Noise of planted readings, and how likely a reading is under it.
 //
-//     reading = max(0, T (1 + r n1) + a n2),   n1, n2 standard normal
+//     reading = max(0, T (1 + r n1) + a n2),   n1, n2 standard normal, or both over the square root
+//                                              of one chi-squared number, scaled to variance 1
 //
 // so that, above 0, it is normal about T with sd^2 = (r T)^2 + a^2. Seeds give the same numbers on
 // every machine: the normal numbers are made here, from explicit bits (G. E. P. Box and
@@ -15,6 +16,12 @@ namespace reeve::testing {
 struct NoiseLevel {
   double relative = 0.01;
   double absolute_N = 0.02;
+  // Of Student's t, with the same standard deviation; 0: normal. At least 3.
+  int tail_degrees = 0;
+  // Relative, from mounting to mounting (planting_mounting.hpp).
+  double mounted_exponent = 0;
+  double mounted_gain = 0;
+  bool below_zero = false;  // the sensors read what is below 0, too
 };
 
 inline constexpr NoiseLevel low_noise{0.01, 0.02};
@@ -33,6 +40,7 @@ class NoiseSource {
 
  private:
   double uniform();  // in (0, 1]
+  double stretch();  // of a heavier tail
 
   NoiseLevel noise_;
   std::mt19937_64 engine_;

@@ -38,8 +38,8 @@ class TensionTable {
 
   Tensions of(const Condition& condition) {
     const Condition c = essential(nature_, condition);
-    const Key key{c.word,       c.held,  c.direction,    c.motor_tension_N,
-                  c.speed_mm_s, c.cycle, c.temperature_C};
+    const Key key{c.word,       c.held,  c.direction,     c.motor_tension_N,
+                  c.speed_mm_s, c.cycle, c.temperature_C, c.exponent_factor};
     auto found = solved_.find(key);
     if (found == solved_.end()) found = solved_.emplace(key, planted_tensions(nature_, c)).first;
     Tensions tension = found->second;
@@ -49,7 +49,8 @@ class TensionTable {
 
  private:
   using Key = std::tuple<std::string, std::set<int>, ReferenceDirection, double,
-                         std::optional<double>, std::optional<double>, std::optional<double>>;
+                         std::optional<double>, std::optional<double>, std::optional<double>,
+                         std::map<std::pair<std::string, std::string>, double>>;
   const Nature& nature_;
   std::map<Key, Tensions> solved_;
 };
@@ -150,7 +151,8 @@ Readings expected_readings(const Truth& truth, const Experiment& experiment) {
     for (const std::string& channel : row.measured) {
       const double gain = found_or(sensors.gain, channel, 1);
       const double offset_N = found_or(sensors.offset_N, channel, 0);
-      of_row.push_back(factor * (gain * tension.at(channel) + offset_N));
+      const double mounted = found_or(row.gain, channel, 1);
+      of_row.push_back(factor * mounted * (gain * tension.at(channel) + offset_N));
     }
   }
   return readings;

@@ -1,0 +1,142 @@
+#include "numerics/least_squares.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace reeve::numerics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_steps = 20;
+constexpr double difference_share = 1e-6;  // of the width of the box
+constexpr double settled = 1e-7;  // relative fall of the sum, and more than rounding brings
+constexpr double least_damping = 1e-6;
+constexpr double most_damping = 1e8;
+
+class Descent {
+ public:
+  Descent(const Residuals& residuals, const std::vector<Interval>& box,
+          const std::vector<double>& start)
+      : residuals_(residuals), box_(box), at_(start) {}
+
+  LeastSquares run() {
+    auto first = residuals_(at_);
+    if (!first) return {{at_, std::numeric_limits<double>::infinity()}, false};
+    here_ = std::move(*first);
+    value_ = here_.squaredNorm();
+    bool converged = false;
+    for (int step = 0; step < most_steps && !converged; ++step) {
+      if (!differentiate()) break;
+      const double before = value_;
+      if (!descend()) {
+        converged = is_flat();
+        break;
+      }
+      converged = before - value_ <= settled * before;
+    }
+    return {{at_, value_}, converged};
+  }
+
+ private:
+  double width(std::size_t i) const { return box_[i].high - box_[i].low; }
+
+  bool differentiate() {
+    jacobian_.resize(here_.size(), static_cast<Index>(at_.size()));
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      auto column = jacobian_.col(static_cast<Index>(i));
+      const double step = difference_share * width(i) *
+                          (at_[i] + difference_share * width(i) > box_[i].high ? -1 : 1);
+      if (step == 0) {
+        column.setZero();
+        continue;
+      }
+      std::vector<double> beside = at_;
+      beside[i] += step;
+      const auto there = residuals_(beside);
+      if (!there) return false;
+      column = (*there - here_) / step;
+    }
+    gradient_ = jacobian_.transpose() * here_;
+    return true;
+  }
+
+  // At a bound, and the sum falls beyond it.
+  bool is_held(std::size_t i) const {
+    const double slope = gradient_[static_cast<Index>(i)];
+    return (at_[i] <= box_[i].low && slope > 0) || (at_[i] >= box_[i].high && slope < 0);
+  }
+
+  // Whether what a full step could gain is none.
+  bool is_flat() const {
+    double gain = 0;
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      const auto k = static_cast<Index>(i);
+      const double square = jacobian_.col(k).squaredNorm();
+      if (!is_held(i) && square > 0) gain += gradient_[k] * gradient_[k] / square;
+    }
+    return gain <= 100 * settled * value_;
+  }
+
+  std::vector<double> stepped() const {
+    MatrixXd square = jacobian_.transpose() * jacobian_;
+    VectorXd slope = gradient_;
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      const auto k = static_cast<Index>(i);
+      if (is_held(i) || square(k, k) == 0) {
+        square.row(k).setZero();
+        square.col(k).setZero();
+        square(k, k) = 1;
+        slope[k] = 0;
+      }
+    }
+    square.diagonal() *= 1 + damping_;
+    const VectorXd step = square.ldlt().solve(-slope);
+    std::vector<double> there = at_;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const double moved = there[i] + step[static_cast<Index>(i)];
+      there[i] = std::clamp(moved, box_[i].low, box_[i].high);
+    }
+    return there;
+  }
+
+  bool descend() {
+    for (; damping_ < most_damping; damping_ *= 10) {
+      const std::vector<double> there = stepped();
+      auto residuals = residuals_(there);
+      if (!residuals) continue;
+      const double value = residuals->squaredNorm();
+      if (!(value < value_)) continue;
+      at_ = there;
+      here_ = std::move(*residuals);
+      value_ = value;
+      damping_ = std::max(least_damping, damping_ / 10);
+      return true;
+    }
+    return false;
+  }
+
+  const Residuals& residuals_;
+  const std::vector<Interval>& box_;
+  std::vector<double> at_;
+  VectorXd here_;
+  MatrixXd jacobian_;
+  VectorXd gradient_;
+  double value_ = 0;
+  double damping_ = 1e-3;
+};
+
+}  // namespace
+
+LeastSquares least_squares(const Residuals& residuals, const std::vector<Interval>& box,
+                           const std::vector<double>& start) {
+  return Descent(residuals, box, start).run();
+}
+
+}  // namespace reeve::numerics

@@ -1,0 +1,23 @@
+// What mounting a routing anew does to planted readings: in each run and routing, the exponent of
+// each contact and the gain of each sensor are a little other ones, normal about the nominal.
+//
+// Oracle: with what mountings share, the readings of one mounting have the covariance
+// diag(sd^2) + sum of tau_k^2 j_k j_k^T, j_k the change of its expected readings by the k-th
+// exponent or gain, taken by finite differences of the planted tensions.
+#pragma once
+
+#include <cstdint>
+
+#include "tests/support/planting_noise.hpp"
+#include "tests/support/planting_readings.hpp"
+
+namespace reeve::testing {
+
+Experiment mounted(const Experiment& experiment, const NoiseLevel& noise, std::uint64_t seed);
+
+// ln N(readings | expected) - ln N(readings | other), both with that covariance.
+double mounted_log_likelihood_ratio(const Truth& truth, const Experiment& experiment,
+                                    const NoiseLevel& noise, const Readings& other,
+                                    const Readings& readings);
+
+}  // namespace reeve::testing
