@@ -91,6 +91,7 @@ struct ContactLoad {
 
 enum class Reach : std::uint8_t {
   hardware,    // change_hardware
+  exponent,    // exponent, whatever the tension and the conditions
   conditions,  // exponent, whatever the tension
   load,        // exponent, as a function of the tension
   grasp,       // actual_grasp

@@ -34,7 +34,9 @@ ModelSolver::ModelSolver(const Model& model) : model_(&model) {
   for (const Effect& effect : model.effects) {
     const Reach reach = effect.cause->reach();
     if (reach == Reach::load) depends_on_load_ = true;
-    if (reach == Reach::load || reach == Reach::conditions) exponent_effects_.push_back(&effect);
+    if (reach == Reach::load || reach == Reach::conditions || reach == Reach::exponent) {
+      exponent_effects_.push_back(&effect);
+    }
   }
 }
 

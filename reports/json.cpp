@@ -18,7 +18,7 @@ Json law(const ContactLaw& contact) {
   return {{"mu", contact.mu}, {"angle_rad", contact.angle_rad}};
 }
 
-Json to_json(const FingerHardware& finger) {
+Json finger_json(const FingerHardware& finger) {
   Json json{{"finger", finger.finger}};
   add_if_given(json, "tip_mu", finger.tip_mu);
   add_if_given(json, "tip_angle_rad", finger.tip_angle_rad);
@@ -57,7 +57,7 @@ Json to_json(const Hardware& hardware) {
               {"hand_mm", hardware.hand_mm}}}};
   if (hardware.block) json["block"] = law(*hardware.block);
   json["fingers"] = Json::array();
-  for (const FingerHardware& finger : hardware.fingers) json["fingers"].push_back(to_json(finger));
+  for (const FingerHardware& finger : hardware.fingers) json["fingers"].push_back(finger_json(finger));
   json["contacts"] = Json::array();
   for (const ContactHardware& contact : hardware.contacts) {
     Json entry{{"between", {contact.segment, contact.other_segment}}};

@@ -1,6 +1,6 @@
-// Fitting the parameters of a model's effects to a problem by least squares (least_squares.hpp, from
-// several starts; NLopt's BOBYQA where that gets stuck, as at the kinks between kinds of grasps):
-// the most likely values under normal noise of the problem's standard deviations.
+// Fitting the parameters of a model's effects to a problem by least squares (least_squares.hpp,
+// from several starts; NLopt's BOBYQA where that gets stuck, as at the kinks between kinds of
+// grasps): the most likely values under normal noise of the problem's standard deviations.
 #pragma once
 
 #include <vector>

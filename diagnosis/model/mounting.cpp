@@ -1,7 +1,10 @@
 #include "diagnosis/model/mounting.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -34,7 +37,7 @@ class OneExponent final : public Cause {
   OneExponent(ContactKind kind, std::size_t number) : kind_(kind), number_(number) {}
 
   const char* name() const override { return "exponent_of_one_contact"; }
-  Reach reach() const override { return Reach::conditions; }
+  Reach reach() const override { return Reach::exponent; }
   const char* meaning() const override { return "one contact's friction is another one"; }
   std::vector<Parameter> parameters(const Hardware&) const override {
     return {{"change", "1", 0, {-1, 1}, {}}};
@@ -62,29 +65,81 @@ std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
   return most;
 }
 
-std::optional<VectorXd> forecast_at(const Dataset& dataset, const Model& model, const Cause& cause,
-                                    double change) {
-  Model moved = model;
-  add_effect(moved, {&cause, {}, {change}});
-  auto at = try_forecast(dataset, moved);
-  if (!at) return std::nullopt;
-  return std::move(at->reading_N);
-}
-
-void add_exponents(const Dataset& dataset, const Model& model, Mounted kind, ContactKind contact,
-                   std::vector<std::pair<Mounted, VectorXd>>& columns) {
-  constexpr double step = 1e-4;
-  const std::size_t most = most_of_a_kind(dataset, contact);
-  for (std::size_t number = 0; number < most; ++number) {
-    const OneExponent cause(contact, number);
-    const auto above = forecast_at(dataset, model, cause, step);
-    const auto below = forecast_at(dataset, model, cause, -step);
-    if (above && below) columns.emplace_back(kind, (*above - *below) / (2 * step));
+// The exponents that differ between mountings, with their columns.
+class Exponents {
+ public:
+  Exponents(const Dataset& dataset, const Model& model, const VectorXd& at)
+      : dataset_(dataset), model_(model), at_(at) {
+    for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
+      for (std::size_t c = 0; c < contact_kinds; ++c) {
+        const auto contact = static_cast<ContactKind>(c);
+        if (is_of(kind, contact)) add(kind, contact);
+      }
+    }
   }
-}
 
-void add_gains(const Dataset& dataset, const VectorXd& reading,
-               std::vector<std::pair<Mounted, VectorXd>>& columns) {
+  void put(MountingModes& modes, std::vector<VectorXd>& columns) const {
+    for (const One& one : ones_) {
+      modes.kind.push_back(one.kind);
+      columns.push_back(one.change_N);
+    }
+    for (std::size_t a = 0; a < ones_.size(); ++a) {
+      for (std::size_t b = 0; b <= a; ++b) put_pair(a, b, modes);
+    }
+  }
+
+ private:
+  static constexpr double small = 1e-4;
+  static constexpr double wide = 0.02;  // so that rounding is no second derivative
+
+  struct One {
+    Mounted kind = Mounted::sheath;
+    std::unique_ptr<const OneExponent> cause;
+    VectorXd change_N;
+    std::optional<VectorXd> wide_N;  // after a wide step
+  };
+
+  std::optional<VectorXd> moved(std::initializer_list<std::pair<const Cause*, double>> by) const {
+    Model model = model_;
+    for (const auto& [cause, change] : by) add_effect(model, {cause, {}, {change}});
+    auto there = try_forecast(dataset_, model);
+    if (!there) return std::nullopt;
+    return std::move(there->reading_N);
+  }
+
+  void add(Mounted kind, ContactKind contact) {
+    const std::size_t most = most_of_a_kind(dataset_, contact);
+    for (std::size_t number = 0; number < most; ++number) {
+      One one{kind, std::make_unique<OneExponent>(contact, number), {}, {}};
+      const auto above = moved({{one.cause.get(), small}});
+      const auto below = moved({{one.cause.get(), -small}});
+      if (!above || !below) continue;
+      one.change_N = (*above - *below) / (2 * small);
+      if (one.change_N.norm() <= 1e-9 * at_.norm()) continue;
+      one.wide_N = moved({{one.cause.get(), wide}});
+      ones_.push_back(std::move(one));
+    }
+  }
+
+  void put_pair(std::size_t a, std::size_t b, MountingModes& modes) const {
+    const One& first = ones_[a];
+    const One& second = ones_[b];
+    const auto both = a == b ? moved({{first.cause.get(), -wide}})
+                             : moved({{first.cause.get(), wide}, {second.cause.get(), wide}});
+    if (!first.wide_N || !second.wide_N || !both) return;
+    VectorXd change = a == b ? VectorXd((*both + *first.wide_N - 2 * at_) / std::numbers::sqrt2)
+                             : VectorXd(*both - *first.wide_N - *second.wide_N + at_);
+    modes.pairs.push_back({first.kind, second.kind, change / (wide * wide)});
+  }
+
+  const Dataset& dataset_;
+  const Model& model_;
+  const VectorXd& at_;
+  std::vector<One> ones_;
+};
+
+void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& modes,
+               std::vector<VectorXd>& columns) {
   const std::size_t channels = dataset.data->channels.size();
   std::vector<VectorXd> own(channels, VectorXd::Zero(reading.size()));
   VectorXd motor = VectorXd::Zero(reading.size());
@@ -95,8 +150,12 @@ void add_gains(const Dataset& dataset, const VectorXd& reading,
       if (row.has_motor_tension) motor[k] = reading[k];
     }
   }
-  for (VectorXd& column : own) columns.emplace_back(Mounted::gain, std::move(column));
-  columns.emplace_back(Mounted::gain, std::move(motor));
+  own.push_back(std::move(motor));
+  for (VectorXd& column : own) {
+    if (column.isZero(0)) continue;
+    modes.kind.push_back(Mounted::gain);
+    columns.push_back(std::move(column));
+  }
 }
 
 }  // namespace
@@ -136,20 +195,12 @@ MountingModes mounting_modes(const Dataset& dataset, const Model& model) {
   MountingModes modes;
   modes.by_share_N.resize(static_cast<Index>(dataset.cells.size()), 0);
   if (!at) return modes;
-  std::vector<std::pair<Mounted, VectorXd>> columns;
-  for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
-    for (std::size_t c = 0; c < contact_kinds; ++c) {
-      const auto contact = static_cast<ContactKind>(c);
-      if (is_of(kind, contact)) add_exponents(dataset, model, kind, contact, columns);
-    }
-  }
-  add_gains(dataset, at->reading_N, columns);
-  const double rounding = 1e-9 * at->reading_N.norm();
-  std::erase_if(columns, [&](const auto& column) { return column.second.norm() <= rounding; });
+  std::vector<VectorXd> columns;
+  Exponents(dataset, model, at->reading_N).put(modes, columns);
+  put_gains(dataset, at->reading_N, modes, columns);
   modes.by_share_N.resize(at->reading_N.size(), static_cast<Index>(columns.size()));
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    modes.kind.push_back(columns[c].first);
-    modes.by_share_N.col(static_cast<Index>(c)) = columns[c].second;
+    modes.by_share_N.col(static_cast<Index>(c)) = columns[c];
   }
   return modes;
 }

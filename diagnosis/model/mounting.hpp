@@ -9,6 +9,9 @@
 //   D² + Σ_k τ_k² j_k j_kᵀ
 //
 // of a linear mixed model. The scatter τ is one number for each kind of thing that is mounted.
+// Where friction is strong and readings are many, a second order can be seen: the change by two
+// exponents together, τ_a τ_b z_a z_b ∂²T/∂z_a∂z_b, is taken for one more thing that scatters with
+// the same variance.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,6 +47,14 @@ std::vector<Mounting> mountings(const Dataset& dataset);
 struct MountingModes {
   std::vector<Mounted> kind;   // of each column
   Eigen::MatrixXd by_share_N;  // of each cell: its change by a relative change of the thing
+
+  // Of two exponents; with itself: half the second derivative times √2, the deviation of z².
+  struct Pair {
+    Mounted first = Mounted::sheath;
+    Mounted second = Mounted::sheath;
+    Eigen::VectorXd by_shares_N;
+  };
+  std::vector<Pair> pairs;
 };
 
 // At these tensions of the model; things without effect have no column, and a model without

@@ -26,7 +26,9 @@ constexpr std::size_t most_mountings = 12;
 class CommonColumns {
  public:
   CommonColumns(const Problem& problem, const Forecast& at)
-      : dataset_(*problem.dataset), relative_(at.reading_N.cwiseQuotient(problem.deviation_N)) {}
+      : dataset_(*problem.dataset),
+        relative_(at.reading_N.cwiseQuotient(problem.deviation_N)),
+        absolute_(problem.deviation_N.cwiseInverse()) {}
 
   MatrixXd of(const std::vector<Index>& cells) const {
     std::map<std::tuple<std::uint64_t, Direction, std::size_t>, Index> classes;
@@ -49,7 +51,7 @@ class CommonColumns {
       columns(row, classes.at({reading.grasp.held, reading.direction, cell.channel})) = relative;
       const Index trend = means + 3 * channels.at(cell.channel);
       const double motor = std::max(reading.motor_tension_N.value_or(1), 1e-6);
-      columns(row, trend) = relative / motor;
+      columns(row, trend) = absolute_[cells[n]];
       columns(row, trend + 1) = relative * std::log(motor);
       columns(row, trend + 2) =
           relative * std::log(std::max(reading.speed_mm_s.value_or(10), 0.01) / 10);
@@ -60,6 +62,7 @@ class CommonColumns {
  private:
   const Dataset& dataset_;
   VectorXd relative_;
+  VectorXd absolute_;
 };
 
 // What goes with cycle and temperature at each kind of contact, and with the order at each channel.

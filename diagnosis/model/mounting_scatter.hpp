@@ -3,11 +3,11 @@
 //
 // Residuals y in units of the readings' own noise; in each routing everything that its mountings
 // have in common is taken out, whatever it is: the mean of each channel in each grasp and
-// direction, and how it follows load and speed; then what follows the cycle or the temperature at
-// each kind of contact, and the order at each channel, since conditions differ between mountings
-// too. With X a basis of that, V the loadings of what mountings change and D = diag(τ²) the
-// scatters are those of the greatest restricted likelihood (H. D. Patterson and R. Thompson,
-// Biometrika 58, 1971)
+// direction, a constant force, and how it follows load and speed; then what follows the cycle or
+// the temperature at each kind of contact, and the order at each channel, since conditions differ
+// between mountings too. With X a basis of that, V the loadings of what mountings change and D =
+// diag(τ²) the scatters are those of the greatest restricted likelihood (H. D. Patterson and R.
+// Thompson, Biometrika 58, 1971)
 //
 //   −2 ℓ = ln |I + D^{1/2} A D^{1/2}| − bᵀ D^{1/2} (I + D^{1/2} A D^{1/2})⁻¹ D^{1/2} b,
 //   A = Vᵀ M V,  b = Vᵀ M y,  M = I − X X⁺

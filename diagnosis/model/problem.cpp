@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace reeve::diagnosis {
 namespace {
@@ -58,6 +59,30 @@ Eigen::VectorXd shared_variance(const Problem& problem) {
   return variance;
 }
 
+// What one standard deviation of each thing does, in units of the readings' own noise.
+Eigen::MatrixXd loadings_of(const Problem& problem, const MountingModes& modes,
+                            const MountedScatter& scatter) {
+  // Of all readings together: what is less nobody sees.
+  constexpr double least = 0.3;
+  const auto tau = [&](Mounted kind) { return scatter[static_cast<std::size_t>(kind)]; };
+  const Eigen::VectorXd per_noise = problem.deviation_N.cwiseInverse();
+  std::vector<Eigen::VectorXd> columns;
+  for (std::size_t k = 0; k < modes.kind.size(); ++k) {
+    columns.emplace_back(tau(modes.kind[k]) *
+                         per_noise.cwiseProduct(modes.by_share_N.col(static_cast<Index>(k))));
+  }
+  for (const MountingModes::Pair& pair : modes.pairs) {
+    Eigen::VectorXd column =
+        tau(pair.first) * tau(pair.second) * per_noise.cwiseProduct(pair.by_shares_N);
+    if (column.norm() > least) columns.push_back(std::move(column));
+  }
+  Eigen::MatrixXd loadings(per_noise.size(), static_cast<Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    loadings.col(static_cast<Index>(c)) = columns[c];
+  }
+  return loadings;
+}
+
 }  // namespace
 
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
@@ -89,17 +114,14 @@ Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
 void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
                    const Forecast& at) {
   problem.shared.clear();
-  Eigen::MatrixXd loadings = problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N;
-  for (Index k = 0; k < loadings.cols(); ++k) {
-    loadings.col(k) *= scatter[static_cast<std::size_t>(modes.kind[static_cast<std::size_t>(k)])];
-  }
+  const Eigen::MatrixXd loadings = loadings_of(problem, modes, scatter);
+  if (loadings.squaredNorm() == 0) return;
   Eigen::MatrixXd seen = loadings;
   for (Index k = 0; k < seen.cols(); ++k) {
     Eigen::VectorXd column = seen.col(k);
     take_out_scales(problem, at, column);
     seen.col(k) = column;
   }
-  if (loadings.squaredNorm() == 0) return;
   for (Mounting& mounting : mountings(*problem.dataset)) {
     const Eigen::MatrixXd own = loadings(mounting.cells, Eigen::all);
     const Eigen::MatrixXd own_seen = seen(mounting.cells, Eigen::all);

@@ -42,9 +42,9 @@ class Explaining {
     result_.scatter.noise = measured ? *measured : noise_left_by(training_, nominal_);
     result_.problem = problem(training_, result_.scatter, nominal_);
     result_.base = calibrated(result_.problem, nominal_, coefficients_);
-    if (measured && measured->within_mountings) {
-      result_.scatter.mounting = scatter_of_mountings();
-      result_.problem = problem(training_, result_.scatter, result_.base);
+    knows_mountings_ = measured && measured->within_mountings;
+    if (knows_mountings_) {
+      rescatter(result_.problem, result_.base);
       result_.base = calibrated(result_.problem, nominal_, coefficients_);
     }
     rescatter(result_.problem, result_.base);
@@ -108,17 +108,16 @@ class Explaining {
   Explanation take() { return std::move(result_); }
 
  private:
-  MountingScatter scatter_of_mountings() const {
-    const Forecast at = forecast(training_, result_.base);
-    const Problem own =
-        problem(training_, deviations(training_, result_.scatter.noise, at.reading_N));
-    return mounting_scatter(own, at, mounting_modes(training_, result_.base),
-                            options_.mounting_scatter);
-  }
-
+  // What is not explained yet may look as if mountings differed.
   void rescatter(Problem& problem, const Model& model) {
-    if (!noise_is_measured_) result_.scatter.noise = noise_left_by(training_, model);
-    problem = diagnosis::problem(training_, result_.scatter, model);
+    Scatter& scatter = result_.scatter;
+    if (!noise_is_measured_) scatter.noise = noise_left_by(training_, model);
+    const Forecast at = forecast(training_, model);
+    problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
+    if (!knows_mountings_) return;
+    const MountingModes modes = mounting_modes(training_, model);
+    scatter.mounting = mounting_scatter(problem, at, modes, options_.mounting_scatter);
+    share_scatter(problem, modes, scatter.mounting.relative, at);
   }
 
   Model without_cause(std::size_t cause) const {
@@ -155,6 +154,7 @@ class Explaining {
   std::vector<Candidate> coefficients_;
   std::vector<Candidate> causes_;
   bool noise_is_measured_ = false;
+  bool knows_mountings_ = false;
   Explanation result_;
 };
 

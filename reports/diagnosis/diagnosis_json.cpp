@@ -2,6 +2,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
@@ -35,6 +36,7 @@ Json parameter_json(const EstimatedParameter& parameter) {
           {"high", number(parameter.high)},
           {"nominal", value_or_null(parameter.nominal, number)},
           {"unit", parameter.unit},
+          {"at_bound", parameter.at_bound},
           {"literature", value_or_null(parameter.literature, [](const Range& range) {
              return Json::array({range.low, range.high});
            })}};
@@ -84,7 +86,9 @@ Json noise_json(const Noise& noise) {
   return {{"relative", noise.relative},
           {"absolute_N", noise.absolute_N},
           {"source", noise_source_name(noise.source)},
-          {"degrees_of_freedom", noise.degrees_of_freedom}};
+          {"degrees_of_freedom", noise.degrees_of_freedom},
+          {"tail_degrees_of_freedom", noise.tail_degrees},
+          {"within_mountings", noise.within_mountings}};
 }
 
 Json settings_json(const DiagnosisReport& report) {
@@ -234,6 +238,8 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
     return published_json(model, report.result.losses);
   });
   json["noise"] = noise_json(result.noise);
+  json["mountings"] = mountings_json(result);
+  json["coefficients"] = coefficients_json(result);
   json["ranking"] = value_or_null(report.ranking, [](const CatalogueRanking& ranking) {
     return Json{
         {"changes", ranking.changes()}, {"before", ranking.before}, {"after", ranking.after}};

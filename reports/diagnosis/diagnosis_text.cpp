@@ -5,6 +5,7 @@
 #include "diagnosis/search/rivals.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -35,6 +36,7 @@ Section data_section(const DiagnosisReport& report) {
   section.lines.push_back({fmt::format(
       "Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
       100 * noise.relative, newton(noise.absolute_N), source, noise.degrees_of_freedom)});
+  add_sentences(section, scatter_sentences(result));
   return section;
 }
 

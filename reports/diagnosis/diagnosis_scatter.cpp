@@ -1,0 +1,139 @@
+#include "reports/diagnosis/diagnosis_scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "reports/diagnosis/diagnosis_words.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::array all_kinds{Mounted::sheath, Mounted::tube, Mounted::bearing, Mounted::gain};
+
+const char* of_what(Mounted kind) {
+  switch (kind) {
+    case Mounted::sheath:
+      return "the sheaths' exponents";
+    case Mounted::tube:
+      return "the tubes' exponents";
+    case Mounted::bearing:
+      return "the bearings' exponents";
+    case Mounted::gain:
+      return "the channels' gains";
+  }
+  return "";
+}
+
+std::string percent_in(const MountingScatter& scatter, Mounted kind) {
+  return fmt::format("{:.2g} % in {}", 100 * scatter.relative[static_cast<std::size_t>(kind)],
+                     of_what(kind));
+}
+
+bool is_assumed(const MountingScatter& scatter, Mounted kind) {
+  return scatter.present[static_cast<std::size_t>(kind)] && !is_told(scatter, kind) &&
+         !(scatter.given && kind != Mounted::gain);
+}
+
+bool is_present(const MountingScatter& scatter) {
+  for (const bool present : scatter.present) {
+    if (present) return true;
+  }
+  return false;
+}
+
+std::string known_sentence(const DiagnosisResult& result) {
+  const MountingScatter& scatter = result.mounting;
+  std::vector<std::string> known;
+  for (const Mounted kind : all_kinds) {
+    if (scatter.present[static_cast<std::size_t>(kind)] && !is_assumed(scatter, kind)) {
+      known.push_back(percent_in(scatter, kind));
+    }
+  }
+  if (known.empty()) return "";
+  const std::string by = scatter.given ? "by --mounting-scatter"
+                                       : fmt::format("by {} mounted again", scatter.mounted_again);
+  return fmt::format("Mountings differ by {} ({}); readings of one mounting repeat to {:.2g} %.",
+                     fmt::join(known, ", "), by, 100 * result.noise.relative);
+}
+
+std::string assumed_sentence(const MountingScatter& scatter) {
+  std::vector<std::string> assumed;
+  for (const Mounted kind : all_kinds) {
+    if (is_assumed(scatter, kind)) assumed.push_back(percent_in(scatter, kind));
+  }
+  if (assumed.empty()) return "";
+  return fmt::format(
+      "How far mountings differ these readings cannot tell ({}): {} are assumed; give "
+      "--mounting-scatter if you know better.",
+      scatter.mounted_again == 0 ? "no routing is mounted twice" : "too few are mounted again",
+      fmt::join(assumed, ", "));
+}
+
+Json coefficient_json(const CalibratedCoefficient& coefficient) {
+  const EstimatedParameter& parameter = coefficient.parameter;
+  return {{"name", coefficient.name},
+          {"parameter", parameter.name},
+          {"value", parameter.value},
+          {"low", parameter.low},
+          {"high", parameter.high},
+          {"at_bound", parameter.at_bound},
+          {"hardware", value_or_null(parameter.nominal, number)},
+          {"p_value", coefficient.p_value},
+          {"differs", coefficient.differs}};
+}
+
+}  // namespace
+
+std::vector<std::string> scatter_sentences(const DiagnosisResult& result) {
+  std::vector<std::string> sentences;
+  if (result.noise.tail_degrees > 0) {
+    sentences.push_back(fmt::format(
+        "Readings scatter with heavy tails: as Student's t of {:.0f} degrees of freedom, of which "
+        "the noise is the scale; readings far out weigh little.",
+        result.noise.tail_degrees));
+  }
+  if (!is_present(result.mounting)) return sentences;
+  for (std::string sentence : {known_sentence(result), assumed_sentence(result.mounting)}) {
+    if (!sentence.empty()) sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+Json mountings_json(const DiagnosisResult& result) {
+  const MountingScatter& scatter = result.mounting;
+  Json json{{"mounted_again", scatter.mounted_again}, {"given", scatter.given}};
+  for (const Mounted kind : all_kinds) {
+    const auto k = static_cast<std::size_t>(kind);
+    json[mounted_name(kind)] = scatter.present[k] ? Json{{"relative", scatter.relative[k]},
+                                                         {"told_by", scatter.told_by[k]},
+                                                         {"assumed", is_assumed(scatter, kind)}}
+                                                  : Json(nullptr);
+  }
+  return json;
+}
+
+std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
+  std::vector<std::string> sentences;
+  for (const CalibratedCoefficient& coefficient : result.calibration) {
+    const EstimatedParameter& parameter = coefficient.parameter;
+    sentences.push_back(
+        fmt::format("{}: {} = {} ({} to {}{}), {} ({})", coefficient.name, parameter.name,
+                    estimate(parameter, parameter.value), estimate(parameter, parameter.low),
+                    estimate(parameter, parameter.high),
+                    parameter.at_bound ? ", a bound of what is searched" : "",
+                    coefficient.differs ? "another than the hardware says" : "as the hardware says",
+                    estimate(parameter, *parameter.nominal)));
+  }
+  return sentences;
+}
+
+Json coefficients_json(const DiagnosisResult& result) {
+  Json json = Json::array();
+  for (const CalibratedCoefficient& coefficient : result.calibration) {
+    json.push_back(coefficient_json(coefficient));
+  }
+  return json;
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,21 @@
+// Of a diagnosis: how readings scatter, by themselves and from mounting to mounting, and what the
+// free coefficients came to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnose.hpp"
+#include "reports/json.hpp"
+#include "reports/sheet/sheet.hpp"
+
+namespace reeve::reports {
+
+std::vector<std::string> scatter_sentences(const DiagnosisResult& result);
+Json mountings_json(const DiagnosisResult& result);
+
+// "tube_friction: mu = 0.176 (0.165 to 0.187), as the hardware says (0.180)"
+std::vector<std::string> coefficient_sentences(const DiagnosisResult& result);
+Json coefficients_json(const DiagnosisResult& result);
+
+}  // namespace reeve::reports
