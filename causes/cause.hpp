@@ -1,10 +1,11 @@
 // A cause: one way in which a rig can differ from the model, with a physical size.
 //
 // A cause acts where its nature is: on the hardware, on the friction exponent of a contact (also as
-// a function of the tension there), on the grasp, on the contacts of a routing, or on what the
-// sensors read. At its nominal value it changes nothing. Each stands in a file of its own, opens
-// with its law, units, literature and source, and has one line in library.cpp; whoever solves,
-// fits, saves or prints models knows causes through this header only.
+// a function of the tension there), on the grasp, on the contacts of a routing, on what arrives of
+// the motor's pull at the tendon, or on what the sensors read. At its nominal value it changes
+// nothing. Each stands in a file of its own, opens with its law, units, literature and source, and
+// has one line in library.cpp; whoever solves, fits, saves or prints models knows causes through
+// this header only.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +21,13 @@
 namespace reeve::causes {
 
 // Under which a reading was taken. What is missing is taken as the reference value, at which the
-// laws of speed, wear and temperature change nothing.
+// laws of friction with speed, wear and temperature change nothing.
 struct Conditions {
-  double motor_tension_N = 10;
+  double motor_tension_N = 10;  // as recorded; for whoever solves tensions: at the tendon's start
   double speed_mm_s = 10;
   double cycle = 0;
   double temperature_C = 20;
+  double order = 0;  // of the reading in its file: 0 the first, 1 the last
 };
 
 struct Range {
@@ -46,6 +48,7 @@ struct Parameter {
 // What a cause is about; which of these it uses, depends on the cause.
 struct Subject {
   std::optional<Segment> channel;
+  std::optional<Segment> other_channel;
   int finger = 0;
   std::string routing;  // word
   std::string contact;  // "T1-T2"
@@ -65,9 +68,14 @@ struct SurveyedRouting {
 struct Survey {
   std::vector<SurveyedRouting> routings;
   std::vector<Segment> channels;
+  std::vector<Segment> wide_channels;  // that have readings far above and far below each other
   bool has_speed = false;
   bool has_cycle = false;
   bool has_temperature = false;
+  bool has_motor_tension = false;
+  bool has_both_directions = false;
+  bool sheath_angle_varies = false;  // from row to row
+  bool reads_below_zero = false;     // as sensors do whose zero has drifted
 };
 
 bool has_contact(const Survey& survey, ContactKind kind);
@@ -79,15 +87,33 @@ inline bool has_tube_or_sheath(const Survey& survey) {
 }
 
 // One subject for each channel of the data.
-std::vector<Subject> channel_subjects(const Survey& survey);
+std::vector<Subject> channel_subjects(const std::vector<Segment>& channels);
+inline std::vector<Subject> channel_subjects(const Survey& survey) {
+  return channel_subjects(survey.channels);
+}
 bool is_channel(const Segment& segment, const Subject& subject);
+
+// Those of two channels that some routing has both of; none if there are more than 8 channels,
+// whose pairs are too many to try.
+std::vector<Subject> channel_pair_subjects(const Survey& survey);
 
 // A contact while the tendon runs through it.
 struct ContactLoad {
   ContactKind kind = ContactKind::tube;
   double high_N = 0;       // the larger of the tensions beside it
   std::size_t number = 0;  // of those of its kind in the routing's network, from 0
+  Direction direction = Direction::pull;
 };
+
+// One of the sensors that read a routing at the same time.
+struct Sensor {
+  Segment segment;
+  double reading_N = 0;                 // so far: first the tension of its segment
+  std::optional<std::size_t> column{};  // in the order of the data's channels, if it is one
+};
+
+// nullptr if this routing has no such segment.
+Sensor* find_sensor(std::span<Sensor> sensors, const Segment& segment);
 
 enum class Reach : std::uint8_t {
   hardware,    // change_hardware
@@ -96,16 +122,18 @@ enum class Reach : std::uint8_t {
   load,        // exponent, as a function of the tension
   grasp,       // actual_grasp
   contact,     // seized_contact
-  reading,     // reading
+  motor,       // at_tendon
+  reading,     // read, or reading where a sensor minds none but itself
 };
 
 // Which members of the subject a cause uses.
 enum class SubjectKind : std::uint8_t {
-  rig,      // none: the cause is about the whole rig
-  channel,  // channel
-  finger,   // finger
-  grasp,    // routing, recorded, actual
-  contact,  // routing, contact
+  rig,       // none: the cause is about the whole rig
+  channel,   // channel
+  channels,  // channel, other_channel
+  finger,    // finger
+  grasp,     // routing, recorded, actual
+  contact,   // routing, contact
 };
 
 class Cause {
@@ -137,9 +165,19 @@ class Cause {
                                                     const Effect&) const {
     return std::nullopt;
   }
+  // What pulls the tendons where the motor is said to pull `motor_tension_N`. Only of readings with
+  // a recorded motor tension: without one it is the tendon's own tension that is found.
+  virtual double at_tendon(double motor_tension_N, Direction, const Conditions&,
+                           const Effect&) const {
+    return motor_tension_N;
+  }
   virtual double reading(double tension_N, const Segment&, const Effect&) const {
     return tension_N;
   }
+  // All sensors of a routing at once.
+  virtual void read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const;
+  // Whether readings stay linear in the tensions, up to an offset.
+  virtual bool reads_linearly() const { return true; }
 };
 
 struct Effect {

@@ -3,7 +3,8 @@
 #include <array>
 
 // A new cause is a file that defines `const Cause& <name>_cause()`, and a line here. Forces come
-// behind what scales an exponent.
+// behind what scales an exponent; what a sensor's bridge does before what its amplifier does, and
+// the plugs last.
 #define REEVE_CAUSES(X)       \
   X(tube_friction)            \
   X(sheath_friction)          \
@@ -12,14 +13,26 @@
   X(speed_dependent_friction) \
   X(wear)                     \
   X(temperature)              \
+  X(wrap_free_loss)           \
+  X(hysteresis)               \
   X(bending_stiffness)        \
   X(bearing_drag)             \
   X(sheath_angle)             \
   X(wrong_grasp)              \
   X(seized_contact)           \
+  X(motor_gain)               \
+  X(motor_offset)             \
+  X(constant_loss)            \
+  X(viscous_loss)             \
   X(pretension)               \
+  X(cross_talk)               \
+  X(dead_zone)                \
+  X(dead_channel)             \
   X(sensor_gain)              \
-  X(sensor_offset)
+  X(sensor_offset)            \
+  X(drift)                    \
+  X(saturation)               \
+  X(swapped_channels)
 
 namespace reeve::causes {
 

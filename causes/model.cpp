@@ -78,7 +78,7 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
 
 bool belongs_to_designs(const Effect& effect) {
   const Reach reach = effect.cause->reach();
-  return reach != Reach::reading && reach != Reach::grasp;
+  return reach != Reach::reading && reach != Reach::grasp && reach != Reach::motor;
 }
 
 std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
@@ -89,13 +89,31 @@ std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
   return left_out;
 }
 
-double reading(const Model& model, const Segment& segment, double tension_N) {
+Conditions at_tendon(const Model& model, Direction direction, Conditions recorded) {
+  Conditions result = recorded;
   for (const Effect& effect : model.effects) {
-    if (effect.cause->reach() == Reach::reading) {
-      tension_N = effect.cause->reading(tension_N, segment, effect);
-    }
+    if (effect.cause->reach() != Reach::motor) continue;
+    result.motor_tension_N =
+        std::max(0.0, effect.cause->at_tendon(result.motor_tension_N, direction, recorded, effect));
   }
-  return tension_N;
+  return result;
+}
+
+void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors) {
+  for (const Effect& effect : model.effects) {
+    if (effect.cause->reach() == Reach::reading) effect.cause->read(sensors, conditions, effect);
+  }
+}
+
+double reading(const Model& model, const Segment& segment, double tension_N) {
+  std::array<Sensor, 1> alone{{{segment, tension_N}}};
+  read(model, {}, alone);
+  return alone[0].reading_N;
+}
+
+bool reads_linearly(const Model& model) {
+  return std::all_of(model.effects.begin(), model.effects.end(),
+                     [](const Effect& effect) { return effect.cause->reads_linearly(); });
 }
 
 }  // namespace reeve::causes

@@ -47,11 +47,20 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
                                          const Network& network);
 // The effects that a design has, whoever measures it. Those on readings and records are the rig's:
 // also pretension, which the motor does no work for and which therefore is no merit or fault of a
-// routing.
+// routing, and what is lost between the motor and the tendons, which is lost to every routing
+// alike.
 bool belongs_to_designs(const Effect& effect);
 std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
 
-// What the sensor at this segment reads.
+// The conditions as they are at the tendons of a rig whose motor is recorded to pull as they say;
+// its tension is not below 0.
+Conditions at_tendon(const Model& model, Direction direction, Conditions recorded);
+
+// Makes of the tensions of a routing's sensors what they read.
+void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors);
+// What a sensor at this segment reads that has no others beside it, first of its file.
 double reading(const Model& model, const Segment& segment, double tension_N);
+// Whether readings are linear in the tensions, up to an offset.
+bool reads_linearly(const Model& model);
 
 }  // namespace reeve::causes

@@ -73,9 +73,10 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
   }
 }
 
-double ModelSolver::exponent(std::size_t contact, double high_N,
+double ModelSolver::exponent(std::size_t contact, double high_N, Direction direction,
                              const Conditions& conditions) const {
-  const ContactLoad load{seized_.network.contacts[contact].kind, high_N, number_[contact]};
+  const ContactLoad load{seized_.network.contacts[contact].kind, high_N, number_[contact],
+                         direction};
   double phi = plain_.phi[contact];
   for (const Effect* effect : exponent_effects_) {
     phi = effect->cause->exponent(phi, load, conditions, *effect);
@@ -89,14 +90,14 @@ void ModelSolver::restart_steps() {
 }
 
 // Moves each exponent by its share of the way to where it should be; the greatest way there was.
-double ModelSolver::change_exponents(const Conditions& conditions) {
+double ModelSolver::change_exponents(Direction direction, const Conditions& conditions) {
   double greatest = 0;
   for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
     const double high =
         conditions.motor_tension_N *
         (state_.tension.empty() ? 1
                                 : std::max(state_.tension[left_[k]], state_.tension[right_[k]]));
-    const double wanted = exponent(k, high, conditions);
+    const double wanted = exponent(k, high, direction, conditions);
     const double way = wanted - mechanics_.phi[k];
     greatest = std::max(greatest, std::abs(way) / (tolerance + wanted));
     share_[k] = way * way_[k] < 0 ? share_[k] / 2 : std::min(1.0, share_[k] * growth);
@@ -117,14 +118,14 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
     state_.tension.clear();
     mechanics_ = plain_;
     restart_steps();
-    change_exponents(conditions);
+    change_exponents(direction, conditions);
     restart_steps();
   }
   solve_once();
   if (depends_on_load_) {
     converged_ = false;
     for (int step = 0; step < most_steps && !converged_ && state_.in_range; ++step) {
-      converged_ = change_exponents(conditions) < tolerance;
+      converged_ = change_exponents(direction, conditions) < tolerance;
       solve_once();
     }
   }

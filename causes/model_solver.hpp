@@ -36,16 +36,18 @@ class ModelSolver {
   ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
               const Network& network);
 
-  // At T_M = 1, in the order of the network's segments, if it is in range. `grasp` is the real one.
+  // At T_M = 1, in the order of the network's segments, if it is in range. `grasp` is the real one,
+  // and the motor tension of the conditions that at the tendon (at_tendon).
   const TensionState& solve(Grasp grasp, Direction direction, const Conditions& conditions);
 
   // Whether the last solve converged.
   bool converged() const { return converged_; }
 
  private:
-  double change_exponents(const Conditions& conditions);
+  double change_exponents(Direction direction, const Conditions& conditions);
   void restart_steps();
-  double exponent(std::size_t contact, double high_N, const Conditions& conditions) const;
+  double exponent(std::size_t contact, double high_N, Direction direction,
+                  const Conditions& conditions) const;
 
   const Model* model_;
   std::vector<const Effect*> exponent_effects_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -30,15 +31,23 @@ const Cause& cause_of(const std::string& name) {
 
 // What the experiment lacks to show a cause at all.
 std::string what_is_missing(const Cause& cause, const Survey& survey) {
-  const auto possible_with = [&](bool Survey::*condition) {
-    Survey changed = survey;
-    changed.*condition = true;
-    return !cause.subjects(changed).empty();
+  struct Lack {
+    bool Survey::*has;
+    const char* text;
   };
-  if (possible_with(&Survey::has_speed)) return "it depends on the speed: expected it to be given";
-  if (possible_with(&Survey::has_cycle)) return "it depends on the cycle: expected it to be given";
-  if (possible_with(&Survey::has_temperature)) {
-    return "it depends on the temperature: expected it to be given";
+  constexpr std::array lacks{
+      Lack{&Survey::has_speed, "it depends on the speed: expected it to be given"},
+      Lack{&Survey::has_cycle, "it depends on the cycle: expected it to be given"},
+      Lack{&Survey::has_temperature, "it depends on the temperature: expected it to be given"},
+      Lack{&Survey::has_motor_tension, "it is about the motor tension: expected it to be given"},
+      Lack{&Survey::has_both_directions,
+           "pulling and releasing differ by it: expected readings of both directions"},
+      Lack{&Survey::sheath_angle_varies,
+           "it shows where sheath angles differ: expected more than one of them"}};
+  for (const Lack& lack : lacks) {
+    Survey changed = survey;
+    changed.*lack.has = true;
+    if (!cause.subjects(changed).empty()) return lack.text;
   }
   return "the experiment has no routing, channel or part that it could be about";
 }

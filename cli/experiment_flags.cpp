@@ -168,6 +168,8 @@ void ExperimentFlags::add_to(CLI::App& command) {
       "Rise over the whole experiment: a range or a list (default: no such column)");
   temperature_ =
       command.add_option("--temperature", temperature, "In C, likewise (default: no such column)");
+  sheath_angle_ = command.add_option("--sheath-angle", sheath_angle,
+                                     "Of all sheaths, in rad, likewise (default: the hardware's)");
   command
       .add_option("--noise-relative", noise_relative,
                   "Standard deviation of a reading, as a share of the tension")
@@ -195,6 +197,9 @@ ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
   if (cycles_->count() > 0) plan.cycle = read_levels("--cycles", cycles, {0, 1e9});
   if (temperature_->count() > 0) {
     plan.temperature_C = read_levels("--temperature", temperature, any_temperature);
+  }
+  if (sheath_angle_->count() > 0) {
+    plan.sheath_angle_rad = read_levels("--sheath-angle", sheath_angle, {0, 100});
   }
   plan.runs = runs;
   plan.rows = rows;

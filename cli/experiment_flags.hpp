@@ -21,6 +21,7 @@ struct ExperimentFlags {
   std::string speed;
   std::string cycles;
   std::string temperature;
+  std::string sheath_angle;
   std::string noise_relative = "0.02";
   std::string noise_absolute = "0.05";
   std::size_t runs = 12;
@@ -36,6 +37,7 @@ struct ExperimentFlags {
   CLI::Option* speed_ = nullptr;
   CLI::Option* cycles_ = nullptr;
   CLI::Option* temperature_ = nullptr;
+  CLI::Option* sheath_angle_ = nullptr;
 };
 
 }  // namespace reeve::cli

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t grasps = 0x51a00010;
 inline constexpr std::uint32_t motor_tensions = 0x51a00012;
 inline constexpr std::uint32_t speeds = 0x51a00014;
 inline constexpr std::uint32_t temperatures = 0x51a00016;
+inline constexpr std::uint32_t sheath_angles = 0x51a00018;
 
 // Seeds for the replicates of each step of a search, and for those of what it leaves. Prime steps:
 // seeds that users try, 1, 2, 3, …, meet none of another's.

@@ -19,6 +19,8 @@ std::vector<std::string_view> subject_keys(SubjectKind kind) {
       return {};
     case SubjectKind::channel:
       return {"channel"};
+    case SubjectKind::channels:
+      return {"channel", "other_channel"};
     case SubjectKind::finger:
       return {"finger"};
     case SubjectKind::grasp:
@@ -41,10 +43,10 @@ auto parsed(const TomlNode& table, std::string_view key, std::string_view expect
   }
 }
 
-Segment read_channel(const TomlNode& table) {
+Segment read_channel(const TomlNode& table, std::string_view key) {
   constexpr std::string_view expected =
       "a strand (T1), a motor-side segment (a) or a stretch at the hand (h1), in quotes";
-  const TomlNode& node = table.require("channel", expected);
+  const TomlNode& node = table.require(key, expected);
   if (const auto channel = segment_named(node.text())) return *channel;
   node.fail_expected(expected);
 }
@@ -80,7 +82,14 @@ void read_two_grasps(const TomlNode& table, int fingers, Subject& subject) {
 
 Subject read_subject(const TomlNode& table, SubjectKind kind) {
   Subject subject;
-  if (kind == SubjectKind::channel) subject.channel = read_channel(table);
+  const bool of_two = kind == SubjectKind::channels;
+  if (of_two || kind == SubjectKind::channel) subject.channel = read_channel(table, "channel");
+  if (of_two) {
+    subject.other_channel = read_channel(table, "other_channel");
+    if (is_channel(*subject.other_channel, subject)) {
+      table.find("other_channel")->fail_expected("another one than 'channel'");
+    }
+  }
   if (kind == SubjectKind::finger) {
     subject.finger = table.require("finger", "the number of a finger").integer(1, max_fingers);
   }
@@ -142,7 +151,8 @@ std::string effect_toml(const Effect& effect, const Hardware& hardware) {
   const Subject& subject = effect.subject;
   const SubjectKind kind = effect.cause->subject_kind();
   std::string text = "\n[[effect]]\n" + line("cause", effect.cause->name());
-  if (kind == SubjectKind::channel) text += line("channel", segment_name(*subject.channel));
+  if (subject.channel) text += line("channel", segment_name(*subject.channel));
+  if (subject.other_channel) text += line("other_channel", segment_name(*subject.other_channel));
   if (kind == SubjectKind::finger) text += fmt::format("finger = {}\n", subject.finger);
   if (kind == SubjectKind::grasp || kind == SubjectKind::contact) {
     text += line("routing", subject.routing);

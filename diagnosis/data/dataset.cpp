@@ -1,18 +1,22 @@
 #include "diagnosis/data/dataset.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
 namespace reeve::diagnosis {
 namespace {
 
-Conditions conditions(const Reading& reading) {
+Conditions conditions(const MeasuredData& data, std::size_t index) {
+  const Reading& reading = data.readings[index];
   Conditions result;
   result.motor_tension_N = reading.motor_tension_N.value_or(result.motor_tension_N);
   result.speed_mm_s = reading.speed_mm_s.value_or(result.speed_mm_s);
   result.cycle = reading.cycle.value_or(result.cycle);
   result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
+  const std::size_t last = data.readings.size() - 1;
+  result.order = last > 0 ? static_cast<double>(index) / static_cast<double>(last) : 0;
   return result;
 }
 
@@ -27,6 +31,26 @@ template <typename Member>
 bool any_given(const MeasuredData& data, Member member) {
   return std::any_of(data.readings.begin(), data.readings.end(),
                      [&](const Reading& reading) { return (reading.*member).has_value(); });
+}
+
+template <typename Member>
+bool varies(const MeasuredData& data, Member member) {
+  return std::any_of(data.readings.begin(), data.readings.end(), [&](const Reading& reading) {
+    return reading.*member != data.readings.front().*member;
+  });
+}
+
+// Some reading is less than half of another.
+bool is_wide(const MeasuredData& data, std::size_t channel) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (const Reading& reading : data.readings) {
+    const std::optional<double>& tension = reading.tension_N[channel];
+    if (!tension) continue;
+    least = std::min(least, *tension);
+    greatest = std::max(greatest, *tension);
+  }
+  return 2 * least < greatest;
 }
 
 }  // namespace
@@ -69,7 +93,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
     }
     result.blocks[found->second].rows.push_back(result.rows.size());
     result.rows.push_back({index, result.cells.size(), result.cells.size() + cells.size(),
-                           reading.motor_tension_N.has_value(), conditions(reading)});
+                           reading.motor_tension_N.has_value(), conditions(data, index)});
     result.cells.insert(result.cells.end(), cells.begin(), cells.end());
   }
   return result;
@@ -86,10 +110,21 @@ Survey survey(const MeasuredData& data) {
       recorded.push_back(reading.grasp);
     }
   }
-  for (const Channel& channel : data.channels) result.channels.push_back(channel.segment);
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    result.channels.push_back(data.channels[c].segment);
+    if (is_wide(data, c)) result.wide_channels.push_back(data.channels[c].segment);
+  }
   result.has_speed = any_given(data, &Reading::speed_mm_s);
   result.has_cycle = any_given(data, &Reading::cycle);
   result.has_temperature = any_given(data, &Reading::temperature_C);
+  result.has_motor_tension = any_given(data, &Reading::motor_tension_N);
+  result.has_both_directions = varies(data, &Reading::direction);
+  result.sheath_angle_varies = varies(data, &Reading::sheath_angle_rad);
+  result.reads_below_zero =
+      std::any_of(data.readings.begin(), data.readings.end(), [](const Reading& reading) {
+        return std::any_of(reading.tension_N.begin(), reading.tension_N.end(),
+                           [](const auto& tension) { return tension && *tension < 0; });
+      });
   return result;
 }
 

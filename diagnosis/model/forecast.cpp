@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
@@ -38,17 +40,29 @@ class BlockForecast {
         grasp_(actual_grasp(model, routing_.word, block.recorded)),
         by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
         by_load_(reaches(model, Reach::load)),
-        forecast_(forecast) {}
+        linear_(reads_linearly(model)),
+        forecast_(forecast) {
+    for (std::size_t c = 0; c < routing_.segments.size(); ++c) {
+      if (!routing_.segments[c]) continue;
+      place_.resize(c + 1);
+      place_[c] = sensors_.size();
+      sensors_.push_back({routing_.network.segments[*routing_.segments[c]], 0, c});
+      segments_.push_back(*routing_.segments[c]);
+    }
+  }
 
   // Whether the tensions of all its rows are in range.
   bool run() {
     const TensionState* state = nullptr;
     for (const std::size_t r : block_.rows) {
       const DatasetRow& row = dataset_.rows[r];
-      if (state == nullptr || by_row_) state = &solve(row.conditions);
+      const Conditions conditions = row.has_motor_tension
+                                        ? at_tendon(model_, block_.direction, row.conditions)
+                                        : row.conditions;
+      if (state == nullptr || by_row_) state = &solve(conditions);
       forecast_.jams[r] = state->jams;
       if (row.has_motor_tension) {
-        read(row, *state, row.conditions.motor_tension_N);
+        read(row, *state, conditions.motor_tension_N);
       } else {
         read_scaled(row, *state);
       }
@@ -63,19 +77,29 @@ class BlockForecast {
     return state;
   }
 
-  double reading_at(const Cell& cell, double tension_N) const {
-    return reading(model_, routing_.network.segments[cell.segment], tension_N);
+  // Of the row's cells; a sensor reads also what its neighbours carry that have no cell.
+  Eigen::VectorXd readings(const DatasetRow& row, const TensionState& state, double scale) {
+    for (std::size_t s = 0; s < sensors_.size(); ++s) {
+      sensors_[s].reading_N = scale * state.tension[segments_[s]];
+    }
+    causes::read(model_, row.conditions, sensors_);
+    Eigen::VectorXd result(static_cast<Eigen::Index>(row.last - row.first));
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      result[static_cast<Eigen::Index>(i - row.first)] =
+          sensors_[place_[dataset_.cells[i].channel]].reading_N;
+    }
+    return result;
   }
 
   void read(const DatasetRow& row, const TensionState& state, double motor_tension_N) {
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      const Cell& cell = dataset_.cells[i];
-      forecast_.reading_N[static_cast<Eigen::Index>(i)] =
-          reading_at(cell, motor_tension_N * state.tension[cell.segment]);
-    }
+    of_row(forecast_.reading_N, row) = readings(row, state, motor_tension_N);
   }
 
-  // All readings are linear in the tension, up to an offset.
+  static Eigen::VectorBlock<Eigen::VectorXd> of_row(Eigen::VectorXd& cells, const DatasetRow& row) {
+    return cells.segment(static_cast<Eigen::Index>(row.first),
+                         static_cast<Eigen::Index>(row.last - row.first));
+  }
+
   void read_scaled(const DatasetRow& row, const TensionState& first) {
     constexpr int rounds = 30;
     constexpr double settled = 1e-9;
@@ -89,23 +113,47 @@ class BlockForecast {
       if (std::abs(scale - last) <= settled * scale) break;
     }
     read(row, *state, scale);
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      const Cell& cell = dataset_.cells[i];
-      forecast_.by_scale[static_cast<Eigen::Index>(i)] =
-          reading_at(cell, state->tension[cell.segment]) - reading_at(cell, 0);
-    }
+    of_row(forecast_.by_scale, row) = slope(row, *state, scale);
   }
 
-  double fit_scale(const DatasetRow& row, const TensionState& state) const {
+  // Of the row's readings against the scale.
+  Eigen::VectorXd slope(const DatasetRow& row, const TensionState& state, double scale) {
+    if (linear_) return readings(row, state, 1) - readings(row, state, 0);
+    constexpr double step = 1e-6;  // as a share of the scale
+    const double beside = scale > 0 ? step * scale : step;
+    return (readings(row, state, scale + beside) - readings(row, state, scale)) / beside;
+  }
+
+  double fit_scale(const DatasetRow& row, const TensionState& state) {
+    if (!linear_) return least_scale(row, state);
+    const Eigen::VectorXd zero = readings(row, state, 0);
+    const Eigen::VectorXd one = readings(row, state, 1);
     double measured = 0;
     double by_scale = 0;
     for (std::size_t i = row.first; i < row.last; ++i) {
-      const Cell& cell = dataset_.cells[i];
-      const double zero = reading_at(cell, 0);
-      measured += cell.measured_N - zero;
-      by_scale += reading_at(cell, state.tension[cell.segment]) - zero;
+      const auto at = static_cast<Eigen::Index>(i - row.first);
+      measured += dataset_.cells[i].measured_N - zero[at];
+      by_scale += one[at] - zero[at];
     }
     return by_scale > 0 && measured > 0 ? measured / by_scale : 0;
+  }
+
+  // Readings that do not fall with the scale, by halving: the least scale at which they add up to
+  // what was measured, or to the most that they reach.
+  double least_scale(const DatasetRow& row, const TensionState& state) {
+    constexpr double beyond_any_rig_N = 1e9;
+    constexpr int halvings = 100;
+    const auto sum = [&](double scale) { return readings(row, state, scale).sum(); };
+    double measured = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) measured += dataset_.cells[i].measured_N;
+    const double target = std::min(measured, sum(beyond_any_rig_N));
+    double low = 0;
+    double high = beyond_any_rig_N;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (low + high) / 2;
+      (sum(middle) < target ? low : high) = middle;
+    }
+    return high;
   }
 
   const Dataset& dataset_;
@@ -116,6 +164,10 @@ class BlockForecast {
   Grasp grasp_;
   bool by_row_;
   bool by_load_;
+  bool linear_;
+  std::vector<Sensor> sensors_;        // of the channels that the routing has
+  std::vector<std::size_t> segments_;  // parallel: in the network
+  std::vector<std::size_t> place_;     // of each channel, among the sensors
   Forecast& forecast_;
   bool in_range_ = true;
 };

@@ -1,10 +1,12 @@
 // What the sensors should read, under a model, in each cell of a dataset.
 //
-//   with motor tension      p = reading(T_M t)
+//   with motor tension      p = reading(T_in t), T_in = at_tendon(T_M)
 //   without                 p = reading(S t); the scale S of the row is such that the forecasts add
 //                           up to the measured tensions, and du = dp/dS says how a cell follows it
 //
-// t: the model's tensions at T_M = 1 (for a load-dependent law: at the row's own tension).
+// t: the model's tensions at T_in = 1 (for a load-dependent law: at the row's own tension). Where
+// readings are not linear in the tension, S is found by halving: the least one of that sum, which
+// is the most that the sensors can read together where more was measured.
 #pragma once
 
 #include <Eigen/Core>

@@ -17,7 +17,8 @@ enum class Factor : std::uint32_t {
   grasp = streams::grasps,
   motor_tension = streams::motor_tensions,
   speed = streams::speeds,
-  temperature = streams::temperatures
+  temperature = streams::temperatures,
+  sheath_angle = streams::sheath_angles
 };
 
 std::uint32_t order_stream(Factor factor) { return static_cast<std::uint32_t>(factor); }
@@ -95,6 +96,10 @@ double cycle_at(const Levels& cycle, std::size_t row, std::size_t rows) {
                     cycle.range.high);
 }
 
+bool varies(const Levels& levels) {
+  return levels.list.size() > 1 || (levels.list.empty() && levels.range.low < levels.range.high);
+}
+
 void require_channels(const ExperimentPlan& plan) {
   for (const Segment& channel : plan.channels) {
     const bool found = std::any_of(
@@ -158,6 +163,7 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
         planner.values(Factor::motor_tension, plan.motor_tension_N);
     const std::vector<double> speeds = values(Factor::speed, plan.speed_mm_s, true);
     const std::vector<double> temperatures = values(Factor::temperature, plan.temperature_C, false);
+    const std::vector<double> angles = values(Factor::sheath_angle, plan.sheath_angle_rad, false);
     for (std::size_t row = 0; row < plan.rows; ++row) {
       reading.grasp = grasps[motions[row] % grasps.size()];
       reading.direction = plan.directions[motions[row] / grasps.size()];
@@ -165,6 +171,7 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
       conditions.motor_tension_N = tensions[row];
       if (plan.speed_mm_s) conditions.speed_mm_s = speeds[row];
       if (plan.temperature_C) conditions.temperature_C = temperatures[row];
+      if (plan.sheath_angle_rad) reading.sheath_angle_rad = angles[row];
       if (plan.cycle) {
         conditions.cycle = cycle_at(*plan.cycle, run * plan.rows + row, plan.runs * plan.rows);
       }
@@ -172,6 +179,10 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
         readings.push_back(reading);
       }
     }
+  }
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    readings[i].conditions.order =
+        static_cast<double>(i) / static_cast<double>(readings.size() - 1);
   }
   return readings;
 }
@@ -182,9 +193,14 @@ Survey survey(const ExperimentPlan& plan) {
     survey.routings.push_back({routing.word, &routing.network, routing.grasps});
   }
   survey.channels = plan.channels;
+  survey.wide_channels = plan.channels;
   survey.has_speed = plan.speed_mm_s.has_value();
   survey.has_cycle = plan.cycle.has_value();
   survey.has_temperature = plan.temperature_C.has_value();
+  survey.has_motor_tension = true;
+  survey.reads_below_zero = true;  // the rig's sensors; in the file they are clipped
+  survey.has_both_directions = plan.directions.size() > 1;
+  survey.sheath_angle_varies = plan.sheath_angle_rad && varies(*plan.sheath_angle_rad);
   return survey;
 }
 

@@ -3,10 +3,11 @@
 //
 //   - A run is one mounting of one routing. Routings take turns, so that with twice as many runs as
 //     routings each is mounted twice or more.
-//   - Within a run, grasps with directions, motor tension, speed and temperature vary, each in a
-//     random order of its own: levels of a list equally often, to within one; of a range once in
-//     each of as many equal parts as the run has rows (of the logarithm for the speed, on which
-//     friction depends by it). So no two of them go together but by chance.
+//   - Within a run, grasps with directions, motor tension, speed, temperature and sheath angle
+//   vary,
+//     each in a random order of its own: levels of a list equally often, to within one; of a range
+//     once in each of as many equal parts as the run has rows (of the logarithm for the speed, on
+//     which friction depends by it). So no two of them go together but by chance.
 //   - The cycle rises evenly over the whole experiment: wear cannot be undone.
 //
 // The plan and the seed decide all of it.
@@ -44,6 +45,7 @@ struct ExperimentPlan {
   std::optional<Levels> speed_mm_s;
   std::optional<Levels> cycle;
   std::optional<Levels> temperature_C;
+  std::optional<Levels> sheath_angle_rad;  // of all sheaths; without it, the hardware's
   std::vector<Segment> channels;
   std::size_t runs = 12;
   std::size_t rows = 20;    // of a run: conditions that are set
@@ -63,6 +65,7 @@ struct PlannedReading {
   Grasp grasp;
   Direction direction = Direction::pull;
   Conditions conditions;
+  std::optional<double> sheath_angle_rad;
 };
 
 // In the order in which they are taken.

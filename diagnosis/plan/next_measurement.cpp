@@ -34,6 +34,14 @@ double greatest_tension(const MeasuredData& data) {
   return greatest;
 }
 
+std::optional<std::size_t> column_of(const MeasuredData& data, const Segment& segment) {
+  const auto found =
+      std::find_if(data.channels.begin(), data.channels.end(),
+                   [&](const Channel& channel) { return channel.segment == segment; });
+  if (found == data.channels.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - data.channels.begin());
+}
+
 struct Levels {
   std::vector<double> values;
   bool measured = false;  // the data have the column
@@ -104,10 +112,10 @@ class Reader {
       : word_(routing.word), network_(network), shown_N_(greatest_tension(*plan.data)) {
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
       const Segment& segment = network.segments[i];
-      const bool has_channel =
-          std::any_of(plan.data->channels.begin(), plan.data->channels.end(),
-                      [&](const Channel& channel) { return channel.segment == segment; });
-      if (segment.kind == SegmentKind::strand || has_channel) segments_.push_back(i);
+      const std::optional<std::size_t> column = column_of(*plan.data, segment);
+      if (segment.kind != SegmentKind::strand && !column) continue;
+      segments_.push_back(i);
+      sensors_.push_back({segment, 0, column});
     }
   }
 
@@ -117,14 +125,17 @@ class Reader {
     const Hardware hardware = effective_hardware(model);
     if (fault(hardware)) return {};
     ModelSolver solver(model, hardware, word_, network_);
-    const TensionState& state =
-        solver.solve(actual_grasp(model, word_, grasp), direction, conditions);
+    const Conditions pulled = at_tendon(model, direction, conditions);
+    const TensionState& state = solver.solve(actual_grasp(model, word_, grasp), direction, pulled);
     if (!state.in_range) return {};
-    VectorXd result(static_cast<Index>(segments_.size()));
+    std::vector<Sensor> sensors = sensors_;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      result[static_cast<Index>(i)] =
-          reading(model, network_.segments[segments_[i]],
-                  conditions.motor_tension_N * state.tension[segments_[i]]);
+      sensors[i].reading_N = pulled.motor_tension_N * state.tension[segments_[i]];
+    }
+    causes::read(model, conditions, sensors);
+    VectorXd result(static_cast<Index>(sensors.size()));
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+      result[static_cast<Index>(i)] = sensors[i].reading_N;
     }
     const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
     return (result.array() <= reach).all() ? result : VectorXd();
@@ -139,6 +150,7 @@ class Reader {
   const Network& network_;
   double shown_N_;
   std::vector<std::size_t> segments_;
+  std::vector<Sensor> sensors_;  // parallel
 };
 
 VectorXd deviation(const MeasurementPlan& plan, const VectorXd& reading) {

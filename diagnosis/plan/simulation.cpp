@@ -6,6 +6,7 @@
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
+#include "diagnosis/model/sheath_angle.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
@@ -20,7 +21,7 @@ class Rig {
       : routing_(routing),
         model_(model),
         channels_(plan.channels),
-        solver_(model, hardware, routing.word, routing.network) {
+        mounted_(model, hardware, routing.word, routing.network) {
     for (const Segment& channel : channels_) {
       segments_.push_back(find_segment(routing.network, channel));
     }
@@ -29,29 +30,45 @@ class Rig {
   // What the channels read without noise.
   std::vector<std::optional<double>> read(const PlannedReading& planned) {
     const Grasp grasp = actual_grasp(model_, routing_.word, planned.grasp);
+    const Conditions conditions = at_tendon(model_, planned.direction, planned.conditions);
+    std::optional<ModelSolver> bent;
+    if (planned.sheath_angle_rad) {
+      bent.emplace(model_, bent_to(*planned.sheath_angle_rad), routing_.word, routing_.network);
+    }
+    ModelSolver& solver = bent ? *bent : mounted_;
     const TensionState& state =
-        require_in_range(solver_.solve(grasp, planned.direction, planned.conditions));
-    if (!solver_.converged()) {
+        require_in_range(solver.solve(grasp, planned.direction, conditions));
+    if (!solver.converged()) {
       throw InputError(fmt::format(
           "{}: in the grasp '{}' the tensions do not settle under these causes at {} N: expected "
           "smaller ones",
           routing_.label, to_text(grasp), planned.conditions.motor_tension_N));
     }
-    std::vector<std::optional<double>> tensions(channels_.size());
+    std::vector<Sensor> sensors;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       if (!segments_[c]) continue;
-      tensions[c] = reading(model_, channels_[c],
-                            planned.conditions.motor_tension_N * state.tension[*segments_[c]]);
+      sensors.push_back(
+          {channels_[c], conditions.motor_tension_N * state.tension[*segments_[c]], c});
     }
+    causes::read(model_, planned.conditions, sensors);
+    std::vector<std::optional<double>> tensions(channels_.size());
+    for (const Sensor& sensor : sensors) tensions[*sensor.column] = sensor.reading_N;
     return tensions;
   }
 
  private:
+  Hardware bent_to(double sheath_angle_rad) const {
+    const Hardware hardware =
+        effective_hardware(with_sheath_angle(model_.hardware, sheath_angle_rad), model_.effects);
+    if (const auto found = fault(hardware)) throw InputError(sentence(*found));
+    return hardware;
+  }
+
   const PlannedRouting& routing_;
   const Model& model_;
   const std::vector<Segment>& channels_;
   std::vector<std::optional<std::size_t>> segments_;
-  ModelSolver solver_;
+  ModelSolver mounted_;  // with the hardware's own sheath angles
 };
 
 }  // namespace

@@ -14,6 +14,9 @@ Json subject_json(const Effect& effect) {
       return Json::object();
     case SubjectKind::channel:
       return {{"channel", segment_name(*subject.channel)}};
+    case SubjectKind::channels:
+      return {{"channel", segment_name(*subject.channel)},
+              {"other_channel", segment_name(*subject.other_channel)}};
     case SubjectKind::finger:
       return {{"finger", subject.finger}};
     case SubjectKind::grasp:
@@ -84,7 +87,7 @@ std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {
     lines.push_back(
-        {"Left out, since they are of the rig's sensors and records and not of a design: " +
+        {"Left out, since they are of the rig's motor, sensors and records and not of a design: " +
          left_out});
   }
   if (unconverged > 0) {

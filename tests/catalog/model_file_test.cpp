@@ -39,6 +39,7 @@ void expect_same(const Subject& a, const Subject& b) {
   if (a.channel) {
     EXPECT_EQ(segment_name(*a.channel), segment_name(*b.channel));
   }
+  EXPECT_EQ(a.other_channel, b.other_channel);
   EXPECT_EQ(a.finger, b.finger);
   EXPECT_EQ(a.routing, b.routing);
   EXPECT_EQ(a.contact, b.contact);
@@ -105,8 +106,10 @@ Model random_model(std::uint64_t seed) {
   Dice dice(seed);
   Survey survey;
   survey.routings.push_back({to_word(trial.routing), &trial.network, {trial.grasp}});
-  survey.channels = trial.network.segments;
+  survey.channels = survey.wide_channels = trial.network.segments;
   survey.has_speed = survey.has_cycle = survey.has_temperature = true;
+  survey.has_motor_tension = survey.has_both_directions = survey.sheath_angle_varies = true;
+  survey.reads_below_zero = true;
   Hardware hardware = trial.hardware;
   if (dice.chance(0.5)) hardware.block = ContactLaw{dice.real(0, 0.3), dice.real(0, 6)};
   hardware.contacts.erase(hardware.contacts.begin() + (hardware.contacts.empty() ? 0 : 1),

@@ -12,6 +12,7 @@ namespace {
 
 using testing::effect;
 using testing::model_with;
+using testing::of_channel;
 using testing::Solved;
 using testing::solved;
 
@@ -26,12 +27,6 @@ double bench(const Model& model) { return solved(model, "M-F")["h1"]; }
 Subject of_finger(int finger) {
   Subject subject;
   subject.finger = finger;
-  return subject;
-}
-
-Subject of_channel(const std::string& channel) {
-  Subject subject;
-  subject.channel = parse_segment(channel);
   return subject;
 }
 
@@ -118,9 +113,28 @@ TEST(Temperature, LowersFrictionInProportion) {
   EXPECT_NEAR(bench(model), 1, tolerance);
 }
 
+TEST(WrapFreeLoss, IsAddedToTheExponentOfEachSheathAndOfNothingElse) {
+  const Solved s = solved(model_with({effect("wrap_free_loss", {0.4})}), "M-1-T-2-F");
+  EXPECT_NEAR(s["T1"], std::exp(-sheath - 0.4), tolerance);
+  EXPECT_NEAR(s["T4"] / s["T1"], std::exp(-3 * tube), tolerance);
+  EXPECT_NEAR(
+      bench(model_with({effect("wrap_free_loss", {-0.5}), effect("sheath_friction", {0.01})})), 1,
+      tolerance);  // not below 0
+}
+
+TEST(Hysteresis, ScalesTheExponentsOfTubesAndSheathsWhenReleasing) {
+  const Model model = model_with({effect("hysteresis", {0.5})});
+  const Solved released = solved(model, "M-1-B-2-F", {}, Direction::release);
+  EXPECT_NEAR(released["T1"], std::exp(1.5 * sheath), 1e-6);
+  EXPECT_NEAR(released["T2"] / released["T1"], std::exp(1.5 * tube), tolerance);
+  EXPECT_NEAR(released["T3"] / released["T2"], std::exp(bearing), tolerance);
+  const Solved pulled = solved(model, "M-1-B-2-F");
+  EXPECT_EQ(pulled.state.tension, solved(model_with({}), "M-1-B-2-F").state.tension);
+}
+
 TEST(LawsOfConditions, SpareBearings) {
   for (const Effect& law : {effect("speed_dependent_friction", {0.2}), effect("wear", {-0.4, 500}),
-                            effect("temperature", {0.02})}) {
+                            effect("temperature", {0.02}), effect("wrap_free_loss", {0.3})}) {
     Model model = model_with({law});
     model.conditions = {10, 100, 1000, 45};
     const Solved s = solved(model, "M-1b-B-2b-F");

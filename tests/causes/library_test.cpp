@@ -18,8 +18,10 @@ using testing::Trial;
 Survey survey_of(const Trial& trial) {
   Survey survey;
   survey.routings.push_back({to_word(trial.routing), &trial.network, {trial.grasp}});
-  survey.channels = trial.network.segments;
+  survey.channels = survey.wide_channels = trial.network.segments;
   survey.has_speed = survey.has_cycle = survey.has_temperature = true;
+  survey.has_motor_tension = survey.has_both_directions = survey.sheath_angle_varies = true;
+  survey.reads_below_zero = true;
   return survey;
 }
 
@@ -43,7 +45,19 @@ TEST(CauseLibrary, HasEveryCauseOfTheInterfaceOnce) {
                                        "pretension",
                                        "sheath_angle",
                                        "wrong_grasp",
-                                       "seized_contact"};
+                                       "seized_contact",
+                                       "wrap_free_loss",
+                                       "hysteresis",
+                                       "motor_gain",
+                                       "motor_offset",
+                                       "constant_loss",
+                                       "viscous_loss",
+                                       "cross_talk",
+                                       "dead_zone",
+                                       "dead_channel",
+                                       "drift",
+                                       "saturation",
+                                       "swapped_channels"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(find_cause("rust"), nullptr);
 }
@@ -91,6 +105,35 @@ TEST(Effects, AreAboutTheSameThingWhateverTheySayOfIt) {
   EXPECT_FALSE(is_about_the_same(gain("T1", 1.1), offset));
 }
 
+TEST(Effects, OfTwoChannelsAreTheSameWhicheverComesFirst) {
+  const auto swapped = [](const char* one, const char* other) {
+    Subject subject;
+    subject.channel = parse_segment(one);
+    subject.other_channel = parse_segment(other);
+    return testing::effect("swapped_channels", {}, subject);
+  };
+  EXPECT_TRUE(is_about_the_same(swapped("T1", "T2"), swapped("T2", "T1")));
+  EXPECT_FALSE(is_about_the_same(swapped("T1", "T2"), swapped("T1", "T3")));
+}
+
+// Two columns can be exchanged if both have a reading at once; of more than 8 columns none is
+// tried.
+TEST(SwappedChannels, ArePairsThatSomeRoutingHasBothOf) {
+  const Network network = expand(parse_routing("M-1-T-2-F"));
+  Survey survey;
+  survey.routings.push_back({"M-1-T-2-F", &network, {Grasp{}}});
+  survey.channels = {parse_segment("T1"), parse_segment("T3"), parse_segment("T7")};
+  const Cause& cause = *find_cause("swapped_channels");
+  ASSERT_EQ(cause.subjects(survey).size(), 1U);
+  EXPECT_EQ(cause.subject_name(cause.subjects(survey)[0]), "T1,T3");
+  for (const char* more : {"T2", "T4", "a", "T8", "T9"}) {
+    survey.channels.push_back(parse_segment(more));
+  }
+  EXPECT_EQ(cause.subjects(survey).size(), 10U);
+  survey.channels.push_back(parse_segment("T10"));
+  EXPECT_TRUE(cause.subjects(survey).empty());
+}
+
 // What the seam promises to whoever keeps or prints a model.
 TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
   const Trial trial = testing::random_trial(3);
@@ -98,7 +141,9 @@ TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
     SCOPED_TRACE(cause->name());
     const SubjectKind kind = cause->subject_kind();
     for (const Subject& subject : cause->subjects(survey_of(trial))) {
-      EXPECT_EQ(subject.channel.has_value(), kind == SubjectKind::channel);
+      const bool of_two = kind == SubjectKind::channels;
+      EXPECT_EQ(subject.channel.has_value(), of_two || kind == SubjectKind::channel);
+      EXPECT_EQ(subject.other_channel.has_value(), of_two);
       EXPECT_EQ(subject.finger > 0, kind == SubjectKind::finger);
       EXPECT_EQ(subject.recorded.has_value(), kind == SubjectKind::grasp);
       EXPECT_EQ(subject.actual.has_value(), kind == SubjectKind::grasp);
@@ -108,6 +153,18 @@ TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
       EXPECT_EQ(cause->subject_name(subject).empty(), kind == SubjectKind::rig);
     }
   }
+}
+
+// Of sensors on every segment, where each tension is another one.
+std::vector<double> readings(const Model& model, const Network& network) {
+  std::vector<Sensor> sensors;
+  for (const Segment& segment : network.segments) {
+    sensors.push_back({segment, 3.25 + 0.1 * static_cast<double>(sensors.size()), sensors.size()});
+  }
+  read(model, model.conditions, sensors);
+  std::vector<double> result;
+  for (const Sensor& sensor : sensors) result.push_back(sensor.reading_N);
+  return result;
 }
 
 // At its nominal size a cause changes no bit of any prediction.
@@ -130,9 +187,11 @@ TEST(CauseLibrary, ChangesNothingAtTheNominalValue) {
         add_effect(model, effect);
         const Solved s = testing::solved(model, trial.routing, trial.grasp, trial.direction);
         EXPECT_EQ(s.state.tension, expected.state.tension) << effect_name(effect);
-        for (const Segment& segment : trial.network.segments) {
-          EXPECT_EQ(reading(model, segment, 3.25), 3.25) << effect_name(effect);
-        }
+        EXPECT_EQ(at_tendon(model, trial.direction, model.conditions).motor_tension_N,
+                  plain.conditions.motor_tension_N)
+            << effect_name(effect);
+        EXPECT_EQ(readings(model, trial.network), readings(plain, trial.network))
+            << effect_name(effect);
         ++compared;
       }
     }

@@ -16,6 +16,8 @@ class NamedEffects : public ::testing::Test {
     plan_.speed_mm_s = Levels{{1, 100}, {}};
     plan_.cycle = Levels{{0, 3000}, {}};
     plan_.temperature_C = Levels{{15, 35}, {}};
+    plan_.directions = {Direction::pull, Direction::release};
+    plan_.sheath_angle_rad = Levels{{1, 6}, {}};
   }
 
   Effect effect(const std::string& name, const std::vector<Setting>& settings = {}) const {
@@ -120,6 +122,14 @@ TEST_F(NamedEffects, ThatTheExperimentCannotShowSayWhatItLacks) {
   EXPECT_EQ(error("wear"), "'wear': it depends on the cycle: expected it to be given");
   EXPECT_EQ(error("temperature"),
             "'temperature': it depends on the temperature: expected it to be given");
+  plan_.directions = {Direction::release};
+  EXPECT_EQ(error("hysteresis"),
+            "'hysteresis': pulling and releasing differ by it: expected readings of both "
+            "directions");
+  plan_.sheath_angle_rad = Levels{{}, {3}};
+  EXPECT_EQ(error("wrap_free_loss"),
+            "'wrap_free_loss': it shows where sheath angles differ: expected more than one of "
+            "them");
   plan_.routings.pop_back();
   EXPECT_EQ(
       error("bearing_drag"),

@@ -25,6 +25,12 @@ inline Model model_with(std::vector<Effect> effects, const Hardware& hardware = 
   return model;
 }
 
+inline Subject of_channel(const std::string& channel) {
+  Subject subject;
+  subject.channel = parse_segment(channel);
+  return subject;
+}
+
 struct Solved {
   Network network;
   TensionState state;
@@ -70,7 +76,7 @@ inline Effect random_effect(Dice& dice, const Cause& cause, const Hardware& hard
 
 inline Conditions random_conditions(Dice& dice) {
   return {dice.log_real(0.5, 200), dice.log_real(0.1, 1000), dice.log_real(1, 1e5),
-          dice.real(-10, 60)};
+          dice.real(-10, 60), dice.real(0, 1)};
 }
 
 }  // namespace reeve::testing

@@ -49,6 +49,7 @@ TEST(BadPlan, IsNamedWithOptionAndValue) {
       simulate({"--speed", "100:1"}, "--speed '100:1': expected the lower end"),
       simulate({"--cycles", "100,10"}, "--cycles: expected a list that rises"),
       simulate({"--cycles", "inf"}, "--cycles 'inf': 'inf': " + levels),
+      simulate({"--sheath-angle", "101"}, "'101': " + levels + " from 0 to 100"),
       simulate({"--temperature", "-300"}, "'-300': " + levels + " from -273.15 to 10000"),
       simulate({"--noise-relative", "-0.02"},
                "--noise-relative '-0.02': expected a number from 0 to 1"),

@@ -82,6 +82,36 @@ TEST(Survey, KnowsWhatTheDataHave) {
   EXPECT_TRUE(survey.has_cycle);
   EXPECT_FALSE(survey.has_speed);
   EXPECT_FALSE(survey.has_temperature);
+  EXPECT_FALSE(survey.sheath_angle_varies);
+  EXPECT_TRUE(survey.has_motor_tension);
+  EXPECT_FALSE(survey.has_both_directions);
+}
+
+TEST(Survey, KnowsChannelsWithReadingsFarApart) {
+  const MeasuredData data =
+      read_data("run,routing,T1_N,T2_N,T3_N\n1,M-1-T-2-F,10,10,10\n1,M-1-T-2-F,5,4.9,\n");
+  const Survey survey = reeve::survey(data);
+  ASSERT_EQ(survey.wide_channels.size(), 1U);
+  EXPECT_EQ(segment_name(survey.wide_channels[0]), "T2");
+}
+
+// Negative readings are no data yet (docs/data.md); who has them is asked for dead zones.
+TEST(Survey, KnowsWhetherSensorsReadBelowZero) {
+  MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-T-2-F,10,\n1,M-1-T-2-F,0,2\n");
+  EXPECT_FALSE(survey(data).reads_below_zero);
+  data.readings[1].tension_N[0] = -0.1;
+  EXPECT_TRUE(survey(data).reads_below_zero);
+}
+
+TEST(Survey, KnowsWhetherDirectionAndSheathAngleVary) {
+  const auto of = [](const std::string& rows) {
+    return reeve::survey(read_data("run,routing,direction,sheath_angle_rad,T1_N,T2_N\n" + rows));
+  };
+  EXPECT_FALSE(of("1,M-1-F,release,3,1,1\n1,M-1-F,release,3,2,2\n").has_both_directions);
+  EXPECT_TRUE(of("1,M-1-F,release,3,1,1\n1,M-1-F,pull,3,2,2\n").has_both_directions);
+  EXPECT_FALSE(of("1,M-1-F,,3,1,1\n1,M-1-F,,3,2,2\n").sheath_angle_varies);
+  EXPECT_TRUE(of("1,M-1-F,,3,1,1\n1,M-1-F,,,2,2\n").sheath_angle_varies);
+  EXPECT_FALSE(of("1,M-1-F,,3,1,1\n").has_motor_tension);
 }
 
 }  // namespace

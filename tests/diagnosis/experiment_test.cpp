@@ -119,11 +119,53 @@ TEST(Experiment, TakesTheLevelsOfAListAndNoOthers) {
   EXPECT_EQ(counts, (std::map<double, int>{{5, 60}, {12.5, 60}, {40, 60}, {60, 60}}));
 }
 
+// Those of the two ranges are drawn apart from each other.
+TEST(Experiment, BendsTheSheathsInAnOrderOfItsOwn) {
+  ExperimentPlan plan = full_plan();
+  plan.runs = 100;
+  plan.sheath_angle_rad = Levels{{2, 6}, {}};
+  double sum = 0;
+  double squares = 0;
+  const std::vector<PlannedReading> readings = schedule(plan, 1);
+  for (const PlannedReading& reading : readings) {
+    sum += (*reading.sheath_angle_rad - 4) * (reading.conditions.temperature_C - 25);
+    squares += (*reading.sheath_angle_rad - 4) * (*reading.sheath_angle_rad - 4);
+  }
+  const auto n = static_cast<double>(readings.size());
+  EXPECT_NEAR(sum / n, 0, 4 * 4.0 * 20 / 12 / std::sqrt(n));
+  EXPECT_NEAR(squares / n, 16.0 / 12, 0.1);
+}
+
+TEST(Experiment, KnowsThePlaceOfEachReadingInItsFile) {
+  const std::vector<PlannedReading> readings = schedule(full_plan(), 1);
+  EXPECT_EQ(readings.front().conditions.order, 0);
+  EXPECT_EQ(readings.back().conditions.order, 1);
+  EXPECT_EQ(readings[1].conditions.order, 1 / static_cast<double>(readings.size() - 1));
+}
+
+TEST(Experiment, ShowsWhatItVaries) {
+  ExperimentPlan plan = plan_of(three_routings);
+  EXPECT_TRUE(survey(plan).has_motor_tension);
+  EXPECT_FALSE(survey(plan).has_both_directions);
+  EXPECT_FALSE(survey(plan).sheath_angle_varies);
+  plan.directions = {Direction::release, Direction::pull};
+  EXPECT_TRUE(survey(plan).has_both_directions);
+  plan.sheath_angle_rad = Levels{{}, {3}};
+  EXPECT_FALSE(survey(plan).sheath_angle_varies);
+  plan.sheath_angle_rad = Levels{{}, {3, 4}};
+  EXPECT_TRUE(survey(plan).sheath_angle_varies);
+  plan.sheath_angle_rad = Levels{{3, 3}, {}};
+  EXPECT_FALSE(survey(plan).sheath_angle_varies);
+  plan.sheath_angle_rad = Levels{{3, 4}, {}};
+  EXPECT_TRUE(survey(plan).sheath_angle_varies);
+}
+
 TEST(Experiment, LeavesConditionsThatItDoesNotHaveAtTheReference) {
   for (const PlannedReading& reading : schedule(plan_of(three_routings), 1)) {
     EXPECT_EQ(reading.conditions.speed_mm_s, Conditions{}.speed_mm_s);
     EXPECT_EQ(reading.conditions.cycle, Conditions{}.cycle);
     EXPECT_EQ(reading.conditions.temperature_C, Conditions{}.temperature_C);
+    EXPECT_FALSE(reading.sheath_angle_rad.has_value());
   }
 }
 

@@ -66,12 +66,16 @@ TEST_P(PlantedUnknowns, AreUnexplained) {
 INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effects()),
                          [](const auto& kind) { return std::string(planted_name(kind.param)); });
 
+// With some 4 % of false alarms of any kind (docs/diagnosis.md) more than one in 8 data sets has a
+// chance of 0.04.
 TEST(PlantedNothing, IsNothingFound) {
-  for (const std::uint64_t seed : {53, 54, 55, 56}) {
+  int alarms = 0;
+  for (std::uint64_t seed = 53; seed <= 60; ++seed) {
     const DiagnosisResult result = diagnosed(plant({}, seed).csv);
-    EXPECT_EQ(result.verdict, Verdict::none) << seed;
-    EXPECT_TRUE(result.causes.empty()) << seed;
+    alarms += result.verdict == Verdict::none ? 0 : 1;
+    EXPECT_EQ(result.causes.empty(), result.verdict == Verdict::none) << seed;
   }
+  EXPECT_LE(alarms, 1);
 }
 
 TEST(PlantedPairs, AreBothNamed) {

@@ -128,8 +128,9 @@ TEST(PrintedReadings, OfOverTheEdgeRescueDifferFromTheHardwareWithoutSayingWhy) 
   EXPECT_TRUE(std::any_of(result.structure.begin(), result.structure.end(), [](const auto& found) {
     return found.about == "load" && found.p_value < 0.005;
   }));
-  EXPECT_TRUE(names(result.indistinguishable, "tube_friction"));
   EXPECT_TRUE(names(result.indistinguishable, "bearing_friction"));
+  EXPECT_TRUE(names(result.indistinguishable, "motor_offset"));
+  EXPECT_TRUE(names(result.indistinguishable, "constant_loss"));
   EXPECT_TRUE(result.separating_measurement.has_value());
 }
 

@@ -71,6 +71,27 @@ TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
   EXPECT_GT(in_another_grasp, 0);
 }
 
+// Of the first routing, where all that arrives passes one sheath.
+TEST(Simulation, TakesTheTransmissionsLossFromThePullAndBendsTheSheathsAsPlanned) {
+  ExperimentPlan plan = plan_of({"M-1-T-2-F"});
+  plan.directions = {Direction::pull, Direction::release};
+  plan.sheath_angle_rad = Levels{{0.5, 7}, {}};
+  const Model model = model_with(plan, {{"constant_loss", {{"force_N", "2"}}},
+                                        {"wrap_free_loss", {{"exponent", "0.3"}}},
+                                        {"drift[T1]", {{"drift_N", "-1"}}}});
+  const Simulation simulation = simulate(plan, model, no_noise, 3);
+  const auto last = static_cast<double>(simulation.readings.size() - 1);
+  for (std::size_t i = 0; i < simulation.readings.size(); ++i) {
+    const PlannedReading& reading = simulation.readings[i];
+    const double sign = reading.direction == Direction::pull ? 1 : -1;
+    const double pulled = reading.conditions.motor_tension_N - 2 * sign;
+    const double phi = 0.18 * *reading.sheath_angle_rad + 0.3;
+    const double drift = -static_cast<double>(i) / last;
+    const double expected = std::max(0.0, pulled * std::exp(-sign * phi) + drift);
+    EXPECT_NEAR(*simulation.tension_N[i][0], expected, 1e-5 * pulled) << i;
+  }
+}
+
 TEST(Simulation, LeavesChannelsEmptyThatTheRoutingDoesNotHave) {
   const ExperimentPlan plan = plan_of({"M-1-F", "M-1-P-2-M"});
   const Simulation simulation = simulate(plan, {}, {}, 1);

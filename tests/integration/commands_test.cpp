@@ -149,11 +149,12 @@ TEST(Help, MentionsEveryOption) {
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
         "--explore", "--out", "--save-model", "--format"}},
-      {"simulate",
-       {"--routings", "--grasps",   "--directions",  "--channels",       "--motor-tension",
-        "--speed",    "--cycles",   "--temperature", "--noise-relative", "--noise-absolute",
-        "--runs",     "--rows",     "--repeats",     "--cause",          "--set",
-        "--power",    "--hardware", "--seed",        "--format",         "-o,--output"}}};
+      {"simulate", {"--routings",      "--grasps",         "--directions",     "--channels",
+                    "--motor-tension", "--speed",          "--cycles",         "--temperature",
+                    "--sheath-angle",  "--noise-relative", "--noise-absolute", "--runs",
+                    "--rows",          "--repeats",        "--cause",          "--set",
+                    "--power",         "--hardware",       "--seed",           "--format",
+                    "-o,--output"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());

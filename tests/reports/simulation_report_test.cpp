@@ -40,6 +40,7 @@ ExperimentPlan full_plan() {
   plan.speed_mm_s = Levels{{0.01, 100}, {}};
   plan.cycle = Levels{{0, 1e9}, {}};
   plan.temperature_C = Levels{{-20, 35}, {}};
+  plan.sheath_angle_rad = Levels{{0, 7}, {}};
   plan.channels.push_back(parse_segment("a"));
   plan.channels.push_back(parse_segment("d"));
   return plan;
@@ -64,6 +65,7 @@ TEST(SimulationCsv, GivesThePlannedConditionsBackBitByBit) {
     EXPECT_EQ(reading.speed_mm_s, conditions.speed_mm_s);
     EXPECT_EQ(reading.cycle, conditions.cycle);
     EXPECT_EQ(reading.temperature_C, conditions.temperature_C);
+    EXPECT_EQ(reading.sheath_angle_rad, planned[i].sheath_angle_rad);
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
       const std::optional<double>& simulated = report.simulation.tension_N[i][c];
       ASSERT_EQ(reading.tension_N[c].has_value(), simulated.has_value());
