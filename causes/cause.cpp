@@ -14,6 +14,14 @@ bool are_same_channels(const Subject& a, const Subject& b) {
 
 }  // namespace
 
+bool is_force(const Parameter& parameter) { return parameter.unit[0] == 'N'; }
+
+Range valid_range(const Parameter& parameter) {
+  constexpr double greatest = 1000;
+  const double scale = is_force(parameter) ? greatest : 1;
+  return {scale * parameter.range.low, scale * parameter.range.high};
+}
+
 bool has_contact(const Survey& survey, ContactKind kind) {
   return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
     const std::vector<Contact>& contacts = routing.network->contacts;

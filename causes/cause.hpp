@@ -45,6 +45,12 @@ struct Parameter {
   std::optional<Range> literature;
 };
 
+// Ranges in newton are of loads about 20 N; those that are searched go with the loads of the data.
+inline constexpr double range_load_N = 20;
+bool is_force(const Parameter& parameter);  // or a force per something
+// What a model that is kept or simulated may have: of loads up to 1000 times as great.
+Range valid_range(const Parameter& parameter);
+
 // What a cause is about; which of these it uses, depends on the cause.
 struct Subject {
   std::optional<Segment> channel;

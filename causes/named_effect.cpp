@@ -84,12 +84,12 @@ double number_of(const Setting& setting, const Parameter& parameter) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  if (is_number && value >= parameter.range.low && value <= parameter.range.high) return value;
-  throw InputError(
-      {.what = setting.key,
-       .value = text,
-       .expected = fmt::format("a number from {} to {}", parameter.range.low, parameter.range.high),
-       .form = InputForm::cell});
+  const Range range = valid_range(parameter);
+  if (is_number && value >= range.low && value <= range.high) return value;
+  throw InputError({.what = setting.key,
+                    .value = text,
+                    .expected = fmt::format("a number from {} to {}", range.low, range.high),
+                    .form = InputForm::cell});
 }
 
 // In orders of magnitude where the range is positive; two digits are enough for a middle.
@@ -141,9 +141,10 @@ class EffectReader {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       const Parameter& parameter = parameters_[i];
       if (i == 0 && !values_[i]) {
+        const Range range = valid_range(parameter);
         throw InputError({.what = "its size is missing",
                           .expected = fmt::format("{}=VALUE, from {} to {}", parameter.name,
-                                                  parameter.range.low, parameter.range.high)});
+                                                  range.low, range.high)});
       }
       effect.values.push_back(values_[i].value_or(middle(parameter)));
     }

@@ -38,7 +38,7 @@ class Diagnosis {
   }
 
   std::optional<DiagnosisResult> run() {
-    candidates_ = candidates(survey(data_), nominal_.hardware);
+    candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
       found_ = nothing_explained(sample_.training, nominal_, explanation_options());
@@ -179,7 +179,8 @@ class Diagnosis {
 
   EstimatedParameter estimated(const Effect& effect, std::size_t p,
                                const ParameterInterval& interval) const {
-    const Parameter parameter = effect.cause->parameters(nominal_.hardware)[p];
+    const Parameter parameter =
+        searched_parameters(*effect.cause, nominal_.hardware, force_scale(data_))[p];
     const bool at_bound =
         interval.low <= parameter.range.low || interval.high >= parameter.range.high;
     return {parameter.name, parameter.unit, effect.values[p],  interval.low,
@@ -277,14 +278,20 @@ class Diagnosis {
       result_.indistinguishable.push_back(group.names);
     }
     if (!indistinguishable_.empty()) {
-      const Indistinguishable& group = indistinguishable_.front();
-      result_.separating_measurement = separating_measurement(plan, group.models[0], group.names[0],
-                                                              group.models[1], group.names[1]);
+      separate(plan, indistinguishable_.front());
       result_.next_measurement = result_.separating_measurement;
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
       result_.next_measurement = shrinking_measurement(plan, found_.problem, result_.model,
                                                        place(result_.model, cause.effect));
+    }
+  }
+
+  // Some of a group nothing on this rig tells apart: the first that something does.
+  void separate(const MeasurementPlan& plan, const Indistinguishable& group) {
+    for (std::size_t i = 1; i < group.names.size() && !result_.separating_measurement; ++i) {
+      result_.separating_measurement = separating_measurement(plan, group.models[0], group.names[0],
+                                                              group.models[i], group.names[i]);
     }
   }
 

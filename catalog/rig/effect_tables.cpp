@@ -103,7 +103,7 @@ Subject read_subject(const TomlNode& table, SubjectKind kind) {
 }
 
 double read_parameter(const TomlNode& table, const Parameter& parameter) {
-  const auto [low, high] = parameter.range;
+  const auto [low, high] = valid_range(parameter);
   const std::string_view unit = parameter.unit;
   return table
       .require(parameter.name, fmt::format("a number from {} to {}{}", low, high,

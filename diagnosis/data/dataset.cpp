@@ -99,6 +99,20 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
   return result;
 }
 
+double force_scale(const MeasuredData& data) {
+  std::vector<double> loads;
+  for (const Reading& reading : data.readings) {
+    double sum = 0;
+    for (const auto& tension : reading.tension_N) sum += std::max(tension.value_or(0), 0.0);
+    const double load = reading.motor_tension_N.value_or(sum);
+    if (load > 0) loads.push_back(load);
+  }
+  if (loads.empty()) return 1;
+  const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
+  std::nth_element(loads.begin(), middle, loads.end());
+  return *middle / range_load_N;
+}
+
 Survey survey(const MeasuredData& data) {
   Survey result;
   for (const MeasuredRouting& routing : data.routings) {

@@ -53,6 +53,10 @@ enum class Rows { that_say_something, all };
 Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings,
                 Rows rows = Rows::that_say_something);
 
+// The middle load of the readings over that which ranges in newton are written for (range_load_N):
+// motor tensions, or where there are none the sums of the readings.
+double force_scale(const MeasuredData& data);
+
 // Which causes the data could show.
 Survey survey(const MeasuredData& data);
 

@@ -25,11 +25,12 @@ struct Coordinate {
 
 constexpr double no_tensions = 1e300;
 
-std::vector<Coordinate> coordinates(const Model& model) {
+std::vector<Coordinate> coordinates(const Problem& problem, const Model& model) {
   constexpr double orders = 100;
   std::vector<Coordinate> result;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
-    const auto parameters = model.effects[e].cause->parameters(model.hardware);
+    const auto parameters =
+        searched_parameters(*model.effects[e].cause, model.hardware, problem.force_scale);
     for (std::size_t p = 0; p < parameters.size(); ++p) {
       const Range range = parameters[p].range;
       result.push_back({e, p, range, range.low > 0 && range.high / range.low > orders});
@@ -44,7 +45,7 @@ bool has_tensions(const Fit& fit) { return fit.misfit < no_tensions; }
 
 Fit fit(const Problem& problem, const Model& model) {
   constexpr int evaluations = 25;
-  const std::vector<Coordinate> free = coordinates(model);
+  const std::vector<Coordinate> free = coordinates(problem, model);
   if (free.empty()) return {model, misfit(problem, model)};
   std::vector<Interval> box;
   std::vector<double> start;

@@ -146,7 +146,7 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
   Index column = 0;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     const Effect& effect = model.effects[e];
-    const auto parameters = effect.cause->parameters(model.hardware);
+    const auto parameters = searched_parameters(*effect.cause, model.hardware, problem.force_scale);
     for (std::size_t p = 0; p < parameters.size(); ++p, ++column) {
       const Range range = parameters[p].range;
       const Spread spread = spreads(column);

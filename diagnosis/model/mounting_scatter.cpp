@@ -272,9 +272,12 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
   std::vector<std::size_t> free;
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
     if (!result.present[k]) continue;
-    const bool is_given = given && k != static_cast<std::size_t>(Mounted::gain);
-    result.relative[k] = is_given ? *given : assumed_scatter[k];
-    if (!is_given) free.push_back(k);
+    const bool is_gain = k == static_cast<std::size_t>(Mounted::gain);
+    const double of_exponents = given.value_or(assumed_scatter[0]);
+    result.relative[k] = !given    ? assumed_scatter[k]
+                         : is_gain ? of_exponents * assumed_scatter[k] / assumed_scatter[0]
+                                   : of_exponents;
+    if (!given) free.push_back(k);
   }
   const auto at_logarithms = [&](const std::vector<double>& x) {
     MountedScatter scatter = result.relative;

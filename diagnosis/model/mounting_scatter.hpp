@@ -43,8 +43,8 @@ struct MountingScatter {
 // Whether the readings tell it.
 bool is_told(const MountingScatter& scatter, Mounted kind);
 
-// The problem's residuals must not be whitened yet. `given` is what the user knows of exponents:
-// then only the gains are estimated.
+// The problem's residuals must not be whitened yet. `given` is what the user knows of exponents; of
+// gains it is then as much less as of the assumed ones.
 MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
                                  const MountingModes& modes, std::optional<double> given);
 

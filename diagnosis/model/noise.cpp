@@ -76,6 +76,13 @@ ScatterFit fit_with(const Dataset& dataset, const std::vector<ScatterSample>& sa
   return {tail, best.value - (tail == 0 ? 0 : degrees(samples) * height(tail)), best.at};
 }
 
+// Those of which the estimate leaves most: the others are mixtures of several readings' scatter.
+std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {
+  constexpr double most = 0.5;
+  std::erase_if(samples, [](const ScatterSample& sample) { return sample.kept < most; });
+  return samples;
+}
+
 Noise noise_of(const ScatterFit& best, const std::vector<ScatterSample>& samples,
                NoiseSource source) {
   return {std::exp(best.at[1]), std::exp(best.at[0]), source, degrees(samples), best.tail, true};
@@ -86,15 +93,18 @@ Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, Noi
   // Twice the log-likelihood by which heavier tails have to be the likelier: chance brings that in
   // 1 of 1000 normal samples (chi-squared of one degree of freedom, on its edge).
   constexpr double clearly = 9.5;
-  ScatterFit best = fit_with(dataset, samples, 0);
-  const double normal = best.misfit;
+  ScatterFit all = fit_with(dataset, samples, 0);
   // Residuals of a model that is wrong are of many sizes, too.
-  if (source == NoiseSource::residuals) return noise_of(best, samples, source);
+  if (source == NoiseSource::residuals) return noise_of(all, samples, source);
+  const std::vector<ScatterSample> free = mostly_free(samples);
+  double least = fit_with(dataset, free, 0).misfit - clearly;
   for (const double tail : heavy_tails) {
-    ScatterFit heavy = fit_with(dataset, samples, tail);
-    if (heavy.misfit < std::min(best.misfit, normal - clearly)) best = std::move(heavy);
+    const double misfit = fit_with(dataset, free, tail).misfit;
+    if (misfit >= least) continue;
+    least = misfit;
+    all = fit_with(dataset, samples, tail);
   }
-  return noise_of(best, samples, source);
+  return noise_of(all, samples, source);
 }
 
 using CellGroup = std::vector<std::size_t>;  // cells

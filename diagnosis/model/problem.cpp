@@ -100,9 +100,20 @@ Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& foreca
   return expected;
 }
 
+std::vector<Parameter> searched_parameters(const Cause& cause, const Hardware& hardware,
+                                           double force_scale) {
+  std::vector<Parameter> parameters = cause.parameters(hardware);
+  for (Parameter& parameter : parameters) {
+    if (!is_force(parameter)) continue;
+    parameter.range.low *= force_scale;
+    parameter.range.high *= force_scale;
+  }
+  return parameters;
+}
+
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
   const auto cells = static_cast<Index>(dataset.cells.size());
-  Problem result{&dataset, Eigen::VectorXd(cells), deviation_N, {}, {}};
+  Problem result{&dataset, Eigen::VectorXd(cells), deviation_N, {}, {}, force_scale(*dataset.data)};
   const std::vector<bool> below_zero = reads_below_zero(*dataset.data);
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
     result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
@@ -171,7 +182,8 @@ Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const For
 Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
                             std::size_t effect) {
   const Effect& here = model.effects[effect];
-  const std::vector<Parameter> parameters = here.cause->parameters(model.hardware);
+  const std::vector<Parameter> parameters =
+      searched_parameters(*here.cause, model.hardware, problem.force_scale);
   Eigen::MatrixXd result(problem.measured_N.size(), static_cast<Index>(parameters.size()));
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const Range range = parameters[p].range;

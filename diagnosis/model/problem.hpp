@@ -31,7 +31,12 @@ struct Problem {
   Eigen::VectorXd deviation_N;  // of each reading by itself
   std::vector<bool> clips;      // parallel to the cells: cannot read below 0
   Whitening shared;             // none: readings scatter independently
+  double force_scale = 1;       // of ranges in newton
 };
+
+// The cause's parameters with ranges that go with the loads of the data.
+std::vector<Parameter> searched_parameters(const Cause& cause, const Hardware& hardware,
+                                           double force_scale);
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "causes/library.hpp"
+#include "diagnosis/model/problem.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -16,11 +17,13 @@ double nominal_or_middle(const Parameter& parameter) {
 
 }  // namespace
 
-std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware) {
+std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware,
+                                  double force_scale) {
   std::vector<Candidate> result;
   for (const Cause* cause : cause_library()) {
     for (const Subject& subject : cause->subjects(survey)) {
-      Candidate candidate{{cause, subject, {}}, cause->parameters(hardware), {}};
+      Candidate candidate{
+          {cause, subject, {}}, searched_parameters(*cause, hardware, force_scale), {}};
       for (const Parameter& parameter : candidate.parameters) {
         candidate.effect.values.push_back(nominal_or_middle(parameter));
       }

@@ -17,7 +17,9 @@ struct Candidate {
   bool has_size() const { return !parameters.empty(); }
 };
 
-std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware);
+// `force_scale` as of the data (dataset.hpp).
+std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware,
+                                  double force_scale = 1);
 
 // Values at which the law of a candidate with parameters of shape is tried: the size is nominal.
 std::vector<std::vector<double>> shapes(const Candidate& candidate);

@@ -136,7 +136,8 @@ class Explaining {
     constexpr double near = 1e-3;  // of the range
     const std::size_t e = place(result_.model, accepted.effect);
     const Effect& effect = result_.model.effects[e];
-    const auto parameters = effect.cause->parameters(nominal_.hardware);
+    const auto parameters =
+        searched_parameters(*effect.cause, nominal_.hardware, result_.problem.force_scale);
     if (parameters.empty()) return true;
     const ParameterInterval size =
         parameter_intervals(result_.problem, result_.model, result_.mounting_degrees())[e].front();

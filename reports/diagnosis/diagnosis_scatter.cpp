@@ -32,7 +32,7 @@ std::string percent_in(const MountingScatter& scatter, Mounted kind) {
 
 bool is_assumed(const MountingScatter& scatter, Mounted kind) {
   return scatter.present[static_cast<std::size_t>(kind)] && !is_told(scatter, kind) &&
-         !(scatter.given && kind != Mounted::gain);
+         !scatter.given;
 }
 
 bool is_present(const MountingScatter& scatter) {
