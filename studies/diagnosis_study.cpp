@@ -41,15 +41,17 @@ std::vector<std::string> order(const Model& model, const Catalogue& catalogue) {
   constexpr int fingers = 2;
   DesignEvaluator evaluator(model, single_grasps(fingers));
   std::vector<Design> designs;
+  std::vector<std::string> names;
   for (const CatalogueEntry& entry : catalogue.entries) {
     if (finger_count(entry.routing) != fingers) continue;
     designs.push_back({entry.word, evaluator.evaluate(entry.routing)});
+    names.push_back(entry.name);
   }
-  std::vector<std::string> names;
+  std::vector<std::string> ordered;
   for (const RankedDesign& ranked : rank(std::move(designs), Order{})) {
-    names.push_back(catalogue.find_word(parse_routing(ranked.design.word))->name);
+    ordered.push_back(names[ranked.given]);
   }
-  return names;
+  return ordered;
 }
 
 std::vector<MeasurableRouting> measurable_routings(const MeasuredData& data,
@@ -111,8 +113,7 @@ std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
   Model model = report.result.model;
   model.conditions = at.conditions;
   try {
-    return shown_routing(parse_routing(at.routing), model, {{at.grasp, 1}}, at.direction,
-                         catalogue);
+    return shown_routing(at.routing.routing, model, {{at.grasp, 1}}, at.direction, catalogue);
   } catch (const OutOfRange&) {
     return std::nullopt;
   }

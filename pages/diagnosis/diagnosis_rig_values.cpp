@@ -15,8 +15,9 @@ namespace {
 std::string rows_to_record(const PlannedMeasurement& planned) {
   const Measurement& at = planned.measurement;
   std::string header = "run,routing,held,direction,motor_tension_N";
-  std::string row = fmt::format("NEW,{},{},{},{:.6g}", csv_field(at.routing), held_field(at.grasp),
-                                direction_field(at.direction), at.conditions.motor_tension_N);
+  std::string row =
+      fmt::format("NEW,{},{},{},{:.6g}", csv_field(at.routing.word), held_field(at.grasp),
+                  direction_field(at.direction), at.conditions.motor_tension_N);
   const auto add = [&](bool used, const char* column, double value) {
     if (!used) return;
     header += fmt::format(",{}", column);

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/notation.hpp"
 #include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
@@ -24,7 +23,7 @@ std::string grasp_text(Grasp grasp) {
 
 // Of what has fingers; a test bench has none.
 std::string held_text(const Measurement& at) {
-  return finger_count(parse_routing(at.routing)) == 0 ? "" : " with " + grasp_text(at.grasp);
+  return finger_count(at.routing.routing) == 0 ? "" : " with " + grasp_text(at.grasp);
 }
 
 // Names such as force_N have it already.
@@ -111,8 +110,9 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs) {
 
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
   const Measurement& at = planned.measurement;
-  const std::string name = catalogue_name(report, at.routing);
-  std::string text = name.empty() ? at.routing : fmt::format("{} ({})", name, at.routing);
+  const std::string& word = at.routing.word;
+  const std::string name = catalogue_name(report, word);
+  std::string text = name.empty() ? word : fmt::format("{} ({})", name, word);
   text += fmt::format("{}, {} with {:.3g} N at the motor", held_text(at),
                       at.direction == Direction::pull ? "pulled" : "released",
                       at.conditions.motor_tension_N);

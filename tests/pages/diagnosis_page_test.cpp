@@ -214,7 +214,7 @@ TEST(DiagnosisPage, GivesTheRowsThatTheNextMeasurementFills) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
   PlannedMeasurement planned;
-  planned.measurement.routing = "M-1-T-2-F";
+  planned.measurement.routing = {"M-1-T-2-F", parse_routing("M-1-T-2-F")};
   planned.measurement.direction = Direction::release;
   planned.measurement.conditions.motor_tension_N = 25;
   planned.measurement.conditions.speed_mm_s = 40;
