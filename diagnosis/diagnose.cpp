@@ -21,10 +21,8 @@
 namespace reeve::diagnosis {
 namespace {
 
-// A second name, or the claim that something is left that no cause explains, has to stand against
-// a smaller chance than the first name.
+// A second name has to stand against a smaller chance than the first.
 constexpr double further_share_of_alpha = 0.5;
-constexpr double structure_share_of_alpha = 0.25;
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
 // Left-out gain, in log-likelihood, below which the training runs speak against a cause. About 0
