@@ -1,5 +1,6 @@
 #include "studies/diagnosis_study.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <utility>
@@ -83,6 +84,14 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
 
 }  // namespace
 
+bool is_bench(const MeasuredData& data) {
+  return std::all_of(
+             data.routings.begin(), data.routings.end(),
+             [](const MeasuredRouting& measured) { return measured.network.fingers < 2; }) &&
+         std::all_of(data.readings.begin(), data.readings.end(),
+                     [](const Reading& reading) { return reading.grasp.held == 0; });
+}
+
 std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
                                                const Catalogue& catalogue) {
   const auto start = std::chrono::steady_clock::now();
@@ -100,7 +109,9 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
   auto result = diagnose_until(report.data, report.hardware, options);
   if (!result) return std::nullopt;
   report.result = std::move(*result);
-  report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  if (!is_bench(report.data)) {
+    report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  }
   report.published = published_models(catalogue, report.data, report.result);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
