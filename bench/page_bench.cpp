@@ -38,8 +38,8 @@ void explore_page(benchmark::State& state) {
   const Catalogue catalogue;
   const ExploreReport report = explored(static_cast<int>(state.range(0)), catalogue);
   const ExplorationView view{report, "reeve explore", "",
-                             [&](const std::string& word) {
-                               return shown_routing(parse_routing(word), report.options.model,
+                             [&](const Routing& routing) {
+                               return shown_routing(routing, report.options.model,
                                                     report.options.grasps, Direction::pull,
                                                     catalogue);
                              },

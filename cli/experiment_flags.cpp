@@ -89,7 +89,7 @@ std::vector<PlannedRouting> read_routings(const ExperimentFlags& flags,
     const CatalogueEntry* entry = catalogue.find_name(text);
     const Routing routing =
         for_option("--routings", [&] { return read_actuated_routing(text, catalogue); });
-    PlannedRouting planned{"", to_word(routing), expand(routing), {}};
+    PlannedRouting planned{"", to_word(routing), routing, expand(routing), {}};
     planned.label = entry != nullptr ? entry->name : planned.word;
     for (const PlannedRouting& other : routings) {
       if (other.word == planned.word) {

@@ -5,7 +5,6 @@
 
 #include "cli/command_line.hpp"
 #include "cli/supervision.hpp"
-#include "core/notation.hpp"
 #include "pages/exploration/exploration_page.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "reports/files.hpp"
@@ -23,9 +22,9 @@ ExplorationView view(const ExploreReport& report, const CLI::App& command,
   const ExploreOptions& options = report.options;
   return {report, command_line(command, {"--threads", "--format"}),
           given_options(command, {"--hardware", "--model"}),
-          [&](const std::string& word) {
-            return shown_routing(parse_routing(word), options.model, options.grasps,
-                                 Direction::pull, catalogue);
+          [&](const Routing& routing) {
+            return shown_routing(routing, options.model, options.grasps, Direction::pull,
+                                 catalogue);
           },
           details};
 }

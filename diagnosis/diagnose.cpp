@@ -19,9 +19,6 @@
 namespace reeve::diagnosis {
 namespace {
 
-// The claim that something is left that no cause explains has to stand against a smaller chance
-// than the first name.
-constexpr double structure_share_of_alpha = 0.25;
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
 

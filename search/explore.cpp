@@ -142,7 +142,7 @@ class Exploration {
       const Slot& slot = slots_[i];
       if (slot.failed_constraint > 0) ++constraint_failures_[slot.failed_constraint - 1];
       if (slot.may_rank) archive_.add({to_word(slot.routing), slot.values});
-      if (slot.sampled) sample_.add(slot.place, {to_word(slot.routing), slot.values});
+      if (slot.sampled) sample_.add(slot.place, slot.routing);
     }
   }
 
@@ -163,8 +163,12 @@ class Exploration {
       if (ranked.rank <= options_.top) result.top.push_back(ranked);
     }
     // Both are the beginning of one ranking.
-    result.best = best_by_objective(
-        result.front.size() > result.top.size() ? result.front : result.top, named_as_best);
+    const std::vector<RankedDesign>& listed =
+        result.front.size() > result.top.size() ? result.front : result.top;
+    result.best = best_by_objective(listed, named_as_best);
+    for (const RankedDesign& ranked : listed) {
+      result.routings.push_back(parse_routing(ranked.design.word));
+    }
     result.sample = sampled();
     place_references(content.ranked);
     result.references = references_;
@@ -176,9 +180,9 @@ class Exploration {
 
   // Most of what was sampled on the way is not in the sample, so what decides nothing waits.
   std::vector<Design> sampled() {
-    std::vector<Design> designs = sample_.designs();
-    for (Design& design : designs) {
-      design.values = evaluators_[0].evaluate(parse_routing(design.word));
+    std::vector<Design> designs;
+    for (const Routing& routing : sample_.routings()) {
+      designs.push_back({to_word(routing), evaluators_[0].evaluate(routing)});
     }
     return designs;
   }

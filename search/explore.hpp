@@ -77,6 +77,7 @@ struct ExploreResult {
   double seconds = 0;
   std::vector<RankedDesign> front;
   std::vector<RankedDesign> top;
+  std::vector<Routing> routings;  // of the longer of the two, in its order
   std::vector<BestDesigns> best;  // among top and front, with a few words each
   std::vector<Design> sample;     // of all that no constraint rejects (sample.hpp)
   std::uint64_t front_equals_left_out = 0;

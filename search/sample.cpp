@@ -20,23 +20,23 @@ bool DesignSample::would_enter(std::uint64_t place) const {
   return size_ > 0 && lot(place) < members_.front().lot;
 }
 
-void DesignSample::add(std::uint64_t place, Design design) {
+void DesignSample::add(std::uint64_t place, const Routing& routing) {
   if (!would_enter(place)) return;
   if (members_.size() == size_) {
     std::pop_heap(members_.begin(), members_.end());
     members_.pop_back();
   }
-  members_.push_back({lot(place), place, std::move(design)});
+  members_.push_back({lot(place), place, routing});
   std::push_heap(members_.begin(), members_.end());
 }
 
-std::vector<Design> DesignSample::designs() const {
+std::vector<Routing> DesignSample::routings() const {
   std::vector<Member> members = members_;
   std::sort(members.begin(), members.end(),
             [](const Member& a, const Member& b) { return a.place < b.place; });
-  std::vector<Design> designs;
-  for (Member& member : members) designs.push_back(std::move(member.design));
-  return designs;
+  std::vector<Routing> routings;
+  for (Member& member : members) routings.push_back(std::move(member.routing));
+  return routings;
 }
 
 }  // namespace reeve::search

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/judge/ranking.hpp"
+#include "core/routing.hpp"
 
 namespace reeve::search {
 
@@ -20,16 +20,16 @@ class DesignSample {
   // threads.
   bool would_enter(std::uint64_t place) const;
 
-  void add(std::uint64_t place, Design design);
+  void add(std::uint64_t place, const Routing& routing);
 
   // In the order of their places.
-  std::vector<Design> designs() const;
+  std::vector<Routing> routings() const;
 
  private:
   struct Member {
     double lot = 0;
     std::uint64_t place = 0;
-    Design design;
+    Routing routing;
 
     bool operator<(const Member& other) const { return lot < other.lot; }
   };

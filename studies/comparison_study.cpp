@@ -11,7 +11,7 @@ CompareReport comparison_study(MeasuredData data, const Model& model, const Cata
   report.data = std::move(data);
   report.model = model;
   for (const MeasuredRouting& measured : report.data.routings) {
-    report.names.push_back(name_of(catalogue, measured.word));
+    report.names.push_back(name_of(catalogue, measured.routing));
   }
   report.comparison = compare(report.data, model);
   return report;

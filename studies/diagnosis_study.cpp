@@ -1,5 +1,6 @@
 #include "studies/diagnosis_study.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <utility>
@@ -41,15 +42,17 @@ std::vector<std::string> order(const Model& model, const Catalogue& catalogue) {
   constexpr int fingers = 2;
   DesignEvaluator evaluator(model, single_grasps(fingers));
   std::vector<Design> designs;
+  std::vector<std::string> names;
   for (const CatalogueEntry& entry : catalogue.entries) {
     if (finger_count(entry.routing) != fingers) continue;
     designs.push_back({entry.word, evaluator.evaluate(entry.routing)});
+    names.push_back(entry.name);
   }
-  std::vector<std::string> names;
+  std::vector<std::string> ordered;
   for (const RankedDesign& ranked : rank(std::move(designs), Order{})) {
-    names.push_back(catalogue.find_word(parse_routing(ranked.design.word))->name);
+    ordered.push_back(names[ranked.given]);
   }
-  return names;
+  return ordered;
 }
 
 std::vector<MeasurableRouting> measurable_routings(const MeasuredData& data,
@@ -81,6 +84,14 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
 
 }  // namespace
 
+bool is_bench(const MeasuredData& data) {
+  return std::all_of(
+             data.routings.begin(), data.routings.end(),
+             [](const MeasuredRouting& measured) { return measured.network.fingers < 2; }) &&
+         std::all_of(data.readings.begin(), data.readings.end(),
+                     [](const Reading& reading) { return reading.grasp.held == 0; });
+}
+
 std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
                                                const Catalogue& catalogue) {
   const auto start = std::chrono::steady_clock::now();
@@ -98,7 +109,9 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
   auto result = diagnose_until(report.data, report.hardware, options);
   if (!result) return std::nullopt;
   report.result = std::move(*result);
-  report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  if (!is_bench(report.data)) {
+    report.ranking = catalogue_ranking(report.hardware, report.result.model, catalogue);
+  }
   report.published = published_models(catalogue, report.data, report.result);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
@@ -111,8 +124,7 @@ std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
   Model model = report.result.model;
   model.conditions = at.conditions;
   try {
-    return shown_routing(parse_routing(at.routing), model, {{at.grasp, 1}}, at.direction,
-                         catalogue);
+    return shown_routing(at.routing.routing, model, {{at.grasp, 1}}, at.direction, catalogue);
   } catch (const OutOfRange&) {
     return std::nullopt;
   }

@@ -44,11 +44,16 @@ struct DiagnosisReport {
   bool with_generated = false;
   DiagnosisResult result;
   std::map<std::string, std::string> names;  // of the catalogue, by word
-  // Only where a cause extends the model, to one that has tensions in all these routings.
+  // Only where a cause extends the model, to one that has tensions in all these routings, and the
+  // readings are of a hand.
   std::optional<CatalogueRanking> ranking;
   std::vector<PublishedModel> published;  // of the data's routings in their grasps
   double seconds = 0;
 };
+
+// Readings without a choice of grasps: of routings with one finger at most, which nothing holds.
+// What they say is about their parts, not about a hand.
+bool is_bench(const MeasuredData& data);
 
 // Nothing if it was stopped. Throws InputError if no row can be compared.
 std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,

@@ -21,10 +21,10 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
                              const Catalogue& catalogue) {
   ExploreReport report;
   report.options = options;
-  report.top = list_designs(result.top, distributions, catalogue);
-  report.front = list_designs(result.front, distributions, catalogue);
-  for (const ReferenceStanding& reference : result.references) {
-    report.reference_names.push_back(name_of(catalogue, reference.design.word));
+  report.top = list_designs(result.top, result.routings, distributions, catalogue);
+  report.front = list_designs(result.front, result.routings, distributions, catalogue);
+  for (const Routing& reference : options.references) {
+    report.reference_names.push_back(name_of(catalogue, reference));
   }
   report.result = std::move(result);
   return report;
@@ -37,8 +37,7 @@ ExploreReport exploration_study(const ExploreOptions& options,
   std::optional<std::vector<RankDistribution>> drawn;
   const bool draws = uncertainty && !result.partial;
   if (draws) {
-    const auto& longer = result.front.size() > result.top.size() ? result.front : result.top;
-    drawn = rank_distributions(plain_designs(longer), *uncertainty, supervision.during("drawing"));
+    drawn = rank_distributions(result.routings, *uncertainty, supervision.during("drawing"));
   }
   const bool draws_stopped = draws && !drawn;
   ExploreReport report = explore_report(options, std::move(result),

@@ -23,12 +23,19 @@ UncertaintyOptions uncertainty(const RankRequest& request) {
           request.draws->count, request.draws->seed, request.threads, request.score};
 }
 
+std::vector<Routing> in_order(const std::vector<Routing>& routings,
+                              const std::vector<RankedDesign>& designs) {
+  std::vector<Routing> ordered;
+  for (const RankedDesign& entry : designs) ordered.push_back(routings[entry.given]);
+  return ordered;
+}
+
 RankDetails details(const RankRequest& request, const std::vector<RankedDesign>& designs,
-                    const Catalogue& catalogue) {
+                    const std::vector<Routing>& routings, const Catalogue& catalogue) {
   RankDetails details{best_by_objective(designs, designs.size()), {}, {}};
-  for (const RankedDesign& entry : designs) {
-    details.routings.push_back(shown_routing(parse_routing(entry.design.word), request.model,
-                                             request.grasps, Direction::pull, catalogue));
+  for (const Routing& routing : routings) {
+    details.routings.push_back(
+        shown_routing(routing, request.model, request.grasps, Direction::pull, catalogue));
   }
   return details;
 }
@@ -43,22 +50,23 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   report.grasps = request.grasps;
   report.model = request.model;
   const std::vector<RankedDesign> designs = ranked(request, report.unconverged);
+  const std::vector<Routing> routings = in_order(request.routings, designs);
   std::vector<RankDistribution> drawn;
   if (request.draws) {
     report.uncertainty = uncertainty(request);
-    auto distributions = rank_distributions(plain_designs(designs), *report.uncertainty,
-                                            supervision.during("drawing"));
+    auto distributions =
+        rank_distributions(routings, *report.uncertainty, supervision.during("drawing"));
     if (!distributions) return std::nullopt;
     drawn = std::move(*distributions);
   }
   if (request.margins) {
     MarginOptions options{request.model, request.ranges, request.grasps};
     options.threads = request.threads;
-    report.margins = margins(designs, options, {{}, supervision.stop});
+    report.margins = margins(routings, options, {{}, supervision.stop});
     if (!report.margins) return std::nullopt;
   }
-  report.designs = list_designs(designs, drawn, catalogue);
-  if (request.details) report.details = details(request, designs, catalogue);
+  report.designs = list_designs(designs, routings, drawn, catalogue);
+  if (request.details) report.details = details(request, designs, routings, catalogue);
   return report;
 }
 

@@ -14,7 +14,7 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
   report.model = model;
   report.word = to_word(routing);
   report.canonical = to_word(canonical(routing, FingerIdentity::identical));
-  report.name = name_of(catalogue, report.word);
+  report.name = name_of(catalogue, routing);
   report.direction = direction;
   report.network = expand(routing);
   ModelSolver solver(model, possible_hardware(model), report.word, report.network);

@@ -10,7 +10,7 @@ namespace {
 MeasuredData read_back(const SimulationReport& report, const WrittenSimulation& written) {
   return parse_measured_data(written(report), "simulated readings", [&](const std::string& text) {
     for (const PlannedRouting& routing : report.plan.routings) {
-      if (routing.label == text) return parse_routing(routing.word);
+      if (routing.label == text) return routing.routing;
     }
     return parse_routing(text);
   });

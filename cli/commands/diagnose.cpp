@@ -26,6 +26,10 @@
 namespace reeve::cli {
 namespace {
 
+constexpr std::size_t most_replicates = 100000;
+constexpr double least_alpha = 0.0001;
+static_assert(least_replicates(least_alpha) <= most_replicates);
+
 struct DiagnoseFlags {
   std::string data;
   DiagnosisSettings settings;
@@ -35,6 +39,7 @@ struct DiagnoseFlags {
   std::string save_model;
   CLI::Option* out_given = nullptr;
   CLI::Option* save_model_given = nullptr;
+  CLI::Option* replicates_given = nullptr;
   HardwareOption hardware;
   FormatOption format;
   std::string command;  // as it was given
@@ -43,6 +48,22 @@ struct DiagnoseFlags {
   std::filesystem::path csv_file() const { return std::filesystem::path(out) / "residuals.csv"; }
   std::filesystem::path page_file() const { return std::filesystem::path(out) / "index.html"; }
 };
+
+// Fewer than alpha needs are refused; where nobody says how many, there are enough.
+DiagnosisSettings settings(const DiagnoseFlags& flags) {
+  DiagnosisSettings settings = flags.settings;
+  const std::size_t least = least_replicates(settings.alpha);
+  if (settings.replicates >= least) return settings;
+  if (flags.replicates_given->count() > 0) {
+    throw InputError({.what = "--replicates",
+                      .value = std::to_string(settings.replicates),
+                      .expected = fmt::format("at least {}: with fewer no p-value falls below what "
+                                              "--alpha {:g} asks for",
+                                              least, settings.alpha)});
+  }
+  settings.replicates = least;
+  return settings;
+}
 
 // Before the long work.
 void require_places(const DiagnoseFlags& flags) {
@@ -65,7 +86,7 @@ void require_places(const DiagnoseFlags& flags) {
 DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
-  request.settings = flags.settings;
+  request.settings = settings(flags);
   request.with_generated = flags.explore;
   request.threads = flags.threads;
   request.data = read_measured_data(
@@ -134,7 +155,7 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   command
       .add_option("--alpha", settings.alpha,
                   "Chance of naming a cause where there is none, over the whole search")
-      ->check(number(0, false, 0.5))
+      ->check(number(least_alpha, true, 0.5))
       ->capture_default_str();
   command
       .add_option("--hold-out", settings.hold_out,
@@ -145,11 +166,13 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
       .add_option("--seed", settings.seed, "Seed: which runs are held out, and what chance draws")
       ->check(not_negative)
       ->capture_default_str();
-  command
-      .add_option("--replicates", settings.replicates,
-                  "Simulated data sets that a finding is judged by")
-      ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
-      ->capture_default_str();
+  flags.replicates_given =
+      command
+          .add_option("--replicates", settings.replicates,
+                      "Simulated data sets that a finding is judged by; at least 8 / alpha, which "
+                      "is also the default where it is more")
+          ->check(CLI::Range(std::size_t{99}, most_replicates))
+          ->capture_default_str();
   command.add_flag("--explore", flags.explore,
                    "Choose the next measurement from generated routings too, not only from those "
                    "of the catalogue and of the data");

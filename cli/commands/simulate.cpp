@@ -110,9 +110,7 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   Model model;
   model.hardware = flags.hardware.read().hardware;
   std::vector<Routing> routings;
-  for (const PlannedRouting& planned : plan.routings) {
-    routings.push_back(parse_routing(planned.word));
-  }
+  for (const PlannedRouting& planned : plan.routings) routings.push_back(planned.routing);
   require_contacts_to_match(model.hardware, routings);
   const Survey possible = survey(plan);
   for (const NamedEffect& cause : read_causes(flags, catalogue)) {

@@ -22,6 +22,7 @@
 #include "causes/cause.hpp"
 #include "core/grasp.hpp"
 #include "core/network.hpp"
+#include "core/routing.hpp"
 
 namespace reeve::diagnosis {
 
@@ -34,6 +35,7 @@ struct Levels {
 struct PlannedRouting {
   std::string label;  // in files: a word, or a name of the catalogue
   std::string word;
+  Routing routing;
   Network network;
   std::vector<Grasp> grasps;
 };

@@ -178,7 +178,7 @@ void for_each_measurement(const MeasurementPlan& plan, const Visit& visit) {
     for (const WeightedGrasp& grasp : grasps) {
       for (const Direction direction : {Direction::pull, Direction::release}) {
         measurements.for_each([&](const Conditions& conditions) {
-          visit(reader, {routing.word, grasp.grasp, direction, conditions});
+          visit(reader, {routing, grasp.grasp, direction, conditions});
         });
       }
     }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "core/routing.hpp"
 #include "diagnosis/model/noise.hpp"
 #include "diagnosis/model/problem.hpp"
 
@@ -24,8 +25,13 @@ namespace reeve::diagnosis {
 // Readings of one kind that a plan counts on.
 inline constexpr int planned_readings = 10;
 
+struct MeasurableRouting {
+  std::string word;
+  Routing routing;
+};
+
 struct Measurement {
-  std::string routing;  // word
+  MeasurableRouting routing;
   Grasp grasp;
   Direction direction = Direction::pull;
   Conditions conditions;
@@ -55,15 +61,9 @@ struct PlannedMeasurement {
   double width_expected = 0;
 };
 
-// Routings to choose from, as words with their networks.
-struct MeasurableRouting {
-  std::string word;
-  Routing routing;
-};
-
 struct MeasurementPlan {
   const MeasuredData* data = nullptr;
-  std::vector<MeasurableRouting> routings;
+  std::vector<MeasurableRouting> routings;  // to choose from
   Noise noise;
 };
 

@@ -195,8 +195,10 @@ double statistic(const StructureTest& test, const VectorXd& residuals) {
 std::string farthest_group(const Problem& problem, const VectorXd& residuals) {
   const MeasuredData& data = *problem.dataset->data;
   const auto found = groups(*problem.dataset, [&](const Cell& cell, const Reading& reading) {
-    return fmt::format("{} of {}, held {}{}", data.channels[cell.channel].name,
-                       data.routings[reading.routing].word, to_text(reading.grasp),
+    const MeasuredRouting& routing = data.routings[reading.routing];
+    const bool has_grasps = routing.network.fingers > 1 || reading.grasp.held != 0;
+    const std::string held = has_grasps ? ", held " + to_text(reading.grasp) : "";
+    return fmt::format("{} of {}{}{}", data.channels[cell.channel].name, routing.word, held,
                        reading.direction == Direction::pull ? "" : ", release");
   });
   std::string farthest;

@@ -8,6 +8,7 @@
 // judged by the greatest of each replicate, so that many tests cost what they must.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,18 @@
 #include "diagnosis/model/problem.hpp"
 
 namespace reeve::diagnosis {
+
+// Of alpha: that something is left that no cause explains has to stand against a smaller chance
+// than that of naming a first cause.
+inline constexpr double structure_share_of_alpha = 0.25;
+
+// A p-value is never below 1/(replicates + 1). With so many it can be half of the smallest chance
+// that a finding of this alpha has to stand against, and with fewer nothing might ever be found.
+constexpr std::size_t least_replicates(double alpha) {
+  const double needed = 2 / (structure_share_of_alpha * alpha);
+  const auto whole = static_cast<std::size_t>(needed);
+  return static_cast<double>(whole) < needed ? whole + 1 : whole;
+}
 
 struct StructureTest {
   std::string about;  // "routing", "load", "order", …

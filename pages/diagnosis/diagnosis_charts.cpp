@@ -41,8 +41,8 @@ std::string title(const ReadingMark& mark, double predicted_N, bool has_held_out
   std::string text =
       fmt::format("{} {}, run {}, line {}", mark.routing, mark.strand, mark.run, reading.line);
   if (has_held_out) text += mark.held_out ? ", held out" : ", training";
-  text += fmt::format("\nheld fingers: {}; {}", mark.grasp,
-                      reading.direction == Direction::pull ? "pull" : "release");
+  text += mark.grasp.empty() ? "\n" : fmt::format("\nheld fingers: {}; ", mark.grasp);
+  text += reading.direction == Direction::pull ? "pull" : "release";
   if (reading.motor_tension_N) text += fmt::format("; motor {:.4g} N", *reading.motor_tension_N);
   return text +
          fmt::format("\nmeasured {:.4g} N, predicted {:.4g} N", mark.measured_N, predicted_N);

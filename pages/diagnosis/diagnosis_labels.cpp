@@ -43,10 +43,13 @@ std::string simulated_label(const DiagnosisReport& report) {
   return report.data.simulated ? "Simulated data. " : "";
 }
 
-VerdictLabel verdict_label(const DiagnosisResult& result) {
+VerdictLabel verdict_label(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
   switch (result.verdict) {
     case Verdict::none:
-      return {"Nothing is wrong that the readings could show", "check"};
+      return {weak_structure_remains(report) ? "No cause is named, and weak structure remains"
+                                             : "Nothing is wrong that the readings could show",
+              "check"};
     case Verdict::cause:
       return {result.causes.size() == 1 ? "One cause is named" : "Several causes are named",
               "found"};

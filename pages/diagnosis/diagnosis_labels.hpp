@@ -17,7 +17,7 @@ struct VerdictLabel {
   std::string words;
   std::string shape;
 };
-VerdictLabel verdict_label(const DiagnosisResult& result);
+VerdictLabel verdict_label(const DiagnosisReport& report);
 
 std::string compared_alt(const DiagnosisReport& report);
 

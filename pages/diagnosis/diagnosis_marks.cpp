@@ -81,7 +81,7 @@ std::string grasp_text(Grasp grasp) {
   return held.empty() ? "none" : fmt::format("{}", fmt::join(held, ", "));
 }
 
-ReadingMark mark(const DiagnosisReport& report, const ComparedCell& compared) {
+ReadingMark mark(const DiagnosisReport& report, const ComparedCell& compared, bool on_a_bench) {
   const Reading& reading = report.data.readings[compared.cell.reading];
   return {&reading,
           compared.cell.measured_N,
@@ -92,7 +92,7 @@ ReadingMark mark(const DiagnosisReport& report, const ComparedCell& compared) {
           compared.held_out,
           routing_name(report, reading.routing),
           report.data.channels[compared.cell.channel].name,
-          grasp_text(reading.grasp),
+          on_a_bench ? "" : grasp_text(reading.grasp),
           report.data.runs[reading.run]};
 }
 
@@ -112,11 +112,13 @@ void sort_in(const MarkColumn& column, const std::set<double>& seen, MarkColumns
 
 MarkColumns mark_columns(const DiagnosisReport& report) {
   MarkColumns columns{{{"residuals-routing", "routing", &ReadingMark::routing, {}},
-                       {"residuals-strand", "strand", &ReadingMark::strand, {}},
-                       {"residuals-grasp", "grasp: held fingers", &ReadingMark::grasp, {}}},
+                       {"residuals-strand", "strand", &ReadingMark::strand, {}}},
                       {},
                       {},
                       0};
+  if (!is_bench(report.data)) {
+    columns.shown.push_back({"residuals-grasp", "grasp: held fingers", &ReadingMark::grasp, {}});
+  }
   const std::vector<const Reading*> readings = compared_readings(report);
   for (const MarkColumn& column : known_columns()) {
     sort_in(column, values(readings, column.number), columns);
@@ -136,9 +138,10 @@ MarkColumns mark_columns(const DiagnosisReport& report) {
 }
 
 std::vector<ReadingMark> marks(const DiagnosisReport& report, std::size_t most) {
+  const bool on_a_bench = is_bench(report.data);
   std::vector<ReadingMark> list;
   for (const std::size_t i : chosen(report.result.cells.size(), most)) {
-    list.push_back(mark(report, report.result.cells[i]));
+    list.push_back(mark(report, report.result.cells[i], on_a_bench));
   }
   return list;
 }

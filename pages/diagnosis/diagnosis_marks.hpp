@@ -21,7 +21,7 @@ struct ReadingMark {
   bool held_out = false;
   std::string routing;
   std::string strand;
-  std::string grasp;
+  std::string grasp;  // "" on a bench
   std::string run;
 };
 

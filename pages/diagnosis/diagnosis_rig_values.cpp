@@ -15,12 +15,13 @@ namespace {
 std::string rows_to_record(const PlannedMeasurement& planned) {
   const Measurement& at = planned.measurement;
   std::string header = "run,routing,held,direction,motor_tension_N";
-  std::string row = fmt::format("NEW,{},{},{},{:.6g}", csv_field(at.routing), held_field(at.grasp),
-                                direction_field(at.direction), at.conditions.motor_tension_N);
+  std::string row =
+      fmt::format("NEW,{},{},{},{}", csv_field(at.routing.word), held_field(at.grasp),
+                  direction_field(at.direction), set_value(at.conditions.motor_tension_N));
   const auto add = [&](bool used, const char* column, double value) {
     if (!used) return;
     header += fmt::format(",{}", column);
-    row += fmt::format(",{:.6g}", value);
+    row += "," + set_value(value);
   };
   add(at.uses_speed, "speed_mm_s", at.conditions.speed_mm_s);
   add(at.uses_cycle, "cycle", at.conditions.cycle);

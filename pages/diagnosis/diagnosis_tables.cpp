@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/shell/html_table.hpp"
@@ -55,14 +54,6 @@ std::string lines_text(const std::vector<std::size_t>& lines) {
 }
 
 }  // namespace
-
-std::string gain_number(double gain) {
-  return fmt::format("{:.{}f}", gain, std::abs(gain) < 99.95 ? 1 : 0);
-}
-
-std::string gain_interval(double low, double high) {
-  return gain_number(low) + " to " + gain_number(high);
-}
 
 bool separates_causes(const DiagnosisResult& result) {
   return result.next_measurement && result.next_measurement->parameter.empty() &&
@@ -127,8 +118,8 @@ std::string structure_table(const DiagnosisReport& report) {
                number_column("p of this alone")},
               {}};
   for (const StructureFinding& finding : result.structure) {
-    table.add({finding.about, fmt::format("{:.1f}", finding.statistic),
-               fmt::format("{:.2g}", finding.p_value)});
+    table.add({pattern_text(report, finding.about), fixed(finding.statistic, 1),
+               p_number(finding.p_value, report.settings.replicates)});
   }
   return written({"structure",
                   fmt::format("What the residuals could still follow{}, tested on the training "

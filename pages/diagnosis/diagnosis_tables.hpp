@@ -7,10 +7,6 @@
 
 namespace reeve::pages {
 
-// A log-likelihood: below a hundred to a tenth, which is where it decides anything.
-std::string gain_number(double gain);
-std::string gain_interval(double low, double high);
-
 std::string sizes_table(const DiagnosisResult& result);
 // Every model that was weighed, the named one marked in words and by its sign.
 std::string weighed_table(const DiagnosisResult& result);

@@ -31,7 +31,7 @@ Json named_values(const DiagnosisReport& report) {
               {"p", p_text(cause.p_value, report.settings.replicates)}};
     if (cause.runner_up) {
       item["runner_up"] = {{"name", cause.runner_up->name},
-                           {"delta", fmt::format("{:.1f}", cause.runner_up->delta_log_likelihood)},
+                           {"delta", gain_number(cause.runner_up->delta_log_likelihood)},
                            {"as_well", cause.runner_up->delta_log_likelihood < 0.05}};
     }
     list.push_back(std::move(item));
@@ -64,7 +64,7 @@ std::string joined(const std::vector<std::string>& parts) {
 }  // namespace
 
 Json answer_values(const DiagnosisReport& report) {
-  const VerdictLabel label = verdict_label(report.result);
+  const VerdictLabel label = verdict_label(report);
   return {{"verdict", verdict_name(report.result.verdict)},
           {"words", label.words},
           {"shape_" + label.shape, true},

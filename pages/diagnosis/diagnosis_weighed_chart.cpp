@@ -7,6 +7,7 @@
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/chart/chart_svg.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -26,12 +27,12 @@ const std::array<StandingStyle, 4> standing_styles{
      {"not confirmed", {chart::Colour::pink, chart::Symbol::cross, 5.5}}}};
 
 std::string title(const WeighedCauses& weighed, const std::string& place) {
-  std::string text = fmt::format("{}: {}\ntraining runs: {:.4g}", joined_causes(weighed.causes),
-                                 place, weighed.gain);
+  std::string text = fmt::format("{}: {}\ntraining runs: {}", joined_causes(weighed.causes), place,
+                                 gain_number(weighed.gain));
   if (weighed.held_out) {
-    text += fmt::format("\nheld-out runs: {:.4g} ({:.4g} to {:.4g})",
-                        weighed.held_out->log_likelihood_gain, weighed.held_out->gain_low,
-                        weighed.held_out->gain_high);
+    text +=
+        fmt::format("\nheld-out runs: {} ({})", gain_number(weighed.held_out->log_likelihood_gain),
+                    gain_interval(weighed.held_out->gain_low, weighed.held_out->gain_high));
   }
   return text;
 }
@@ -49,17 +50,32 @@ void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
                                        chart::Along::x}});
 }
 
+// The best on the training runs, the named one among them even where others gain more.
+std::vector<WeighedCauses> drawn_models(const DiagnosisResult& result) {
+  std::vector<WeighedCauses> models = by_training_gain(result.weighed);
+  if (models.size() <= most_models) return models;
+  const auto named = std::find_if(models.begin(), models.end(), [&](const WeighedCauses& model) {
+    return standing(result, model.causes) == "named";
+  });
+  const auto last = models.begin() + most_models - 1;
+  if (named != models.end() && named > last) std::iter_swap(named, last);
+  models.resize(most_models);
+  return models;
+}
+
 // The intervals of all, and the points of each standing.
 void add_models(const DiagnosisResult& result, chart::Panel& panel) {
-  const std::vector<WeighedCauses> models = by_training_gain(result.weighed);
+  const std::vector<WeighedCauses> models = drawn_models(result);
   std::array<chart::Points, standing_styles.size()> points;
   chart::Spans intervals{{}, chart::Along::x, {}};
-  for (std::size_t i = 0; i < models.size() && i < most_models; ++i) {
+  for (std::size_t i = 0; i < models.size(); ++i) {
     const WeighedCauses& weighed = models[i];
     const std::string place = standing(result, weighed.causes);
     const std::string text = title(weighed, place);
     const auto at = static_cast<double>(i);
     panel.y.categories.push_back((place == "named" ? "◆ " : "") + joined_causes(weighed.causes));
+    // One without tensions in some held-out row has no place on an axis of held-out runs.
+    if (result.noise_limit && !weighed.held_out) continue;
     const double gain = weighed.held_out ? weighed.held_out->log_likelihood_gain : weighed.gain;
     if (weighed.held_out) {
       intervals.spans.push_back(
@@ -78,13 +94,30 @@ void add_models(const DiagnosisResult& result, chart::Panel& panel) {
   }
 }
 
+// A line for each cause of a model: names of several are too long for one.
+double model_row_px(const std::vector<WeighedCauses>& weighed) {
+  constexpr double line_px = 15;
+  std::size_t most = 0;
+  for (const WeighedCauses& model : weighed) most = std::max(most, model.causes.size());
+  return std::max(row_px, line_px * static_cast<double>(most) + 6);
+}
+
+std::string drawn_text(const DiagnosisResult& result) {
+  if (result.weighed.size() <= most_models) return "";
+  return fmt::format(
+      " Drawn are the named model and the best others on the training runs, {} of {}; the table has "
+      "all.",
+      most_models, result.weighed.size());
+}
+
 std::string weighed_caption(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   std::string text = simulated_label(report);
   if (!result.noise_limit) {
     return text +
            "Gain on the runs that the models were fitted to, since none were held out: "
-           "more parameters always gain something there.";
+           "more parameters always gain something there." +
+           drawn_text(result);
   }
   text +=
       "Each model was fitted to the training runs alone. Bars: 95 % intervals over resampled "
@@ -93,9 +126,11 @@ std::string weighed_caption(const DiagnosisReport& report) {
   text +=
       " The dashed line is what a model gains on average that leaves nothing but noise, the grey "
       "band where noise puts it in 95 % of data sets.";
-  if (result.weighed.size() > most_models) {
-    text += fmt::format(" Drawn are the best {} of {} on the training runs; the table has all.",
-                        most_models, result.weighed.size());
+  text += drawn_text(result);
+  const std::vector<WeighedCauses> drawn = drawn_models(result);
+  if (std::any_of(drawn.begin(), drawn.end(),
+                  [](const WeighedCauses& model) { return !model.held_out; })) {
+    text += " A row without a mark: that model has no tensions in some held-out reading.";
   }
   return text;
 }
@@ -119,7 +154,7 @@ Figure weighed_figure(const DiagnosisReport& report) {
       "numbers.",
       names.size(), names.empty() ? "none" : names.front());
   chart.width = 480;
-  chart.height = row_px * static_cast<double>(names.size());
+  chart.height = model_row_px(result.weighed) * static_cast<double>(names.size());
   chart.panels.push_back(std::move(panel));
   return {"weighed", "The causes, weighed.", weighed_caption(report), chart_svg(chart)};
 }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "pages/shell/compressed.hpp"
 #include "reports/schematic/schematic_svg.hpp"
@@ -87,20 +88,24 @@ Json design_json(const ShownRouting& report, Lines& lines) {
   return json;
 }
 
-Json chunk(const std::vector<std::string>& words, const SolveDesign& solve) {
+Json chunk(const std::vector<const Routing*>& routings, const SolveDesign& solve) {
   Lines lines;
+  Json words = Json::array();
   Json designs = Json::array();
-  for (const std::string& word : words) designs.push_back(design_json(solve(word), lines));
+  for (const Routing* routing : routings) {
+    words.push_back(to_word(*routing));
+    designs.push_back(design_json(solve(*routing), lines));
+  }
   const std::string values = designs.dump(-1, ' ', false, Json::error_handler_t::replace);
   return {{"words", words}, {"pack", compressed(values + "\n" + lines.text())}};
 }
 
-std::vector<std::vector<std::string>> cut(const std::vector<std::string>& words) {
-  std::vector<std::vector<std::string>> chunks;
-  for (std::size_t at = 0; at < words.size(); at += chunk_size) {
-    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+std::vector<std::vector<const Routing*>> cut(const std::vector<const Routing*>& designs) {
+  std::vector<std::vector<const Routing*>> chunks;
+  for (std::size_t at = 0; at < designs.size(); at += chunk_size) {
+    const auto begin = designs.begin() + static_cast<std::ptrdiff_t>(at);
     chunks.emplace_back(
-        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, words.size() - at)));
+        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, designs.size() - at)));
   }
   return chunks;
 }
@@ -113,11 +118,11 @@ std::size_t size_in_page(const Json& chunk) {
 
 }  // namespace
 
-DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
+DesignDetails design_details(const std::vector<const Routing*>& designs, const SolveDesign& solve,
                              std::size_t bytes, int threads) {
   Workers workers(threads);
   DesignDetails details;
-  std::vector<std::vector<std::string>> pending = cut(words);
+  const std::vector<std::vector<const Routing*>> pending = cut(designs);
   for (std::size_t at = 0; at < pending.size(); at += chunks_at_once) {
     std::vector<Json> made(std::min(chunks_at_once, pending.size() - at));
     workers.for_each_block(made.size(), 1, [&](const IndexBlock& block) {

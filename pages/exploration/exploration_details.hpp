@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "core/routing.hpp"
 #include "reports/json.hpp"
 #include "reports/results/show_report.hpp"
 
 namespace reeve::pages {
 
-// A design of this word, solved in each grasp of the exploration. Asked by many threads at once.
-using SolveDesign = std::function<ShownRouting(const std::string& word)>;
+// A design, solved in each grasp of the exploration. Asked by many threads at once.
+using SolveDesign = std::function<ShownRouting(const Routing& routing)>;
 
 struct DesignDetails {
   // [{"words", "pack"}]; a pack has [{"segments", "strands", "grasps", "contacts"}], a design each,
@@ -27,7 +28,7 @@ struct DesignDetails {
 };
 
 // In this order, until all are in or `bytes` would be exceeded; the same for any number of threads.
-DesignDetails design_details(const std::vector<std::string>& words, const SolveDesign& solve,
+DesignDetails design_details(const std::vector<const Routing*>& designs, const SolveDesign& solve,
                              std::size_t bytes, int threads);
 
 // Title and grasp above it; no legend.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 
+#include "core/notation.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
@@ -60,36 +62,36 @@ Json specifications() {
 }
 
 // Known routings, then the best in the order of the ranking, which the front begins.
-std::vector<std::string> in_order_of_details(const ExploreReport& report, std::size_t best) {
-  std::vector<std::string> words;
-  for (const ReferenceStanding& reference : report.result.references) {
-    words.push_back(reference.design.word);
+std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std::size_t best) {
+  std::vector<const Routing*> routings;
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    routings.push_back(&report.options.references[i]);
+    known.insert(report.result.references[i].design.word);
   }
-  const std::set<std::string> known(words.begin(), words.end());
   const std::vector<ListedDesign>& listed = listed_designs(report);
   for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) {
-    const std::string& word = listed[i].ranked.design.word;
-    if (!known.contains(word)) words.push_back(word);
+    if (!known.contains(listed[i].ranked.design.word)) routings.push_back(&listed[i].routing);
   }
-  return words;
+  return routings;
 }
 
 std::size_t details_of(const ExplorationView& view) {
   return view.details.value_or(usual_schematics / view.report.options.grasps.size());
 }
 
-std::vector<std::string> drawn_words(const ExploreReport& report) {
-  std::vector<std::string> words;
+std::vector<Routing> drawn_routings(const ExploreReport& report) {
+  std::vector<Routing> routings;
   for (const ListedDesign& design : report.front) {
-    if (words.size() == schematics_of_the_front) break;
-    words.push_back(design.ranked.design.word);
+    if (routings.size() == schematics_of_the_front) break;
+    routings.push_back(design.routing);
   }
-  for (const ReferenceStanding& reference : report.result.references) {
-    if (std::find(words.begin(), words.end(), reference.design.word) == words.end()) {
-      words.push_back(reference.design.word);
+  for (const Routing& known : report.options.references) {
+    if (std::find(routings.begin(), routings.end(), known) == routings.end()) {
+      routings.push_back(known);
     }
   }
-  return words;
+  return routings;
 }
 
 // Fit for an element and a file.
@@ -103,17 +105,17 @@ std::string schematic_id(std::string word) {
 // What those schematics show besides the parts of every routing.
 FloatingParts drawn_parts(const ExplorationView& view) {
   FloatingParts parts;
-  for (const std::string& word : drawn_words(view.report)) {
-    parts |= floating_parts(view.solve(word).network);
+  for (const Routing& routing : drawn_routings(view.report)) {
+    parts |= floating_parts(view.solve(routing).network);
   }
   return parts;
 }
 
 std::vector<FigureFile> schematics(const ExplorationView& view) {
   std::vector<FigureFile> files;
-  for (const std::string& word : drawn_words(view.report)) {
-    const std::string id = schematic_id(word);
-    files.push_back({id, grasp_svg(view.solve(word), 0, id)});
+  for (const Routing& routing : drawn_routings(view.report)) {
+    const std::string id = schematic_id(to_word(routing));
+    files.push_back({id, grasp_svg(view.solve(routing), 0, id)});
   }
   return files;
 }

@@ -27,12 +27,12 @@ double get(const ListedDesign& design, Objective objective) {
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value); }
 
-std::string values_text(const ListedDesign& design, const std::vector<Objective>& objectives) {
-  std::vector<std::string> values;
+std::string values_text(const ObjectiveValues& values, const std::vector<Objective>& objectives) {
+  std::vector<std::string> texts;
   for (const Objective objective : objectives) {
-    values.push_back(objective_title(row(objective)) + " " + number_text(get(design, objective)));
+    texts.push_back(objective_title(row(objective)) + " " + number_text(value(values, objective)));
   }
-  return enumeration(values);
+  return enumeration(texts);
 }
 
 // ", with 4 sheaths and 1 knot": the parts that the ranking does not count, which stand elsewhere.
@@ -127,17 +127,18 @@ std::string known_text(const ExploreReport& report) {
       won ? "It is a known routing; the next of these" : "The best of the known routings",
       report.reference_names[*best], known.rank, plural(known.dominated_by, "design"),
       known.dominated_by == 1 ? "s" : "",
-      values_text({{known.design, 0, 0}, "", std::nullopt}, report.options.order.objectives));
+      values_text(known.design.values, report.options.order.objectives));
 }
 
 std::vector<std::string> won(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
-  std::vector<std::string> text{fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
-                                            plural(ranked_designs(report), "design"),
-                                            values_text(listed[0], report.options.order.objectives),
-                                            with_parts(listed[0], report.options.order.objectives)),
-                                why(report, listed)};
+  std::vector<std::string> text{
+      fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
+                  plural(ranked_designs(report), "design"),
+                  values_text(listed[0].ranked.design.values, report.options.order.objectives),
+                  with_parts(listed[0], report.options.order.objectives)),
+      why(report, listed)};
   text.push_back(known_text(report));
   if (listed.size() > 1) text.push_back(next_text(report, listed[0], listed[1]));
   return text;

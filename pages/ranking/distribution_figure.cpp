@@ -229,9 +229,22 @@ std::string measured_text(const Rows& rows, const TensionDistributions& all) {
   return text + ".";
 }
 
+// "" where no routing has a choice of grasps.
+std::string grasp_of(const Rows& rows) {
+  const Grasp grasp = rows.front()->grasp;
+  const bool one_finger =
+      std::all_of(rows.begin(), rows.end(), [](const TensionDistribution* distribution) {
+        return std::all_of(
+            distribution->routings.begin(), distribution->routings.end(),
+            [](const RoutingShares& routing) { return routing.strands.size() <= 2; });
+      });
+  return one_finger && grasp.held == 0 ? "" : grasp_words(grasp);
+}
+
 std::string caption(const Rows& rows, const TensionDistributions& all) {
-  std::string text = "With " + grasp_words(rows.front()->grasp) +
-                     ", pulling; the strands of each routing add up to 100 %. Line and circles: "
+  const std::string grasp = grasp_of(rows);
+  std::string text = (grasp.empty() ? "Pulling" : "With " + grasp + ", pulling") +
+                     "; the strands of each routing add up to 100 %. Line and circles: "
                      "the model.";
   if (any(rows, is_published)) {
     text += " Dashed line and diamonds: what is printed of the routing for these coefficients.";
@@ -268,7 +281,8 @@ std::vector<Figure> distribution_figures(const TensionDistributions& distributio
         figures.empty() ? "figure-9" : "figure-9-" + grasp_id(rows.front()->grasp);
     chart::Chart chart = drawn(rows, distributions);
     chart.alt = alt(rows);
-    figures.push_back({id, "Tension distributions, " + grasp_words(rows.front()->grasp) + ".",
+    const std::string grasp = grasp_of(rows);
+    figures.push_back({id, "Tension distributions" + (grasp.empty() ? "" : ", " + grasp) + ".",
                        caption(rows, distributions), chart_svg(chart)});
   }
   return figures;

@@ -86,7 +86,8 @@ void add_y_ticks(const LaidPanel& laid, std::vector<ChartText>& texts) {
   const double step = step_of(laid.y.ticks, laid.frame.bottom - laid.frame.top);
   const double line = line_of(tick_size);
   const bool categories = !laid.panel->y.categories.empty();
-  const auto lines = static_cast<std::size_t>(std::clamp(step / line, 1.0, 2.0));
+  const auto lines =
+      static_cast<std::size_t>(std::clamp(step / line, 1.0, static_cast<double>(most_lines)));
   const auto every =
       static_cast<std::size_t>(categories ? std::max(1.0, std::ceil(line / step)) : 1);
   for (std::size_t i = 0; i < laid.y.ticks.size(); i += every) {

@@ -36,7 +36,18 @@ std::string chance_sentence(const DiagnosisReport& report) {
          chance_text(report.result.p_value, report.settings.replicates) + ".\n";
 }
 
+std::string weak_structure_text(const DiagnosisReport& report) {
+  const StructureFinding& strongest = report.result.structure.front();
+  return fmt::format(
+      "Weak structure remains by {}, {} deviations above chance ({}), which does not reach this "
+      "test's threshold of {:g}",
+      pattern_text(report, strongest.about), fixed(strongest.statistic, 1),
+      p_text(report.result.structure_p_value, report.settings.replicates),
+      structure_share_of_alpha * report.settings.alpha);
+}
+
 std::string rest_text(const DiagnosisReport& report) {
+  if (weak_structure_remains(report)) return weak_structure_text(report);
   return fmt::format("Nothing else is left to explain ({})",
                      p_text(report.result.structure_p_value, report.settings.replicates));
 }
@@ -97,7 +108,10 @@ std::string too_few_answer() {
 
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  std::string text = "The model as it stands explains the data as well as their noise allows.\n";
+  std::string text =
+      weak_structure_remains(report)
+          ? "The model as it stands explains the data but for weak structure.\n"
+          : "The model as it stands explains the data as well as their noise allows.\n";
   if (result.not_confirmed.empty()) {
     text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
                         chance_text(result.p_value, report.settings.replicates));
@@ -117,12 +131,16 @@ std::string apart_lines(const DiagnosisReport& report) {
 }
 
 std::string cause_answer(const DiagnosisReport& report) {
-  return cause_lines(report.result) + gain_line(report) + rest_text(report) + "; " +
-         chance_sentence(report) + apart_lines(report);
+  const std::string chance = chance_sentence(report);
+  return cause_lines(report.result) + gain_line(report) + rest_text(report) +
+         (weak_structure_remains(report) ? ".\n" + capitalised(chance) : "; " + chance) +
+         apart_lines(report);
 }
 
 std::string indistinguishable_answer(const DiagnosisReport& report) {
-  return indistinguishable_lines(report) + cause_lines(report.result) + gain_line(report) +
+  const std::string weak =
+      weak_structure_remains(report) ? weak_structure_text(report) + ".\n" : std::string();
+  return indistinguishable_lines(report) + cause_lines(report.result) + gain_line(report) + weak +
          separation_line(report) + apart_lines(report);
 }
 
@@ -131,7 +149,7 @@ std::string unexplained_answer(const DiagnosisReport& report) {
   const Unexplained& left = *result.unexplained;
   std::string text = fmt::format(
       "The residuals follow something that no cause in the library explains: {}{} ({}).\n",
-      left.about, left.where.empty() ? "" : ", most of all " + left.where,
+      pattern_text(report, left.about), left.where.empty() ? "" : ", most of all " + left.where,
       p_text(left.p_value, report.settings.replicates));
   if (result.causes.empty()) {
     text += "No cause is named.\nThe model stays as it is.\n";
@@ -142,9 +160,7 @@ std::string unexplained_answer(const DiagnosisReport& report) {
          apart_lines(report);
 }
 
-}  // namespace
-
-std::string diagnosis_answer(const DiagnosisReport& report) {
+std::string answer(const DiagnosisReport& report) {
   switch (report.result.verdict) {
     case Verdict::none:
       return none_answer(report);
@@ -158,6 +174,31 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
       return too_few_answer();
   }
   return "";
+}
+
+// In another unit nothing else that is said would hold.
+std::string units_line(const std::vector<DataNote>& notes) {
+  std::string first;
+  std::size_t more = 0;
+  for (const DataNote& note : notes) {
+    if (note.kind != NoteKind::units) continue;
+    if (first.empty()) {
+      first = note.text;
+    } else {
+      ++more;
+    }
+  }
+  if (first.empty()) return "";
+  const std::string rest =
+      more == 0 ? "" : fmt::format(" {} below.", plural(more, "more note") + " of the kind");
+  return "Check the units first: " + first + rest + "\n";
+}
+
+}  // namespace
+
+std::string diagnosis_answer(const DiagnosisReport& report) {
+  std::string text = answer(report);
+  return text.insert(text.find('\n') + 1, units_line(report.result.notes));
 }
 
 }  // namespace reeve::reports

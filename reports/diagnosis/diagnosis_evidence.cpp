@@ -30,6 +30,17 @@ std::string stretch_text(const DiagnosisReport& report, const Loss& loss) {
                      segment_name(loss.low));
 }
 
+// On a bench no grasp is worth a column.
+void leave_out_grasps(const DiagnosisReport& report, Table& table) {
+  if (!is_bench(report.data)) return;
+  const auto held =
+      std::find_if(table.columns.begin(), table.columns.end(),
+                   [](const TableColumn& column) { return column.heading == "held"; });
+  const auto at = held - table.columns.begin();
+  table.columns.erase(held);
+  for (TableRow& row : table.rows) row.cells.erase(row.cells.begin() + at);
+}
+
 const NamedCause* find_cause(const DiagnosisReport& report, std::string_view name) {
   for (const NamedCause& cause : report.result.causes) {
     if (cause.name == name) return &cause;
@@ -78,6 +89,7 @@ Table share_error_table(const DiagnosisReport& report) {
     for (const PublishedModel& model : report.published) cells.push_back(percent(model.error));
     table.add(std::move(cells));
   }
+  leave_out_grasps(report, table);
   return table;
 }
 
@@ -104,6 +116,7 @@ Table loss_table(const DiagnosisReport& report) {
     cells.push_back(loss.stands_apart ? "stands apart" : "");
     table.add(std::move(cells), loss.stands_apart ? Tint::notable : Tint::none);
   }
+  leave_out_grasps(report, table);
   return table;
 }
 

@@ -59,8 +59,8 @@ Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& 
   const Measurement& at = planned.measurement;
   const auto if_used = [](bool used, double value) { return used ? Json(value) : Json(nullptr); };
   const bool shrinks = !planned.parameter.empty();
-  return {{"routing", at.routing},
-          {"name", text_or_null(catalogue_name(report, at.routing))},
+  return {{"routing", at.routing.word},
+          {"name", text_or_null(catalogue_name(report, at.routing.word))},
           {"held", held_fingers(at.grasp)},
           {"direction", direction_field(at.direction)},
           {"motor_tension_N", at.conditions.motor_tension_N},

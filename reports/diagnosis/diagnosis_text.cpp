@@ -61,10 +61,11 @@ Section causes_section(const DiagnosisReport& report) {
   if (causes.empty()) return {};
   Table table{cause_columns(), {}};
   for (const NamedCause& cause : causes) {
-    const std::string p = fmt::format("{:.2g}", cause.p_value);
-    const std::string other = cause.runner_up ? fmt::format("{} ({:.1f})", cause.runner_up->name,
-                                                            cause.runner_up->delta_log_likelihood)
-                                              : "-";
+    const std::string p = p_number(cause.p_value, report.settings.replicates);
+    const std::string other = cause.runner_up
+                                  ? fmt::format("{} ({})", cause.runner_up->name,
+                                                gain_number(cause.runner_up->delta_log_likelihood))
+                                  : "-";
     if (cause.parameters.empty()) {
       table.add({cause.name, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
                  other});
@@ -88,9 +89,9 @@ void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
   table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
              percent_text(held_out.reduction),
              fmt::format("{} to {}", percent_text(held_out.low), percent_text(held_out.high)),
-             fmt::format("{:.3g}", held_out.log_likelihood_gain),
-             fmt::format("{:.3g} to {:.3g}", held_out.gain_low, held_out.gain_high),
-             fmt::format("{:.3g}", held_out.expected_gain)});
+             gain_number(held_out.log_likelihood_gain),
+             gain_interval(held_out.gain_low, held_out.gain_high),
+             gain_number(held_out.expected_gain)});
 }
 
 Section gains_section(const DiagnosisReport& report) {
@@ -119,8 +120,8 @@ Section weighed_section(const DiagnosisReport& report) {
               {}};
   for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
     const std::optional<HeldOut>& held_out = weighed[i].held_out;
-    table.add({joined_causes(weighed[i].causes), fmt::format("{:.1f}", weighed[i].gain),
-               held_out ? fmt::format("{:.1f}", held_out->log_likelihood_gain) : "-",
+    table.add({joined_causes(weighed[i].causes), gain_number(weighed[i].gain),
+               held_out ? gain_number(held_out->log_likelihood_gain) : "-",
                held_out ? newton(held_out->rms_after_N) : "-"});
   }
   Section section{"Weighed: gain in log-likelihood over the model as it stands", table, {}};
@@ -155,7 +156,8 @@ Section left_section(const DiagnosisReport& report) {
               {}};
   for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
     const StructureFinding& finding = result.structure[i];
-    table.add({finding.about, fixed(finding.statistic, 1), fmt::format("{:.2g}", finding.p_value)});
+    table.add({pattern_text(report, finding.about), fixed(finding.statistic, 1),
+               p_number(finding.p_value, report.settings.replicates)});
   }
   return {fmt::format("What is left, the strongest of {} ({} for all together)",
                       plural(result.structure.size(), "pattern"),

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/notation.hpp"
 #include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
@@ -22,9 +21,10 @@ std::string grasp_text(Grasp grasp) {
   return fmt::format("finger{} {} held", held.size() == 1 ? "" : "s", fmt::join(held, ", "));
 }
 
-// Of what has fingers; a test bench has none.
+// Where there is a choice of grasps.
 std::string held_text(const Measurement& at) {
-  return finger_count(parse_routing(at.routing)) == 0 ? "" : " with " + grasp_text(at.grasp);
+  const bool has_grasps = finger_count(at.routing.routing) > 1 || at.grasp.held != 0;
+  return has_grasps ? " with " + grasp_text(at.grasp) : "";
 }
 
 // Names such as force_N have it already.
@@ -111,15 +111,29 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs) {
 
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
   const Measurement& at = planned.measurement;
-  const std::string name = catalogue_name(report, at.routing);
-  std::string text = name.empty() ? at.routing : fmt::format("{} ({})", name, at.routing);
-  text += fmt::format("{}, {} with {:.3g} N at the motor", held_text(at),
+  const std::string& word = at.routing.word;
+  const std::string name = catalogue_name(report, word);
+  std::string text = name.empty() ? word : fmt::format("{} ({})", name, word);
+  text += fmt::format("{}, {} with {} N at the motor", held_text(at),
                       at.direction == Direction::pull ? "pulled" : "released",
-                      at.conditions.motor_tension_N);
-  if (at.uses_speed) text += fmt::format(", at {:.3g} mm/s", at.conditions.speed_mm_s);
-  if (at.uses_cycle) text += fmt::format(", after {:.0f} cycles", at.conditions.cycle);
-  if (at.uses_temperature) text += fmt::format(", at {:.3g} °C", at.conditions.temperature_C);
+                      set_value(at.conditions.motor_tension_N));
+  if (at.uses_speed) text += fmt::format(", at {} mm/s", set_value(at.conditions.speed_mm_s));
+  if (at.uses_cycle) text += fmt::format(", after {} cycles", set_value(at.conditions.cycle));
+  if (at.uses_temperature) {
+    text += fmt::format(", at {} °C", set_value(at.conditions.temperature_C));
+  }
   return text;
+}
+
+std::string pattern_text(const DiagnosisReport& report, const std::string& about) {
+  if (!is_bench(report.data)) return about;
+  if (about == "grasp") return "direction";
+  return about == "routing, grasp and strand" ? "routing, direction and strand" : about;
+}
+
+bool weak_structure_remains(const DiagnosisReport& report) {
+  return !report.result.unexplained && !report.result.structure.empty() &&
+         report.result.structure_p_value <= report.settings.alpha;
 }
 
 std::string newton(double value) { return fmt::format("{:.2g} N", value); }
@@ -134,8 +148,24 @@ std::string chance_text(double p_value, std::size_t replicates) {
 }
 
 std::string p_text(double p_value, std::size_t replicates) {
-  return fmt::format("p {} {:.2g}", at_the_least(p_value, replicates) ? "<" : "=", p_value);
+  return at_the_least(p_value, replicates) ? "p " + p_number(p_value, replicates)
+                                           : "p = " + p_number(p_value, replicates);
 }
+
+std::string p_number(double p_value, std::size_t replicates) {
+  return fmt::format("{}{:.2g}", at_the_least(p_value, replicates) ? "< " : "", p_value);
+}
+
+std::string gain_number(double gain) {
+  if (std::abs(gain) < 0.05) return "0.0";  // never -0.0
+  return fmt::format("{:.{}f}", gain, std::abs(gain) < 99.95 ? 1 : 0);
+}
+
+std::string gain_interval(double low, double high) {
+  return gain_number(low) + " to " + gain_number(high);
+}
+
+std::string set_value(double value) { return fmt::format("{:.6g}", value); }
 
 std::string capitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

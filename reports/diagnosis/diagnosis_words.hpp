@@ -31,11 +31,26 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs);
 // "TR3 (F-1-P-2-F) with finger 1 held, pulled with 20 N at the motor"
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report);
 
+// What residuals follow, without the grasps where there are none to choose from: the direction is
+// what is left of "grasp" on a bench.
+std::string pattern_text(const DiagnosisReport& report, const std::string& about);
+
+// Structure that chance gives less often than alpha says, and too often for the test of what is
+// left.
+bool weak_structure_remains(const DiagnosisReport& report);
+
 std::string newton(double value);
 std::string percent_text(double share);  // "72 %"
 // "in fewer than 0.25 % of data sets", where the replicates show no smaller chance
 std::string chance_text(double p_value, std::size_t replicates);
-std::string p_text(double p_value, std::size_t replicates);  // "p = 0.4", "p < 0.0025"
+std::string p_text(double p_value, std::size_t replicates);    // "p = 0.4", "p < 0.0025"
+std::string p_number(double p_value, std::size_t replicates);  // "0.4", "< 0.0025"
+
+// A log-likelihood: below a hundred to a tenth, which is where it decides anything.
+std::string gain_number(double gain);                // "0.7", "206"
+std::string gain_interval(double low, double high);  // "0.7 to 206"
+// A motor tension, a speed, a cycle or a temperature that is to be set.
+std::string set_value(double value);
 
 std::string capitalised(std::string text);
 

@@ -38,14 +38,17 @@ std::string file(const Box& page, const char* role, const std::string& ids,
       content, role);
 }
 
-// Without fingers nothing is to be held back, and jam says nothing.
-std::string subtitle(const GraspView& view, bool has_fingers) {
+// Without fingers nothing is to be held back, and jam says nothing. With one, nothing else moves.
+std::string subtitle(const GraspView& view, int fingers) {
   const std::vector<int> held = held_fingers(view.grasp);
-  std::string text = held.empty() ? "no finger held"
-                                  : fmt::format("finger{} {} held", held.size() > 1 ? "s" : "",
-                                                fmt::join(held, ", "));
-  text += view.direction == Direction::pull ? ", pulling" : ", releasing";
-  if (view.state.jams && has_fingers) text += "; jams: the carriage is blocked";
+  std::string text;
+  if (!held.empty()) {
+    text = fmt::format("finger{} {} held, ", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
+  } else if (fingers > 1) {
+    text = "no finger held, ";
+  }
+  text += view.direction == Direction::pull ? "pulling" : "releasing";
+  if (view.state.jams && fingers > 0) text += "; jams: the carriage is blocked";
   return text;
 }
 
@@ -57,9 +60,8 @@ Schematic schematic(const Network& network, const std::string& title, bool with_
 
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
                     bool with_legend) {
-  return {
-      layout(network, {title, subtitle(view, network.fingers > 0), view.grasp, with_legend, true}),
-      &view.state, view.direction};
+  return {layout(network, {title, subtitle(view, network.fingers), view.grasp, with_legend, true}),
+          &view.state, view.direction};
 }
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {

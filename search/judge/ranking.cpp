@@ -29,12 +29,6 @@ bool precedes_within_front(const Design& a, const Design& b, const Order& order)
   return key(a) < key(b);
 }
 
-std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked) {
-  std::vector<Design> designs;
-  for (const RankedDesign& entry : ranked) designs.push_back(entry.design);
-  return designs;
-}
-
 std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) {
   const std::vector<Objective>& objectives = order.objectives;
   GoodnessMatrix matrix(static_cast<Eigen::Index>(designs.size()),
@@ -45,7 +39,7 @@ std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) 
   const std::vector<int> front = fronts(matrix);
   std::vector<RankedDesign> ranked;
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    ranked.push_back({std::move(designs[i]), front[i], 0});
+    ranked.push_back({std::move(designs[i]), front[i], 0, i});
   }
   std::sort(ranked.begin(), ranked.end(), [&](const RankedDesign& a, const RankedDesign& b) {
     if (a.front != b.front) return a.front < b.front;

@@ -22,7 +22,8 @@ struct Design {
 struct RankedDesign {
   Design design;
   int front = 0;
-  std::size_t rank = 0;  // from 1
+  std::size_t rank = 0;   // from 1
+  std::size_t given = 0;  // its index among the designs that were ranked
 };
 
 // Rule 2, unless by the score.
@@ -36,8 +37,6 @@ double decisive_value(const ObjectiveValues& values, const Order& order);
 
 // Rules 2 to 4.
 bool precedes_within_front(const Design& a, const Design& b, const Order& order);
-
-std::vector<Design> plain_designs(const std::vector<RankedDesign>& ranked);
 
 // Best first.
 std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order);

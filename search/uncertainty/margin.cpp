@@ -13,8 +13,7 @@ double product(const Routing& routing, const Model& model, const GraspSet& grasp
   return uniformity_times_efficiency(DesignEvaluator(model, grasps).evaluate(routing));
 }
 
-Margin margin(const Routing& first, const Design& other, const MarginOptions& options) {
-  const Routing challenger = parse_routing(other.word);
+Margin margin(const Routing& first, const Routing& challenger, const MarginOptions& options) {
   const auto lead = [&](const Model& model) {
     return product(first, model, options.grasps) - product(challenger, model, options.grasps);
   };
@@ -23,22 +22,21 @@ Margin margin(const Routing& first, const Design& other, const MarginOptions& op
   const Minimum least = minimise(
       [&](const std::vector<double>& point) { return lead(at_point(options.nominal, point)); },
       intervals, options.evaluations);
-  return {other.word, lead(options.nominal), least.value,
+  return {to_word(challenger), lead(options.nominal), least.value,
           effective_hardware(at_point(options.nominal, least.at))};
 }
 
 }  // namespace
 
-std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& ranked,
+std::optional<std::vector<Margin>> margins(const std::vector<Routing>& ranked,
                                            const MarginOptions& options,
                                            const Supervision& supervision) {
   const auto stopped = [&] { return supervision.stop != nullptr && supervision.stop->load(); };
   if (ranked.empty()) return std::vector<Margin>{};
-  const Routing first = parse_routing(ranked.front().design.word);
   std::vector<Margin> result(ranked.size() - 1);
   Workers(options.threads).for_each_block(result.size(), 1, [&](const IndexBlock& block) {
     for (std::size_t i = block.begin; i < block.end && !stopped(); ++i) {
-      result[i] = margin(first, ranked[i + 1].design, options);
+      result[i] = margin(ranked.front(), ranked[i + 1], options);
     }
   });
   if (stopped()) return std::nullopt;

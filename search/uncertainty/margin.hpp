@@ -8,14 +8,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
+#include "core/routing.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "search/explore.hpp"
-#include "search/judge/ranking.hpp"
 
 namespace reeve::search {
 
@@ -34,9 +35,9 @@ struct MarginOptions {
   int threads = 0;
 };
 
-// Of the first design over each of the others, in their order. Nothing if stopped. The front must
-// be that of the two means: then the first has the greatest product.
-std::optional<std::vector<Margin>> margins(const std::vector<RankedDesign>& ranked,
+// Of the first design over each of the others, in the order of their ranks. Nothing if stopped. The
+// front must be that of the two means: then the first has the greatest product.
+std::optional<std::vector<Margin>> margins(const std::vector<Routing>& ranked,
                                            const MarginOptions& options,
                                            const Supervision& supervision = {});
 

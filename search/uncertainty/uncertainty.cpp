@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -16,18 +16,18 @@
 namespace reeve::search {
 namespace {
 
-// The ranks of the designs, in their order, for one draw of the model.
-std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings, std::vector<Design> designs,
-                                 const Model& model, const UncertaintyOptions& options) {
+// The ranks of the routings, in their order, for one draw of the model.
+std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings,
+                                 const std::vector<std::string>& words, const Model& model,
+                                 const UncertaintyOptions& options) {
   DesignEvaluator evaluator(model, options.grasps, options.score);
-  std::unordered_map<std::string, std::size_t> place;
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    designs[i].values = evaluator.evaluate(routings[i]);
-    place[designs[i].word] = i;
+  std::vector<Design> designs;
+  for (std::size_t i = 0; i < routings.size(); ++i) {
+    designs.push_back({words[i], evaluator.evaluate(routings[i])});
   }
   std::vector<std::uint32_t> result(designs.size());
   for (const RankedDesign& ranked : rank(std::move(designs), options.order)) {
-    result[place.at(ranked.design.word)] = static_cast<std::uint32_t>(ranked.rank);
+    result[ranked.given] = static_cast<std::uint32_t>(ranked.rank);
   }
   return result;
 }
@@ -77,12 +77,12 @@ void validate(const UncertaintyOptions& options, std::size_t designs) {
   }
 }
 
-std::optional<std::vector<RankDistribution>> rank_distributions(const std::vector<Design>& designs,
-                                                                const UncertaintyOptions& options,
-                                                                const Supervision& supervision) {
-  validate(options, designs.size());
-  std::vector<Routing> routings;
-  for (const Design& design : designs) routings.push_back(parse_routing(design.word));
+std::optional<std::vector<RankDistribution>> rank_distributions(
+    const std::vector<Routing>& routings, const UncertaintyOptions& options,
+    const Supervision& supervision) {
+  validate(options, routings.size());
+  std::vector<std::string> words;
+  for (const Routing& routing : routings) words.push_back(to_word(routing));
   std::vector<std::vector<std::uint32_t>> by_draw(options.draws);
   Workers workers(options.threads);
   // In slices, so that progress can be told and a stop heard between them.
@@ -91,7 +91,7 @@ std::optional<std::vector<RankDistribution>> rank_distributions(const std::vecto
     const std::size_t size = std::min(slice, options.draws - begin);
     workers.for_each_block(size, 1, [&](const IndexBlock& block) {
       for (std::size_t d = begin + block.begin; d < begin + block.end; ++d) {
-        by_draw[d] = ranks(routings, designs, draw_model(options, d), options);
+        by_draw[d] = ranks(routings, words, draw_model(options, d), options);
       }
     });
     if (supervision.report) supervision.report({begin + size, options.draws});
@@ -99,7 +99,7 @@ std::optional<std::vector<RankDistribution>> rank_distributions(const std::vecto
     if (more && supervision.stop != nullptr && supervision.stop->load()) return std::nullopt;
   }
   std::vector<RankDistribution> result;
-  for (std::size_t i = 0; i < designs.size(); ++i) {
+  for (std::size_t i = 0; i < routings.size(); ++i) {
     std::vector<std::uint32_t> of_design;
     for (const auto& draw : by_draw) of_design.push_back(draw[i]);
     result.push_back(distribution(std::move(of_design)));

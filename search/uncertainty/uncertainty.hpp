@@ -11,6 +11,7 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
+#include "core/routing.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "search/explore.hpp"
 #include "search/judge/ranking.hpp"
@@ -43,9 +44,9 @@ Model draw_model(const UncertaintyOptions& options, std::uint64_t draw);
 // and designs together are more than memory should hold.
 void validate(const UncertaintyOptions& options, std::size_t designs);
 
-// Ranks among the given designs, whose words differ, parallel to them. Nothing if stopped.
+// Ranks among the given routings, parallel to them. Nothing if stopped.
 std::optional<std::vector<RankDistribution>> rank_distributions(
-    const std::vector<Design>& designs, const UncertaintyOptions& options,
+    const std::vector<Routing>& routings, const UncertaintyOptions& options,
     const Supervision& supervision = {});
 
 }  // namespace reeve::search

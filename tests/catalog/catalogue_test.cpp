@@ -105,8 +105,8 @@ TEST(CatalogueWithFamilies, FindsRoutingsAndMechanismsByName) {
   EXPECT_EQ(catalogue.find_routing("X"), &catalogue.entries[0].routing);
   EXPECT_EQ(catalogue.find_routing("Winch9"), &catalogue.mechanisms[0].routing);
   EXPECT_EQ(catalogue.find_routing("Winch"), nullptr);
-  EXPECT_EQ(name_of(catalogue, "1x-B-M"), "Winch9");
-  EXPECT_EQ(name_of(catalogue, "M-1-F"), "X");
+  EXPECT_EQ(name_of(catalogue, parse_routing("1x-B-M")), "Winch9");
+  EXPECT_EQ(name_of(catalogue, parse_routing("M-1-F")), "X");
 }
 
 TEST(CatalogueWithFamilies, TakesNoNameTwice) {

@@ -83,11 +83,12 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
                          const std::string& message) {
     return BadLine{{"diagnose", "ok.csv", name, value}, message, {}};
   };
-  const std::string alpha = ": expected a number above 0 and at most 0.5";
+  const std::string alpha = ": expected a number from 0.0001 and at most 0.5";
   const std::string hold_out = ": expected a number from 0 and at most 0.9";
   expect_all_bad({
       option("--alpha", "0", "--alpha: Value 0" + alpha),
       option("--alpha", "0.6", "--alpha: Value 0.6" + alpha),
+      option("--alpha", "0.00009", "--alpha: Value 0.00009" + alpha),
       option("--alpha", "nan", "--alpha: Value nan" + alpha),
       option("--alpha", "5%", "--alpha: Value 5%" + alpha),
       option("--hold-out", "-0.1", "--hold-out: Value -0.1" + hold_out),
@@ -96,6 +97,12 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
       option("--replicates", "98", "--replicates: "),
       option("--replicates", "100001", "--replicates: "),
       option("--replicates", "-1", "--replicates: "),
+      option("--replicates", "399",
+             "--replicates '399': expected at least 400: with fewer no p-value falls below what "
+             "--alpha 0.02 asks for"),
+      {{"diagnose", "ok.csv", "--replicates", "1000", "--alpha", "0.0005"},
+       "--replicates '1000': expected at least 16000: with fewer",
+       {}},
       option("--threads", "-1", "--threads: "),
       option("--threads", "1025", "--threads: "),
   });

@@ -257,5 +257,23 @@ TEST(Structure, IsWhereTheMeanResidualIsFarthestInStandardErrors) {
   EXPECT_EQ(where(0.45, -1.5), "T2 of M-1-T-2-F, held 1, release (reads less)");
 }
 
+// On a bench no grasp is worth a word.
+TEST(Structure, IsInNoGraspWhereThereIsNoneToChoose) {
+  const Setting setting(
+      two_strands(44, [](int i) { return fmt::format("M-1-F,,pull,{}", at_loads(i)); }));
+  const Eigen::VectorXd left = Eigen::VectorXd::Constant(setting.cells(), 0.5);
+  EXPECT_EQ(setting.found(left).where, "T1 of M-1-F (reads more)");
+}
+
+TEST(LeastReplicates, LetAPValueFallToHalfOfTheSmallestThreshold) {
+  EXPECT_EQ(least_replicates(0.02), 400U);
+  EXPECT_EQ(least_replicates(0.0005), 16000U);
+  for (const double alpha : {0.5, 0.03, 0.0123, 0.0001}) {
+    const auto least = static_cast<double>(least_replicates(alpha));
+    EXPECT_LT(1 / (least + 1), structure_share_of_alpha * alpha / 2) << alpha;
+    EXPECT_GE(1 / (least - 1), structure_share_of_alpha * alpha / 2) << alpha;
+  }
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -80,6 +80,57 @@ TEST(Diagnose, SaysSoWhereThereIsNoCauseOrMoreThanOne) {
   EXPECT_NE(several.find("\nTo tell "), std::string::npos) << several;
 }
 
+// Readings of a sheath alone, which no finger holds.
+TEST(Diagnose, OnABenchSpeaksOfNoGraspsAndRanksNoRoutings) {
+  const TemporaryFolder folder;
+  const std::string bench = golden + "diagnose_indistinguishable.csv";
+  const ProcessResult result = reeve({"diagnose", bench, "--out", folder.path().string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::string page = read_text(folder.path() / "index.html");
+  page.resize(page.find("</main>"));
+  for (const std::string& text : {result.out, page}) {
+    EXPECT_NE(text.find("sheath_friction"), std::string::npos);
+    for (const char* word :
+         {"grasp", "Grasp", "held fingers", "finger held", "jam", "TR1", "TR7", "Ranking"}) {
+      EXPECT_EQ(text.find(word), std::string::npos) << word;
+    }
+  }
+  const Json json = Json::parse(read_text(folder.path() / "diagnosis.json"));
+  EXPECT_TRUE(json["ranking"].is_null());
+  EXPECT_NE(reeve({"diagnose", with_cause}).out.find("Ranking of the catalogue"),
+            std::string::npos);
+}
+
+TEST(Diagnose, TakesAsManyReplicatesAsAlphaNeeds) {
+  const std::string bench = golden + "diagnose_indistinguishable.csv";
+  const auto replicates = [&](Arguments options) {
+    options.insert(options.begin(), {"diagnose", bench, "--format", "json"});
+    return Json::parse(reeve(options).out)["calibration"]["replicates"];
+  };
+  EXPECT_EQ(replicates({}), 1000);
+  EXPECT_EQ(replicates({"--alpha", "0.004"}), 2000);
+  EXPECT_EQ(replicates({"--alpha", "0.004", "--replicates", "2500"}), 2500);
+  EXPECT_EQ(replicates({"--replicates", "400"}), 400);
+}
+
+TEST(Diagnose, AsksForTheUnitsRightBelowTheHeadline) {
+  std::istringstream in(read_text(golden + "diagnose_indistinguishable.csv"));
+  std::string data;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t last = line.rfind(',');
+    const bool is_row = line[0] == '1' || line[0] == '2' || line[0] == '3' || line[0] == '4';
+    data += is_row ? line.substr(0, last) + "," +
+                         std::to_string(1000 * std::stod(line.substr(last + 1)))
+                   : line;
+    data += '\n';
+  }
+  const TemporaryFolder folder;
+  folder.write("millinewton.csv", data);
+  const std::string out = reeve({"diagnose", (folder.path() / "millinewton.csv").string()}).out;
+  const std::size_t second = out.find('\n') + 1;
+  EXPECT_EQ(out.find("Check the units first: the median of "), second) << out;
+}
+
 TEST(Diagnose, WritesWhatItPrintsAndOneLineForEachValue) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "new" / "out").string();

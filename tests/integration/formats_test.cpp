@@ -34,7 +34,7 @@ std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
           {{"count"}, 1},
           {{"check"}, 6},
           {{"compare", readings}, 2},
-          {{"diagnose", data, "--replicates", "99"}, 1},
+          {{"diagnose", data, "--alpha", "0.1", "--replicates", "99"}, 1},
           {{"simulate", "--routings", "TR1,TR7", "--power", "1"}, 1}};
 }
 

@@ -59,7 +59,7 @@ std::vector<Arguments> commands() {
           {"check"},
           {"compare", readings},
           {"diagnose", std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_cause.csv",
-           "--replicates", "99"}};
+           "--alpha", "0.1", "--replicates", "99"}};
 }
 
 TEST(Colour, IsThereOnATerminalAndNowhereElse) {

@@ -131,6 +131,22 @@ TEST(DiagnosisPage, DrawsTheTensionDistributionAndHasItsErrors) {
   EXPECT_FALSE(contains(diagnosis_html(plain_report()), "id=\"distribution\""));
 }
 
+TEST(DiagnosisPage, SaysOfADistributionInWhichGraspItIsWhereThereIsAChoice) {
+  const DiagnosisReport report = plain_report();
+  TensionDistribution distribution;
+  distribution.routings = {{"M-1-F", "", "", 1, {{"T1", 0.6, {}, {}}, {"T2", 0.4, {}, {}}}}};
+  const auto page = [&] {
+    return diagnosis_page({report, "", {}, TensionDistributions{{distribution}, {}, 0}}).html;
+  };
+  EXPECT_TRUE(contains(page(), "Pulling; the strands of each routing"));
+  EXPECT_FALSE(contains(page(), "Tension distributions, no finger held."));
+  distribution.grasp = hold({1});
+  EXPECT_TRUE(contains(page(), "With finger 1 held, pulling; the strands of each routing"));
+  distribution.grasp = {};
+  distribution.routings[0].strands.push_back({"T3", 0.1, {}, {}});
+  EXPECT_TRUE(contains(page(), "Tension distributions, no finger held."));
+}
+
 TEST(DiagnosisPage, DrawsAPartOfManyValuesAndSaysSo) {
   DiagnosisReport report = plain_report(5000);
   const DiagnosisPage page = diagnosis_page({report, "", {}});
@@ -159,6 +175,95 @@ TEST(DiagnosisPage, WeighsTheBestFirstBesideWhatNoiseAllows) {
   const ReadMark limit = weighed.marks("rules", "as good as noise allows").at(0);
   EXPECT_NEAR(weighed.x_of(limit), 50, 0.01);
   EXPECT_TRUE(contains(page.html, "would gain 50.0 (45.0 to 55.0)"));
+}
+
+std::vector<std::string> texts(const std::vector<ReadTick>& ticks) {
+  std::vector<std::string> result;
+  for (const ReadTick& tick : ticks) result.push_back(tick.text);
+  return result;
+}
+
+TEST(DiagnosisPage, WeighsTheNamedModelWhereverItStands) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  report.result.weighed.resize(1);
+  for (int i = 1; i <= 20; ++i) {
+    report.result.weighed.push_back({{"other" + std::to_string(i)}, 200.0 + i, gained});
+  }
+  report.result.weighed.push_back({{"tube_friction"}, 100, gained});
+  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const ReadPanel weighed = chart_of(page, "weighed").front();
+  const std::vector<std::string> names = texts(weighed.y);
+  ASSERT_EQ(names.size(), 15U);
+  EXPECT_EQ(names[0], "other20");
+  EXPECT_EQ(names[13], "other7");
+  EXPECT_EQ(names[14], "◆ tube_friction");
+  ASSERT_EQ(weighed.marks("points", "named").size(), 1U);
+  EXPECT_NEAR(weighed.marks("points", "named")[0].y, weighed.y[14].at, 0.02);
+  const std::string some =
+      "Drawn are the named model and the best others on the training runs, 15 of 22; the table has "
+      "all.";
+  EXPECT_TRUE(contains(page.html, some));
+  report.result.noise_limit.reset();
+  EXPECT_TRUE(contains(diagnosis_html(report), some));
+}
+
+// On the training runs it gains 20, which says nothing on an axis of held-out runs.
+TEST(DiagnosisPage, PutsNoMarkWhereTheHeldOutRunsCouldNotBeForecast) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  report.result.weighed[0].held_out.reset();
+  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const ReadPanel weighed = chart_of(page, "weighed").front();
+  EXPECT_EQ(texts(weighed.y), (std::vector<std::string>{"◆ tube_friction", "wear"}));
+  EXPECT_TRUE(weighed.marks("points", "weighed").empty());
+  EXPECT_EQ(weighed.marks("points", "named").size(), 1U);
+  EXPECT_TRUE(contains(page.html, "A row without a mark: that model has no tensions"));
+  EXPECT_FALSE(contains(diagnosis_html(plain_report()), "A row without a mark"));
+}
+
+TEST(DiagnosisPage, WritesOutTheNamesOfThreeCauses) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  const std::vector<std::string> longest{"load_dependent_friction", "speed_dependent_friction",
+                                         "wrong_grasp[M-1-T-2-F]"};
+  report.result.weighed.push_back({longest, 10, gained});
+  const std::string svg = svg_of(diagnosis_page({report, "", {}}), "weighed");
+  EXPECT_FALSE(contains(svg, "…"));
+  EXPECT_TRUE(contains(svg, ">load_dependent_friction + "));
+}
+
+TEST(DiagnosisPage, RoundsInTheChartAsInTheTable) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  report.result.weighed = {
+      {{"tube_friction"}, 357.96, HeldOut{1, 0.1, 0.9, 0.8, 0.95, 206.14, 63.24, 348.6, 48}}};
+  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const ReadPanel weighed = chart_of(page, "weighed").front();
+  EXPECT_EQ(weighed.marks("points", "named").at(0).title,
+            "tube_friction: named\ntraining runs: 358\nheld-out runs: 206 (63.2 to 349)");
+  EXPECT_TRUE(contains(page.html, "<td>358</td><td>206</td><td>63.2 to 349</td>"));
+}
+
+// The same readings of two routings without fingers.
+TEST(DiagnosisPage, SpeaksOfNoGraspOnABench) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  report.result.structure = {{"grasp", 1, 0.2}};
+  const std::string of_a_hand = diagnosis_html(report);
+  EXPECT_TRUE(contains(of_a_hand, "held fingers: none; pull"));
+  EXPECT_TRUE(contains(of_a_hand, "id=\"residuals-grasp\""));
+  for (MeasuredRouting& measured : report.data.routings) {
+    measured.routing = parse_routing("M-F");
+    measured.network = expand(measured.routing);
+  }
+  std::string page = diagnosis_html(report);
+  page.resize(page.find("</main>"));
+  EXPECT_TRUE(contains(page, "\npull; motor"));
+  EXPECT_TRUE(contains(page, "<td>direction</td>") || contains(page, ">direction<"));
+  for (const char* word : {"held fingers", "grasp", "finger held", "jam"}) {
+    EXPECT_FALSE(contains(page, word)) << word;
+  }
 }
 
 }  // namespace

@@ -55,8 +55,17 @@ TEST(DiagnosisPage, TellsEveryVerdictApart) {
   EXPECT_EQ(std::unique(shapes.begin(), shapes.end()), shapes.end());
 }
 
-// As the caption says: hollow what was fitted to, filled what no fit has seen.
-// Two routings with residuals 1, 3 and -2, -4: means 2 and -3, standard deviations sqrt(2).
+TEST(DiagnosisPage, DoesNotSayThatNothingIsWrongWhereWeakStructureRemains) {
+  DiagnosisReport report = plain_report();
+  report.result.structure = {{"strand", 3.2, 0.004}};
+  report.result.structure_p_value = 0.021;
+  EXPECT_TRUE(contains(diagnosis_html(report), "Nothing is wrong that the readings could show"));
+  report.result.structure_p_value = 0.011;
+  const std::string page = diagnosis_html(report);
+  EXPECT_FALSE(contains(page, "Nothing is wrong"));
+  EXPECT_TRUE(contains(page, "No cause is named, and weak structure remains</h2>"));
+}
+
 TEST(DiagnosisPage, SaysWhereTheNoiseIsEstimatedTooHigh) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
@@ -214,18 +223,20 @@ TEST(DiagnosisPage, GivesTheRowsThatTheNextMeasurementFills) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
   PlannedMeasurement planned;
-  planned.measurement.routing = "M-1-T-2-F";
+  planned.measurement.routing = {"M-1-T-2-F", parse_routing("M-1-T-2-F")};
   planned.measurement.direction = Direction::release;
-  planned.measurement.conditions.motor_tension_N = 25;
+  planned.measurement.conditions.motor_tension_N = 25.125;
   planned.measurement.conditions.speed_mm_s = 40;
   planned.measurement.uses_speed = true;
   planned.why = "it says most";
   planned.parameter = "mu";
   planned.expected = {{"T1", 12.5, 12.5, 0.2}, {"a", 25, 25, 0.3}};
   report.result.next_measurement = planned;
-  EXPECT_TRUE(contains(diagnosis_html(report),
+  const std::string page = diagnosis_html(report);
+  EXPECT_TRUE(contains(page,
                        "run,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,Ta_N\n"
-                       "NEW,M-1-T-2-F,,release,25,40,,"));
+                       "NEW,M-1-T-2-F,,release,25.125,40,,"));
+  EXPECT_TRUE(contains(page, "released with 25.125 N at the motor, at 40 mm/s."));
 }
 
 }  // namespace

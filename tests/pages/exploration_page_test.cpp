@@ -62,9 +62,9 @@ TEST(ExplorationPage, AsksForNoMoreDetailsThanItHasRoomFor) {
   const ExploreReport report = explored(small_options());
   ExplorationView view = testing::view(report);
   view.details = 54;
-  view.solve = [&report](const std::string& word) {
-    ShownRouting shown = testing::view(report).solve(word);
-    std::mt19937 letters(static_cast<unsigned>(std::hash<std::string>()(word)));
+  view.solve = [&report](const Routing& routing) {
+    ShownRouting shown = testing::view(report).solve(routing);
+    std::mt19937 letters(static_cast<unsigned>(std::hash<std::string>()(to_word(routing))));
     for (int i = 0; i < 100'000; ++i) shown.name += static_cast<char>('a' + letters() % 26);
     return shown;
   };
@@ -105,8 +105,8 @@ TEST(ExplorationPage, EscapesWhatUsersWrote) {
   ExplorationView view = testing::view(report);
   view.command = "reeve explore --hardware '" + hostile + "'";
   view.show_options = " --hardware '" + hostile + "'";
-  view.solve = [&report, hostile](const std::string& word) {
-    ShownRouting shown = testing::view(report).solve(word);
+  view.solve = [&report, hostile](const Routing& routing) {
+    ShownRouting shown = testing::view(report).solve(routing);
     shown.name = hostile;
     return shown;
   };
@@ -138,9 +138,9 @@ TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
   const ShownRouting shown = shown_routing(parse_routing("1b-P-2b-P-3b-P-1b+4-P-5-P-4"), {},
                                            single_grasps(5), Direction::pull, Catalogue{});
   std::size_t solved = 0;
-  const SolveDesign solve = [&](const std::string& word) {
+  const SolveDesign solve = [&](const Routing& routing) {
     ShownRouting own = shown;
-    own.word = word;
+    own.word = to_word(routing);
     // Noise, so that designs are as unlike as real ones are, and more.
     for (ShownGrasp& grasp : own.grasps) {
       for (double& tension : grasp.state.tension) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "core/canonical.hpp"
@@ -36,11 +38,31 @@ inline ExploreReport explored(const ExploreOptions& options) {
 
 inline ExplorationView view(const ExploreReport& report) {
   return {report, "reeve explore", "",
-          [&report](const std::string& word) {
-            return shown_routing(parse_routing(word), report.options.model, report.options.grasps,
+          [&report](const Routing& routing) {
+            return shown_routing(routing, report.options.model, report.options.grasps,
                                  Direction::pull, Catalogue{});
           },
           std::nullopt};
+}
+
+// Five fingers in the order, with the tips and the joins of this number: another for each number
+// below 120 * 32 * 27.
+inline Routing numbered_routing(std::size_t number) {
+  std::array<int, 5> order{1, 2, 3, 4, 5};
+  for (std::size_t i = 0; i < number % 120; ++i) std::next_permutation(order.begin(), order.end());
+  std::size_t tips = number / 120 % 32;
+  std::size_t joins = number / 120 / 32;
+  constexpr std::array kinds{TokenKind::tube_join, TokenKind::bearing_join,
+                             TokenKind::movable_pulley};
+  Tendon tendon{{motor_end()}};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0) tendon.walk.push_back(plain(kinds[joins % 3]));
+    if (i > 0) joins /= 3;
+    tendon.walk.push_back(finger(order[i], tips % 2 == 0 ? TipKind::tube : TipKind::bearing));
+    tips /= 2;
+  }
+  tendon.walk.push_back(fixed_end());
+  return {{tendon}};
 }
 
 // `count` designs, of which every hundredth is on the front; no two values are alike.
@@ -54,7 +76,8 @@ inline ExploreReport large(std::size_t count) {
     const auto at = static_cast<double>(i) / static_cast<double>(count);
     design.ranked.rank = i + 1;
     design.ranked.front = i < count / 100 ? 1 : 2;
-    design.ranked.design.word = fmt::format("1b-P-2b-P-3b-P-1b+{}-P-5-P-4", i);
+    design.routing = numbered_routing(i);
+    design.ranked.design.word = to_word(design.routing);
     for (std::size_t k = 0; k < objective_count; ++k) {
       const auto wave = static_cast<double>((i * (7919 + 2 * k)) % count);
       design.ranked.design.values[k] = k == 0 ? at : wave / static_cast<double>(count);

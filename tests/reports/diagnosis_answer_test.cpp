@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "causes/library.hpp"
+#include "core/notation.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 
 namespace reeve {
@@ -22,6 +23,8 @@ DiagnosisReport report_of(Verdict verdict) {
   report.result.p_value = 0.4;
   report.result.structure_p_value = 0.7;
   report.result.cells = {{{}, false, 1, 0, 0.1, 10, 0, std::nullopt}};
+  const Routing routing = parse_routing("M-1-T-2-F");
+  report.data.routings = {{"M-1-T-2-F", routing, expand(routing), {}}};
   return report;
 }
 
@@ -73,6 +76,69 @@ TEST(DiagnosisAnswer, OfWhatIsUnexplainedSaysWhere) {
   EXPECT_TRUE(says(report, "No cause is named."));
   report.result.causes = {tubes()};
   EXPECT_TRUE(says(report, "Part of it is explained"));
+}
+
+// Alpha is 0.02, of which the test of what is left takes a quarter.
+TEST(DiagnosisAnswer, SaysThatNothingIsLeftOnlyWhereChanceGivesAsMuchOftenerThanAlpha) {
+  const std::string nothing = "Nothing else is left to explain";
+  const std::string weak =
+      "\nWeak structure remains by strand, 3.2 deviations above chance (p = 0.011), which does not "
+      "reach this test's threshold of 0.005.\n";
+  for (const Verdict verdict : {Verdict::none, Verdict::cause, Verdict::indistinguishable}) {
+    SCOPED_TRACE(verdict_name(verdict));
+    DiagnosisReport report = report_of(verdict);
+    if (verdict != Verdict::none) report.result.causes = {tubes()};
+    if (verdict == Verdict::indistinguishable) {
+      report.result.indistinguishable = {{"tube_friction", "wear"}};
+    }
+    report.result.structure = {{"strand", 3.21, 0.004}, {"load", 1, 0.2}};
+    report.result.structure_p_value = 0.011;
+    EXPECT_TRUE(says(report, weak)) << diagnosis_answer(report);
+    EXPECT_FALSE(says(report, nothing));
+    EXPECT_FALSE(says(report, "as well as their noise allows"));
+    report.result.structure_p_value = 0.021;
+    EXPECT_FALSE(says(report, "Weak structure"));
+    EXPECT_EQ(says(report, nothing), verdict != Verdict::indistinguishable);
+  }
+}
+
+TEST(DiagnosisAnswer, AsksForTheUnitsRightBelowTheHeadline) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.result.causes = {tubes()};
+  report.result.notes = {{NoteKind::covariate, "a column", {}},
+                         {NoteKind::units, "the median of T1_N is 4e+03 N: newton?", {}}};
+  const auto second_line = [&] {
+    const std::string answer = diagnosis_answer(report);
+    const std::size_t begin = answer.find('\n') + 1;
+    return answer.substr(begin, answer.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(second_line(), "Check the units first: the median of T1_N is 4e+03 N: newton?");
+  report.result.notes.push_back({NoteKind::units, "of T2_N too", {}});
+  report.result.notes.push_back({NoteKind::units, "of T3_N too", {}});
+  EXPECT_EQ(
+      second_line(),
+      "Check the units first: the median of T1_N is 4e+03 N: newton? 2 more notes of the kind "
+      "below.");
+  report.result.notes.clear();
+  EXPECT_FALSE(says(report, "units"));
+}
+
+// On a bench the groups of a grasp differ in the direction alone.
+TEST(DiagnosisAnswer, SpeaksOfNoGraspOnABench) {
+  DiagnosisReport report = report_of(Verdict::unexplained);
+  for (const auto& [about, on_a_bench] :
+       {std::pair("grasp", "direction"),
+        std::pair("routing, grasp and strand", "routing, direction and strand"),
+        std::pair("load", "load")}) {
+    for (const char* word : {"M-1-T-2-F", "M-F", "M-1-F"}) {
+      const Routing routing = parse_routing(word);
+      report.data.routings = {{word, routing, expand(routing), {}}};
+      report.result.unexplained = Unexplained{about, "T1", 0.001};
+      const bool is_hand = finger_count(routing) > 1;
+      EXPECT_TRUE(says(report, std::string("explains: ") + (is_hand ? about : on_a_bench) + ", "))
+          << word;
+    }
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "causes/library.hpp"
@@ -103,6 +104,49 @@ TEST(DiagnosisEvidence, SaysNothingOfADistributionThatNoReadingHas) {
             Sentences{"Fitted to all readings but T4 of TR1 (line 9): tube_friction, mu = 0.085 "
                       "(0.080 to 0.090)."});
   EXPECT_EQ(Json::parse(diagnosis_json(report))["without_apart"]["share_error"], nullptr);
+}
+
+TEST(DiagnosisEvidence, HasNoColumnOfGraspsOnABench) {
+  DiagnosisReport report = report_of_stretches();
+  report.result.share_errors.groups.resize(2);
+  const auto first_heads = [&] {
+    return std::pair(share_error_table(report).columns[1].heading,
+                     loss_table(report).columns[1].heading);
+  };
+  EXPECT_EQ(first_heads(), std::pair(std::string("held"), std::string("held")));
+  const Routing bench = parse_routing("M-F");
+  report.data.routings = {{"M-F", bench, expand(bench), {}}};
+  EXPECT_EQ(first_heads(), std::pair(std::string("readings"), std::string("direction")));
+  for (const Table& table : {share_error_table(report), loss_table(report)}) {
+    for (const TableRow& row : table.rows) EXPECT_EQ(row.cells.size(), table.columns.size());
+  }
+  EXPECT_EQ(loss_table(report).rows[0].cells[1], "pull");
+  report.data.readings[0].grasp = hold({1});
+  EXPECT_EQ(first_heads(), std::pair(std::string("held"), std::string("held")));
+}
+
+// A reader looks for the number of the answer in the tables below it.
+TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  report.result.verdict = Verdict::cause;
+  report.result.p_value = report.result.causes[0].p_value = 1.0 / 1001;
+  const HeldOut held_out{8.449, 0.8449, 0.9001, 0.8849, 0.9049, 206.14, 63.2, 348.6, 333.4};
+  report.result.held_out = report.result.causes[0].held_out = held_out;
+  report.result.held_out_runs = 2;
+  report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
+  const std::string text = reports::text(diagnosis_sheet(report));
+  EXPECT_NE(text.find("fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"), std::string::npos);
+  EXPECT_NE(text.find("in fewer than 0.1 % of data sets"), std::string::npos);
+  const auto line_with = [&](const std::string& beginning) {
+    const std::size_t at = text.find(beginning);
+    return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_NE(line_with("tube_friction  mu").find(" < 0.001 "), std::string::npos) << text;
+  EXPECT_NE(line_with("tube_friction       8.4 N     0.84 N       90 %").find("206    63.2 to 349"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(line_with("tube_friction            358").find("206"), std::string::npos) << text;
 }
 
 TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {

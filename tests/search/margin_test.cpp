@@ -13,13 +13,10 @@
 namespace reeve {
 namespace {
 
-std::vector<RankedDesign> ranked(const std::vector<std::string>& words) {
-  DesignEvaluator evaluator(Hardware{}, single_grasps(2));
-  std::vector<Design> designs;
-  for (const std::string& word : words) {
-    designs.push_back({word, evaluator.evaluate(parse_routing(word))});
-  }
-  return rank(std::move(designs), {Objective::uniformity_mean, Objective::efficiency_mean});
+std::vector<Routing> parsed(const std::vector<std::string>& words) {
+  std::vector<Routing> routings;
+  for (const std::string& word : words) routings.push_back(parse_routing(word));
+  return routings;
 }
 
 MarginOptions options(const UncertaintyRanges& ranges) {
@@ -49,8 +46,9 @@ double least_on_grid(const std::string& a, const std::string& b, const Uncertain
 }
 
 TEST(Margin, IsAtMostTheLeastLeadOnAGrid) {
-  const auto designs = ranked({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M", "M-1-P-2-F"});
-  const std::vector<Margin> found = margins(designs, options({})).value();
+  const std::vector<Routing> routings =
+      parsed({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M", "M-1-P-2-F"});
+  const std::vector<Margin> found = margins(routings, options({})).value();
   ASSERT_EQ(found.size(), 3U);
   for (const Margin& margin : found) {
     const double grid = least_on_grid("1-P-2-P-1", margin.challenger, {});
@@ -64,29 +62,29 @@ TEST(Margin, IsAtMostTheLeastLeadOnAGrid) {
 TEST(Margin, FindsWhereTheOrderTurns) {
   // By its mean, TR5 trails TR4 a little at the paper's coefficients; with little friction in the
   // tubes and none to speak of in the sheaths its two motor ends pay off.
-  const auto designs = ranked({"M-1-P-2-F", "M-1-P-2-M"});
+  const std::vector<Routing> routings = parsed({"M-1-P-2-F", "M-1-P-2-M"});
   UncertaintyRanges wide;
   wide.tube_mu = {0.0, 0.6};
   wide.sheath_mu = {0.0, 0.6};
-  const Margin margin = margins(designs, options(wide)).value().at(0);
+  const Margin margin = margins(routings, options(wide)).value().at(0);
   EXPECT_GT(margin.nominal_lead, 0);
   EXPECT_LT(margin.least_lead, 0);
 }
 
 TEST(Margin, IsTheNominalLeadWhereNothingIsUncertain) {
   const UncertaintyRanges none{{0.18, 0.18}, {0.18, 0.18}, 0, 0};
-  const Margin margin = margins(ranked({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).value().at(0);
+  const Margin margin = margins(parsed({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).value().at(0);
   EXPECT_EQ(margin.least_lead, margin.nominal_lead);
 }
 
 TEST(MarginThreads, DoNotChangeTheResult) {
-  const auto designs = ranked({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M"});
+  const std::vector<Routing> routings = parsed({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M"});
   MarginOptions one = options({});
   one.threads = 1;
   MarginOptions three = options({});
   three.threads = 3;
-  const auto a = margins(designs, one).value();
-  const auto b = margins(designs, three).value();
+  const auto a = margins(routings, one).value();
+  const auto b = margins(routings, three).value();
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].least_lead, b[i].least_lead);
 }
 

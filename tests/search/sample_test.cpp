@@ -13,7 +13,16 @@
 namespace reeve {
 namespace {
 
-Design numbered(std::uint64_t place) { return {std::to_string(place), {}}; }
+// A routing for each place below a million, told apart by the arms of a bar.
+Routing numbered(std::uint64_t place) {
+  const auto part = [](std::uint64_t value) { return static_cast<std::uint16_t>(value); };
+  return {{{{bar(1, {part(place / 1000), part(place % 1000)})}}}};
+}
+
+std::uint64_t number(const Routing& routing) {
+  const ArmRatio arms = routing.tendons.front().walk.front().arms;
+  return std::uint64_t{1000} * arms.left + arms.right;
+}
 
 DesignSample of(std::size_t size, std::uint64_t begin, std::uint64_t end) {
   DesignSample sample(size);
@@ -21,33 +30,33 @@ DesignSample of(std::size_t size, std::uint64_t begin, std::uint64_t end) {
   return sample;
 }
 
-std::set<std::string> words(const std::vector<Design>& designs) {
-  std::set<std::string> words;
-  for (const Design& design : designs) words.insert(design.word);
-  return words;
+std::set<std::uint64_t> numbers(const DesignSample& sample) {
+  std::set<std::uint64_t> numbers;
+  for (const Routing& routing : sample.routings()) numbers.insert(number(routing));
+  return numbers;
 }
 
 TEST(Sample, HoldsAllOfAFewInOrder) {
-  const std::vector<Design> designs = of(10, 3, 8).designs();
-  ASSERT_EQ(designs.size(), 5U);
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(designs[i].word, std::to_string(i + 3));
-  EXPECT_TRUE(of(0, 0, 100).designs().empty());
+  const std::vector<Routing> routings = of(10, 3, 8).routings();
+  ASSERT_EQ(routings.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(number(routings[i]), i + 3);
+  EXPECT_TRUE(of(0, 0, 100).routings().empty());
 }
 
 // Each tenth of the places gives about a tenth of the sample: within five standard deviations.
 TEST(Sample, IsSpreadEvenly) {
   std::map<std::uint64_t, int> tenths;
-  for (const Design& design : of(2000, 0, 100000).designs()) {
-    ++tenths[std::stoull(design.word) / 10000];
+  for (const Routing& routing : of(2000, 0, 100000).routings()) {
+    ++tenths[number(routing) / 10000];
   }
   ASSERT_EQ(tenths.size(), 10U);
   for (const auto& [tenth, count] : tenths) EXPECT_NEAR(count, 200, 67) << tenth;
 }
 
 TEST(Sample, OfThePartsHoldsThatOfTheWhole) {
-  std::set<std::string> parts = words(of(50, 0, 777).designs());
-  parts.merge(words(of(50, 777, 5000).designs()));
-  const std::set<std::string> whole = words(of(50, 0, 5000).designs());
+  std::set<std::uint64_t> parts = numbers(of(50, 0, 777));
+  parts.merge(numbers(of(50, 777, 5000)));
+  const std::set<std::uint64_t> whole = numbers(of(50, 0, 5000));
   EXPECT_EQ(whole.size(), 50U);
   EXPECT_TRUE(std::includes(parts.begin(), parts.end(), whole.begin(), whole.end()));
 }

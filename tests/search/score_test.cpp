@@ -167,14 +167,10 @@ TEST(Score, OrdersTheDrawsOfAnUncertainRanking) {
   UncertaintyOptions options;
   options.grasps = parse_grasps("paper", 2);
   options.draws = 5;
-  DesignEvaluator evaluator(Hardware{}, options.grasps);
-  std::vector<Design> designs;
-  for (const char* word : {"M-1-T-2-F", "1-P-2-P-1"}) {
-    designs.push_back({word, evaluator.evaluate(parse_routing(word))});
-  }
+  const std::vector<Routing> routings{parse_routing("M-1-T-2-F"), parse_routing("1-P-2-P-1")};
   const auto first_by = [&](const std::string& score) {
     options.score = parse_score(score);
-    const auto ranks = *rank_distributions(designs, options);
+    const auto ranks = *rank_distributions(routings, options);
     EXPECT_EQ(ranks[0].first + ranks[1].first, 1) << score;
     return ranks[0].first;
   };

@@ -18,9 +18,15 @@ namespace {
 
 using testing::published_words;
 
-std::vector<RankDistribution> drawn(const std::vector<Design>& designs,
+std::vector<Routing> parsed(const std::vector<std::string>& words) {
+  std::vector<Routing> routings;
+  for (const std::string& word : words) routings.push_back(parse_routing(word));
+  return routings;
+}
+
+std::vector<RankDistribution> drawn(const std::vector<std::string>& words,
                                     const UncertaintyOptions& options) {
-  return rank_distributions(designs, options).value();
+  return rank_distributions(parsed(words), options).value();
 }
 
 std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardware& hardware,
@@ -40,11 +46,6 @@ UncertaintyOptions options_for(std::size_t draws) {
   options.draws = draws;
   options.threads = 1;
   return options;
-}
-
-std::vector<Design> designs_of(const UncertaintyOptions& options,
-                               const std::vector<std::string>& words = published_words()) {
-  return evaluated(words, options.nominal.hardware, options.grasps);
 }
 
 std::vector<double> drawn(const Hardware& hardware) {
@@ -191,7 +192,7 @@ TEST(Uncertainty, AgreesWithCountingRanksDrawByDraw) {
     SCOPED_TRACE(draws);
     const UncertaintyOptions options = varying(draws);
     const auto ranks = ranks_by_draw(close_rivals(), options);
-    const auto distributions = drawn(designs_of(options, close_rivals()), options);
+    const auto distributions = drawn(close_rivals(), options);
     ASSERT_EQ(distributions.size(), ranks.size());
     for (std::size_t i = 0; i < ranks.size(); ++i) {
       const auto first = static_cast<double>(std::count(ranks[i].begin(), ranks[i].end(), 1U));
@@ -207,7 +208,7 @@ TEST(Uncertainty, ShowsThatCloseRivalsChangePlaces) {
   const UncertaintyOptions options = varying(100);
   int sometimes_first = 0;
   double first = 0;
-  for (const RankDistribution& d : drawn(designs_of(options, close_rivals()), options)) {
+  for (const RankDistribution& d : drawn(close_rivals(), options)) {
     EXPECT_LT(d.low, d.high);
     EXPECT_LE(d.low, d.median);
     EXPECT_LE(d.median, d.high);
@@ -220,31 +221,29 @@ TEST(Uncertainty, ShowsThatCloseRivalsChangePlaces) {
 
 TEST(UncertaintyThreads, DoNotChangeTheDistributions) {
   UncertaintyOptions options = varying(75);
-  const std::vector<Design> designs = designs_of(options, close_rivals());
-  const auto one = drawn(designs, options);
+  const auto one = drawn(close_rivals(), options);
   for (const int threads : {2, 3, 8}) {
     SCOPED_TRACE(threads);
     options.threads = threads;
-    expect_equal(drawn(designs, options), one);
+    expect_equal(drawn(close_rivals(), options), one);
   }
 }
 
 TEST(Uncertainty, BelongsToItsDesignsInWhateverOrderTheyCome) {
   const UncertaintyOptions options = varying(30);
-  std::vector<Design> designs = designs_of(options, close_rivals());
-  std::vector<RankDistribution> expected = drawn(designs, options);
-  std::reverse(designs.begin(), designs.end());
+  std::vector<std::string> words = close_rivals();
+  std::vector<RankDistribution> expected = drawn(words, options);
+  std::reverse(words.begin(), words.end());
   std::reverse(expected.begin(), expected.end());
-  expect_equal(drawn(designs, options), expected);
+  expect_equal(drawn(words, options), expected);
 }
 
 TEST(Uncertainty, OtherSeedsGiveOtherDistributions) {
   UncertaintyOptions options = varying(50);
-  const std::vector<Design> designs = designs_of(options, close_rivals());
   std::set<std::vector<double>> seen;
   for (options.seed = 1; options.seed <= 5; ++options.seed) {
     std::vector<double> first;
-    for (const RankDistribution& d : drawn(designs, options)) first.push_back(d.first);
+    for (const RankDistribution& d : drawn(close_rivals(), options)) first.push_back(d.first);
     seen.insert(first);
   }
   EXPECT_GT(seen.size(), 1U);
@@ -256,8 +255,9 @@ TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
                     {options.nominal.hardware.sheath.mu, options.nominal.hardware.sheath.mu},
                     0,
                     0};
-  const std::vector<Design> designs = designs_of(options);
-  const auto distributions = drawn(designs, options);
+  const std::vector<Design> designs =
+      evaluated(published_words(), options.nominal.hardware, options.grasps);
+  const auto distributions = drawn(published_words(), options);
   for (const RankedDesign& ranked : rank(designs, options.order)) {
     for (std::size_t i = 0; i < designs.size(); ++i) {
       if (designs[i].word != ranked.design.word) continue;
@@ -274,7 +274,7 @@ TEST(Uncertainty, Tr7IsFirstInEveryDraw) {
   for (const GraspSet& grasps : {single_grasps(2), paper_grasps()}) {
     UncertaintyOptions options = options_for(300);
     options.grasps = grasps;
-    const auto distributions = drawn(designs_of(options), options);
+    const auto distributions = drawn(published_words(), options);
     EXPECT_EQ(distributions.back().first, 1);
     EXPECT_EQ(distributions.back().high, 1);
     for (std::size_t i = 0; i + 1 < distributions.size(); ++i) {
@@ -288,7 +288,7 @@ TEST(Uncertainty, StoppedItIsEmpty) {
   const std::atomic<bool> stop{true};
   Supervision supervision;
   supervision.stop = &stop;
-  EXPECT_FALSE(rank_distributions(designs_of(options), options, supervision).has_value());
+  EXPECT_FALSE(rank_distributions(parsed(published_words()), options, supervision).has_value());
 }
 
 TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
@@ -299,7 +299,7 @@ TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
     heard.push_back(progress.done);
   };
   const UncertaintyOptions options = options_for(100);
-  rank_distributions(designs_of(options), options, supervision);
+  rank_distributions(parsed(published_words()), options, supervision);
   ASSERT_GE(heard.size(), 2U);
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.back(), 100U);

@@ -10,7 +10,8 @@
 namespace reeve::testing {
 
 inline PlannedRouting planned_routing(const std::string& word) {
-  PlannedRouting routing{word, word, expand(parse_routing(word)), {}};
+  const Routing parsed = parse_routing(word);
+  PlannedRouting routing{word, word, parsed, expand(parsed), {}};
   for (const WeightedGrasp& grasp : single_grasps(routing.network.fingers)) {
     routing.grasps.push_back(grasp.grasp);
   }
