@@ -31,7 +31,7 @@ constexpr std::array known_columns{
     KnownColumn{"routing", DataRole::routing, 0, 0},
     KnownColumn{"held", DataRole::held, 0, 0},
     KnownColumn{"direction", DataRole::direction, 0, 0},
-    KnownColumn{"motor_tension_N", DataRole::motor_tension, 0, 1e9},
+    KnownColumn{"motor_tension_N", DataRole::motor_tension, -1e9, 1e9},
     KnownColumn{"speed_mm_s", DataRole::speed, 0, 1e9},
     KnownColumn{"cycle", DataRole::cycle, 0, 1e15},
     KnownColumn{"temperature_C", DataRole::temperature, -273.15, 1e4},
@@ -87,7 +87,7 @@ DataColumn read_column(const std::string& name) {
                           "a tension written as T1_N (strand), Ta_N (motor-side segment) or Th1_N "
                           "(stretch at the hand)"});
   }
-  return {DataRole::tension, name, 0, max_tension_N, *segment};
+  return {DataRole::tension, name, -max_tension_N, max_tension_N, *segment};
 }
 
 std::string place_of_header(const CsvReader& csv) {

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "diagnosis/data/checks/below_zero.hpp"
+
 namespace reeve::diagnosis {
 namespace {
 
@@ -149,6 +151,7 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   add_duplicates(data, notes);
   add_motor_side(data, notes);
   add_units(data, notes);
+  for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
   for (const std::string& covariate : data.covariates) {
     notes.push_back(
         {NoteKind::covariate,

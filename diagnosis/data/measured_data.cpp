@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/graph.hpp"
 #include "core/notation.hpp"
 #include "core/text.hpp"
+#include "diagnosis/data/checks/below_zero.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/csv_number.hpp"
 #include "diagnosis/data/data_columns.hpp"
@@ -86,7 +88,14 @@ class DataReader {
       data_.simulated |= says_simulated(comment.text);
       if (comment.line > csv_.header().line) below.push_back(comment);
     }
+    std::vector<DataNote> left_out = leave_out_negative_motor_tensions(data_);
+    if (data_.readings.empty()) {
+      throw InputError({.where = data_.file,
+                        .what = "motor_tension_N is below zero in every row",
+                        .expected = "motor tensions from 0"});
+    }
     data_.notes = data_notes(data_, below);
+    std::move(left_out.begin(), left_out.end(), std::back_inserter(data_.notes));
     return std::move(data_);
   }
 

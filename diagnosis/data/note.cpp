@@ -16,6 +16,8 @@ const char* note_kind_name(NoteKind kind) {
       return "covariate";
     case NoteKind::comment:
       return "comment";
+    case NoteKind::below_zero:
+      return "below_zero";
     case NoteKind::jams:
       return "jams";
     case NoteKind::not_compared:

@@ -17,6 +17,7 @@ enum class NoteKind : std::uint8_t {
   units,                   // tensions that no sheath or no hand explains
   covariate,               // a column that the model does not know
   comment,                 // comment lines below the header, which may be rows switched off
+  below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
 };

@@ -102,10 +102,10 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
     EXPECT_EQ(cell_error(column, cell),
               "d.csv:3: column '" + column + "' = '" + cell + "': " + message);
   };
-  expect("T2_N", "-1", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("T2_N", "inf", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("T2_N", "2 N", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("motor_tension_N", "-20", "expected a number from 0 to 1000000000, or an empty cell");
+  expect("T2_N", "-2e9", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("T2_N", "inf", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("T2_N", "2 N", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("motor_tension_N", "-2e9", "expected a number from -1000000000 to 1000000000, or an empty cell");
   expect("speed_mm_s", "-1", "expected a number from 0 to 1000000000, or an empty cell");
   expect("temperature_C", "-300", "expected a number from -273.15 to 10000, or an empty cell");
   expect("sheath_angle_rad", "360", "expected a number from 0 to 100, or an empty cell");
@@ -164,7 +164,7 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
     return testing::input_fault([&] { read_data(text); });
   };
   EXPECT_EQ(parts("run,routing,T1_N\nA,TR5,1\nA,TR5,x\n"),
-            "d.csv:3 | column 'T1_N' | x | a number from 0 to 1000000000, or an empty cell");
+            "d.csv:3 | column 'T1_N' | x | a number from -1000000000 to 1000000000, or an empty cell");
   EXPECT_EQ(parts("run,routing,held,T1_N\nA,TR5,3,1\n"),
             "d.csv:2 | column 'held' | 3 | an empty cell (none held), or finger numbers from 1 to "
             "2, each once, such as 1;2");
