@@ -16,6 +16,14 @@ const char* note_kind_name(NoteKind kind) {
       return "covariate";
     case NoteKind::comment:
       return "comment";
+    case NoteKind::column_names:
+      return "column_names";
+    case NoteKind::passed_over:
+      return "passed_over";
+    case NoteKind::tare:
+      return "tare";
+    case NoteKind::assumed:
+      return "assumed";
     case NoteKind::below_zero:
       return "below_zero";
     case NoteKind::jams:

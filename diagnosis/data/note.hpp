@@ -17,6 +17,10 @@ enum class NoteKind : std::uint8_t {
   units,                   // tensions that no sheath or no hand explains
   covariate,               // a column that the model does not know
   comment,                 // comment lines below the header, which may be rows switched off
+  column_names,            // how names and units of columns were taken, if not as docs write them
+  passed_over,             // rows and columns that have no readings
+  tare,                    // zeros that were taken off
+  assumed,                 // what the file leaves open
   below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
