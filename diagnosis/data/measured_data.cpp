@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "diagnosis/data/checks/below_zero.hpp"
+#include "diagnosis/data/checks/outliers.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/data_columns.hpp"
 #include "diagnosis/data/data_notes.hpp"
@@ -91,6 +92,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   }
   add_notes(std::move(columns.notes), data);
   leave_out_what_scales_nothing(data);
+  add_notes(set_outliers_aside(data), data);
   add_comments(csv, data);
   return data;
 }

@@ -24,6 +24,8 @@ const char* note_kind_name(NoteKind kind) {
       return "tare";
     case NoteKind::assumed:
       return "assumed";
+    case NoteKind::outlier:
+      return "outlier";
     case NoteKind::below_zero:
       return "below_zero";
     case NoteKind::jams:

@@ -21,6 +21,7 @@ enum class NoteKind : std::uint8_t {
   passed_over,             // rows and columns that have no readings
   tare,                    // zeros that were taken off
   assumed,                 // what the file leaves open
+  outlier,                 // cells far from all others of their kind
   below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
