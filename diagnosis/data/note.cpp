@@ -8,6 +8,8 @@ const char* note_kind_name(NoteKind kind) {
       return "duplicate";
     case NoteKind::duplicate_across_runs:
       return "duplicate_across_runs";
+    case NoteKind::equal_by_chance:
+      return "equal_by_chance";
     case NoteKind::motor_side_above_motor:
       return "motor_side_above_motor";
     case NoteKind::units:

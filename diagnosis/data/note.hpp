@@ -11,8 +11,9 @@
 namespace reeve::diagnosis {
 
 enum class NoteKind : std::uint8_t {
-  duplicate,               // rows equal in all but their line
-  duplicate_across_runs,   // … and in the name of the run
+  duplicate,               // copies of a row of the same run
+  duplicate_across_runs,   // … of another run
+  equal_by_chance,         // rows equal in every tension, as coarse sensors make them
   motor_side_above_motor,  // a motor-side segment carries more than the whole carriage
   units,                   // tensions that no sheath or no hand explains
   covariate,               // a column that the model does not know

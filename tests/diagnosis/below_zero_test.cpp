@@ -37,8 +37,8 @@ TEST(TensionsBelowZero, AreNotNotedWhereThereAreNone) {
 
 // Of T and -T no share can be taken, nor of less.
 TEST(TensionsBelowZero, WithoutAMotorTensionNeedAPositiveSum) {
-  const MeasuredData data = read_data(
-      "run,routing,T1_N,T2_N\nA,TR5,1,-1\nA,TR5,1,-2\nA,TR5,2,-1\n");
+  const MeasuredData data =
+      read_data("run,routing,T1_N,T2_N\nA,TR5,1,-1\nA,TR5,1,-2\nA,TR5,2,-1\n");
   ASSERT_EQ(all_of(data).rows.size(), 1U);
   EXPECT_EQ(all_of(data).rows[0].reading, 2U);
 }

@@ -9,83 +9,18 @@
 #include <string>
 #include <tuple>
 
+#include "diagnosis/data/checks/levels.hpp"
 #include "diagnosis/data/checks/medians.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
 constexpr std::size_t least_rows = 5;
-constexpr int polishing_passes = 4;
-
-// `channel` = the number of channels: the motor tension.
-struct KindCell {
-  std::size_t reading = 0;
-  std::size_t channel = 0;
-  double value_N = 0;
-};
-
-using Cells = std::vector<KindCell>;
 
 std::optional<double>& value(MeasuredData& data, const KindCell& cell) {
   Reading& reading = data.readings[cell.reading];
   return cell.channel < data.channels.size() ? reading.tension_N[cell.channel]
                                              : reading.motor_tension_N;
-}
-
-// By routing, grasp and direction, each in the order of its rows.
-std::vector<Cells> kinds(const MeasuredData& data) {
-  std::map<std::tuple<std::size_t, std::uint64_t, Direction>, Cells> by_kind;
-  for (std::size_t i = 0; i < data.readings.size(); ++i) {
-    const Reading& reading = data.readings[i];
-    Cells& cells = by_kind[{reading.routing, reading.grasp.held, reading.direction}];
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      if (reading.tension_N[c]) cells.push_back({i, c, *reading.tension_N[c]});
-    }
-    if (reading.motor_tension_N) {
-      cells.push_back({i, data.channels.size(), *reading.motor_tension_N});
-    }
-  }
-  std::vector<Cells> result;
-  for (auto& [kind, cells] : by_kind) result.push_back(std::move(cells));
-  return result;
-}
-
-// ln T ≈ s(row) + l(channel), of the cells above zero.
-struct Levels {
-  std::map<std::size_t, double> row;
-  std::map<std::size_t, double> channel;
-
-  // NaN where the kind has no level.
-  double expected_N(const KindCell& cell) const {
-    const auto s = row.find(cell.reading);
-    const auto l = channel.find(cell.channel);
-    if (s == row.end() || l == channel.end()) return std::numeric_limits<double>::quiet_NaN();
-    return std::exp(s->second + l->second);
-  }
-};
-
-Levels polished(const Cells& cells, std::size_t motor) {
-  Levels levels;
-  std::map<std::size_t, std::size_t> in_row;
-  for (const KindCell& cell : cells) in_row[cell.reading] += cell.value_N > 0 ? 1 : 0;
-  for (int pass = 0; pass < polishing_passes; ++pass) {
-    std::map<std::size_t, std::vector<double>> by_row, by_channel;
-    for (const KindCell& cell : cells) {
-      if (!(cell.value_N > 0)) continue;
-      const bool is_scale = cell.channel == motor && in_row[cell.reading] < 3;
-      const double left = std::log(cell.value_N) - levels.channel[cell.channel];
-      std::vector<double>& row = by_row[cell.reading];
-      if (is_scale) row.clear();
-      row.push_back(left);
-    }
-    for (auto& [reading, values] : by_row) levels.row[reading] = median(std::move(values));
-    for (const KindCell& cell : cells) {
-      if (!(cell.value_N > 0)) continue;
-      by_channel[cell.channel].push_back(std::log(cell.value_N) - levels.row[cell.reading]);
-    }
-    for (auto& [channel, values] : by_channel) levels.channel[channel] = median(std::move(values));
-  }
-  return levels;
 }
 
 // How far the cells of one channel usually are from their levels.
@@ -95,22 +30,13 @@ struct Spread {
   std::vector<double> readings;
 };
 
-double least_step(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  double step = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] > values[i - 1]) step = std::min(step, values[i] - values[i - 1]);
-  }
-  return std::isfinite(step) ? step : 0;
-}
-
 struct FarCell {
   KindCell cell;
   double expected_N = 0;
 };
 
-void add_far_cells(const Cells& cells, std::size_t motor, std::vector<FarCell>& far) {
-  const Levels levels = polished(cells, motor);
+void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCell>& far) {
+  const Levels levels = polished_levels(cells, motor);
   std::map<std::size_t, Spread> spreads;
   for (const KindCell& cell : cells) {
     const double expected_N = levels.expected_N(cell);
@@ -142,9 +68,10 @@ void add_far_cells(const Cells& cells, std::size_t motor, std::vector<FarCell>& 
 // Whether more than half of a row, or of a run's channel, is far.
 class Patterns {
  public:
-  Patterns(const MeasuredData& data, const std::vector<Cells>& all, const std::vector<FarCell>& far)
+  Patterns(const MeasuredData& data, const std::vector<KindCells>& all,
+           const std::vector<FarCell>& far)
       : data_(data) {
-    for (const Cells& cells : all) {
+    for (const KindCells& cells : all) {
       for (const KindCell& cell : cells) {
         ++rows_[cell.reading].all;
         ++runs_[of_run(cell)].all;
@@ -206,10 +133,10 @@ DataNote note_on(const MeasuredData& data, const std::vector<FarCell>& far, bool
 }  // namespace
 
 std::vector<DataNote> set_outliers_aside(MeasuredData& data) {
-  const std::vector<Cells> all = kinds(data);
+  const std::vector<KindCells> all = cells_by_kind(data);
   std::size_t count = 0;
   std::vector<FarCell> far;
-  for (const Cells& cells : all) {
+  for (const KindCells& cells : all) {
     count += cells.size();
     add_far_cells(cells, data.channels.size(), far);
   }

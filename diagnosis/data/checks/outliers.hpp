@@ -1,11 +1,7 @@
 // Readings far from all others of their kind: a slipped decimal point, a spike of the logger. They
 // are set aside, cell by cell, before anything is concluded from the data.
 //
-// Model: among the rows of one routing, grasp and direction, ln T(row, channel) ≈ s(row) +
-// l(channel), since tensions are nearly proportional to the load. s and l are medians taken in turn
-// (Tukey's median polish), so one wild cell moves neither. The motor tension is one of the
-// channels; where a row has less than three of them, it is the scale itself, and the row's median
-// where there is none.
+// What a cell should read is its level among the others (levels.hpp).
 //
 // A cell is far if it is off by more than a factor of five, by more than 20 median absolute
 // deviations in logarithms, by more than 20 in newton, and by more than ten steps of its sensor.
@@ -13,8 +9,6 @@
 // A cause in the rig is no slip. So nothing is set aside of a row or of a run's channel if more
 // than half of its cells are far (of one cell: none of the rest of its row), and nothing at all if
 // more than 2 % of all cells are. Kinds of fewer than five rows have no "others".
-//
-// Source: Tukey, Exploratory Data Analysis (1977), chapter 11.
 #pragma once
 
 #include <vector>
