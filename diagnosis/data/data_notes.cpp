@@ -7,6 +7,7 @@
 
 #include "diagnosis/data/checks/below_zero.hpp"
 #include "diagnosis/data/checks/copies.hpp"
+#include "diagnosis/data/checks/directions.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -93,6 +94,7 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   std::vector<DataNote> notes = notes_on_equal_rows(data);
   add_motor_side(data, notes);
   add_units(data, notes);
+  for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
   for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
   for (const std::string& covariate : data.covariates) {
     notes.push_back(

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "diagnosis/data/checks/below_zero.hpp"
+#include "diagnosis/data/checks/letters.hpp"
 #include "diagnosis/data/checks/outliers.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/data_columns.hpp"
@@ -78,6 +79,13 @@ void add_comments(const CsvReader& csv, MeasuredData& data) {
   add_notes(data_notes(data, below), data);
 }
 
+bool has_letters(const std::vector<DataColumn>& columns) {
+  return std::any_of(columns.begin(), columns.end(), [](const DataColumn& column) {
+    return column.role == DataRole::tension && !column.place.beside &&
+           column.place.segment.kind == SegmentKind::motor_side;
+  });
+}
+
 MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOptions& options) {
   FaultList faults;
   const Beginning beginning = read_beginning(csv, options, faults);
@@ -91,6 +99,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
                       .expected = "rows below the header, and there are none"});
   }
   add_notes(std::move(columns.notes), data);
+  add_notes(notes_on_letters(data, has_letters(columns.columns)), data);
   leave_out_what_scales_nothing(data);
   add_notes(set_outliers_aside(data), data);
   add_comments(csv, data);

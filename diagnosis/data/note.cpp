@@ -26,6 +26,10 @@ const char* note_kind_name(NoteKind kind) {
       return "tare";
     case NoteKind::assumed:
       return "assumed";
+    case NoteKind::not_as_pulled:
+      return "not_as_pulled";
+    case NoteKind::letters:
+      return "letters";
     case NoteKind::outlier:
       return "outlier";
     case NoteKind::below_zero:

@@ -22,6 +22,8 @@ enum class NoteKind : std::uint8_t {
   passed_over,             // rows and columns that have no readings
   tare,                    // zeros that were taken off
   assumed,                 // what the file leaves open
+  not_as_pulled,           // tensions that no pulling carriage gives
+  letters,                 // of segments that another source may use otherwise
   outlier,                 // cells far from all others of their kind
   below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)

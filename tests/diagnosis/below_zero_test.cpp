@@ -11,6 +11,7 @@ namespace reeve {
 namespace {
 
 using testing::all_of;
+using testing::count_notes;
 using testing::data_error;
 using testing::noted_lines;
 using testing::read_data;
@@ -32,7 +33,8 @@ TEST(TensionsBelowZero, AreReadingsAndAreCounted) {
 }
 
 TEST(TensionsBelowZero, AreNotNotedWhereThereAreNone) {
-  EXPECT_TRUE(read_data(five_columns + "A,TR5,20,4,0\n").notes.empty());
+  EXPECT_EQ(count_notes(read_data(five_columns + "A,TR5,20,4,0\n").notes, NoteKind::below_zero),
+            0U);
 }
 
 // Of T and -T no share can be taken, nor of less.

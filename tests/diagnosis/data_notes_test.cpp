@@ -40,7 +40,8 @@ TEST(UnitsOffByAThousand, AreSuspected) {
   EXPECT_EQ(unit_notes("A,TR5,20000,4000\nA,TR5,25000,3000\n"), 1U);  // motor in mN
   EXPECT_EQ(unit_notes("A,TR5,,0.004\nA,TR5,,0.005\n"), 1U);
   EXPECT_EQ(unit_notes("A,TR5,20,0\nA,TR5,25,0\n"), 0U);
-  const auto notes = read_data("run,routing,motor_tension_N,T1_N\nA,TR5,20,4000\n").notes;
+  const auto notes =
+      read_data("run,routing,direction,motor_tension_N,T1_N\nA,TR5,release,20,4000\n").notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(
       notes[0].text,

@@ -270,6 +270,23 @@ TEST(AColumnBesideAStrand, IsThatSegmentWhateverItsLetter) {
             "another column has: expected an empty cell in one of the two");
 }
 
+TEST(Letters, ThatThePaperUsesOtherwiseAreNoted) {
+  const auto letters = [](const std::string& column, const std::string& routing) {
+    return note_text(read_data("run,routing,T1_N," + column + "\nA," + routing + ",1,2\n").notes,
+                     NoteKind::letters);
+  };
+  EXPECT_EQ(letters("Ta_N", "1-T-2-P-1"),
+            "letters run in walk order: in 1-T-2-P-1 a is beside T4. Where a, b, c, d were meant "
+            "beside T1, T2, T3, T4, name the columns at_T1_N and so on");
+  for (const char* same : {"M-1-T-2-F", "M-1-P-2-F", "M-1-P-2-M"}) {
+    EXPECT_EQ(letters("Ta_N", same), "") << same;
+  }
+  for (const char* other : {"M-1-T-2-M", "F-1-P-2-F", "1-P-2-P-1"}) {
+    EXPECT_NE(letters("Tb_N", other), "") << other;
+  }
+  EXPECT_EQ(letters("at_T4_N", "1-T-2-P-1"), "");
+}
+
 TEST(AllFaults, AreToldAtOnceByTheirLines) {
   EXPECT_EQ(
       data_error("run,routing,direction,T1_N,T1,speed,x\n"
