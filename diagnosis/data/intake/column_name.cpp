@@ -143,6 +143,10 @@ Dimension dimension_of(DataRole role) {
   }
 }
 
+bool is_of_sensor(DataRole role) {
+  return role == DataRole::motor_tension || role == DataRole::tension;
+}
+
 bool is_of_numbers(DataRole role) {
   switch (role) {
     case DataRole::run:

@@ -63,6 +63,8 @@ std::optional<ColumnName> column_named(std::string_view name);
 Dimension dimension_of(DataRole role);
 // Whether whoever reads a row needs numbers there; covariates may turn out to be words.
 bool is_of_numbers(DataRole role);
+// Whether a sensor of force reads it, which has a zero.
+bool is_of_sensor(DataRole role);
 // As the name is written in docs: motor_tension_N, T1_N, at_T1_N, Ta_sd_N.
 std::string plain_name(const ColumnName& name);
 

@@ -42,10 +42,6 @@ std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, s
   return found->second;
 }
 
-bool is_of_sensor(DataRole role) {
-  return role == DataRole::motor_tension || role == DataRole::tension;
-}
-
 }  // namespace
 
 RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
