@@ -25,7 +25,10 @@ std::string sentence(const InputFault& fault) {
     if (!text.empty()) text += fault.form == InputForm::unknown ? "; " : ": ";
     text += "expected " + fault.expected;
   }
-  return placed(fault.where, text);
+  text = placed(fault.where, text);
+  if (!fault.parts.empty()) text += ':';
+  for (const InputFault& part : fault.parts) text += "\n  " + sentence(part);
+  return text;
 }
 
 InputFault changed(InputFault fault, std::string (*change)(std::string)) {
@@ -33,6 +36,7 @@ InputFault changed(InputFault fault, std::string (*change)(std::string)) {
   fault.what = change(fault.what);
   if (fault.value) fault.value = change(*fault.value);
   fault.expected = change(fault.expected);
+  for (InputFault& part : fault.parts) part = changed(std::move(part), change);
   return fault;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "numerics/floors.hpp"
 
@@ -29,9 +30,11 @@ struct InputFault {
   std::optional<std::string> value = {};  // as it can be shown
   std::string expected = {};              // "a number from 0 to 10"
   InputForm form = InputForm::option;
+  // Where one input has several: all of them, or the first.
+  std::vector<InputFault> parts = {};
 };
 
-// "where: what 'value': expected …"
+// "where: what 'value': expected …". Each part has a line of its own below it.
 std::string sentence(const InputFault& fault);
 
 // A copy with `change` made to each part.

@@ -10,7 +10,7 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "cli/reading_flags.hpp"
 #include "reports/files.hpp"
 #include "reports/results/compare_report.hpp"
 #include "studies/comparison_study.hpp"
@@ -22,6 +22,7 @@ struct CompareFlags {
   std::string data;
   std::string out;
   CLI::Option* out_given = nullptr;
+  ReadingFlags readings;
   ModelOption model;
   FormatOption format;
 };
@@ -29,8 +30,7 @@ struct CompareFlags {
 CompareReport report(const CompareFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Model model = flags.model.read().model;
-  MeasuredData data = read_measured_data(
-      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  MeasuredData data = flags.readings.read(flags.data, catalogue);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
   require_contacts_to_match(model.hardware, routings);
@@ -66,6 +66,7 @@ void add_compare(CLI::App& program, int&) {
       ->required();
   flags->out_given = command->add_option(
       "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
+  flags->readings.add_to(*command);
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags] { run(*flags); });

@@ -14,6 +14,7 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
@@ -40,6 +41,7 @@ struct DiagnoseFlags {
   CLI::Option* out_given = nullptr;
   CLI::Option* save_model_given = nullptr;
   CLI::Option* replicates_given = nullptr;
+  ReadingFlags readings;
   HardwareOption hardware;
   FormatOption format;
   std::string command;  // as it was given
@@ -89,8 +91,7 @@ DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   request.settings = settings(flags);
   request.with_generated = flags.explore;
   request.threads = flags.threads;
-  request.data = read_measured_data(
-      flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  request.data = flags.readings.read(flags.data, catalogue);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : request.data.routings) {
     routings.push_back(measured.routing);
@@ -199,6 +200,7 @@ void add_diagnose(CLI::App& program, int&) {
   flags->save_model_given = command->add_option(
       "--save-model", flags->save_model,
       "TOML file for the extended model, which rank, explore and show take as --model");
+  flags->readings.add_to(*command);
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, command] {

@@ -16,11 +16,11 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
 #include "pages/ranking/ranking_page.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"
@@ -42,6 +42,7 @@ struct RankFlags {
   OutOption out;
   std::string data;
   CLI::Option* data_given = nullptr;
+  ReadingFlags readings;
   std::string mu = "0.18,0.09";
   RankingFlags ranking;
   ModelOption model;
@@ -154,8 +155,7 @@ RankInputs read(const RankFlags& flags) {
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
   inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
   if (flags.data_given->count() > 0) {
-    inputs.data = read_measured_data(
-        flags.data, [&](const std::string& text) { return read_routing(text, inputs.catalogue); });
+    inputs.data = flags.readings.read(flags.data, inputs.catalogue);
   }
   return inputs;
 }
@@ -254,6 +254,7 @@ void add_rank(CLI::App& program, int& exit_code) {
                        "For the page: CSV file of readings, drawn beside the model's tensions; "
                        "docs/data.md describes its columns")
           ->needs(out);
+  flags->readings.add_to(*command, flags->data_given);
   command
       ->add_option(
           "--mu", flags->mu,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -51,6 +52,8 @@ std::string read_file(const std::filesystem::path& path, const std::string& name
   return read_stream(in, name);
 }
 
+bool is_blank(const std::string& field) { return trimmed(field).empty(); }
+
 }  // namespace
 
 std::string one_line(std::string text) {
@@ -71,14 +74,8 @@ std::string for_message(std::string_view text) {
 CsvReader::CsvReader(std::string text, std::string name)
     : text_(std::move(text)), name_(std::move(name)) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = line_begin_ = 3;
-  require_no_nul();
-  if (!at_row()) {
-    throw InputError(
-        {.where = name_, .what = "is empty", .expected = "a header and rows below it"});
-  }
-  separator_ = find_separator();
-  read_row(header_);
-  columns_ = header_.fields.size();
+  require_text();
+  read_header();
 }
 
 CsvReader CsvReader::open(const std::filesystem::path& path) {
@@ -86,19 +83,48 @@ CsvReader CsvReader::open(const std::filesystem::path& path) {
   return {read_file(path, name), name};
 }
 
+void CsvReader::read_header() {
+  bool found = false;
+  while (!found && at_row()) {
+    separator_ = find_separator();
+    found = read_row(header_);
+  }
+  if (!found) {
+    throw InputError(
+        {.where = name_, .what = "is empty", .expected = "a header and rows below it"});
+  }
+  columns_ = header_.fields.size();
+  for (std::size_t i = 0; i < columns_; ++i) {
+    if (!is_blank(header_.fields[i])) named_ = i + 1;
+  }
+}
+
 bool CsvReader::next(CsvRow& row) {
-  if (!at_row()) return false;
-  read_row(row);
-  return true;
+  while (at_row()) {
+    if (read_row(row)) return true;
+  }
+  return false;
+}
+
+InputFault CsvReader::fault(Place place, std::string what, std::string expected) const {
+  return {.where = fmt::format("{}:{}:{}", name_, place.line, place.column),
+          .what = std::move(what),
+          .expected = std::move(expected)};
 }
 
 void CsvReader::fail(Place place, std::string what, std::string expected) const {
-  throw InputError({.where = fmt::format("{}:{}:{}", name_, place.line, place.column),
-                    .what = std::move(what),
-                    .expected = std::move(expected)});
+  throw InputError(fault(place, std::move(what), std::move(expected)));
 }
 
-void CsvReader::require_no_nul() {
+// Not what a spreadsheet keeps for itself, nor UTF-16.
+void CsvReader::require_text() {
+  const bool is_zip = text_.starts_with("PK\x03\x04");
+  if (is_zip || text_.starts_with("\xD0\xCF\x11\xE0")) {
+    throw InputError({.where = name_,
+                      .what = fmt::format("is a workbook of a spreadsheet ({}), not text",
+                                          is_zip ? ".xlsx, .ods or another zip archive" : ".xls"),
+                      .expected = "its sheet saved as CSV"});
+  }
   const std::size_t nul = text_.find('\0');
   if (nul == std::string::npos) return;
   const std::string_view before = std::string_view(text_).substr(line_begin_, nul - line_begin_);
@@ -127,9 +153,7 @@ char CsvReader::find_separator() const {
                      semicolons),
          "one of them, as separator");
   }
-  if (commas == 0 && semicolons == 0 && tabs > 0) {
-    fail(here(), "the header has tabs", "commas or semicolons as separator");
-  }
+  if (commas == 0 && semicolons == 0 && tabs > 0) return '\t';
   return semicolons > 0 ? ';' : ',';
 }
 
@@ -152,19 +176,38 @@ bool CsvReader::at_row() {
   return false;
 }
 
-void CsvReader::read_row(CsvRow& row) {
+// False if no field has anything in it. However long a row is, no more fields than the header has
+// are kept.
+bool CsvReader::read_row(CsvRow& row) {
   row.line = line_;
+  row.ragged.reset();
   std::size_t count = 0;
+  bool blank = true;
+  std::string beyond;
   do {
-    if (count == row.fields.size()) row.fields.emplace_back();
-    read_field(row.fields[count++]);
-  } while (take_separator(count));
-  row.fields.resize(count);
-  if (columns_ != 0 && count != columns_) {
-    fail(here(), fmt::format("the row ends after {} {}", count, count == 1 ? "field" : "fields"),
-         as_many_as_the_header());
+    const Place begin = here();
+    const bool kept = columns_ == 0 || count < columns_;
+    if (kept && count == row.fields.size()) row.fields.emplace_back();
+    std::string& field = kept ? row.fields[count] : beyond;
+    read_field(field);
+    blank = blank && is_blank(field);
+    if (!kept && !row.ragged && !is_blank(field)) {
+      row.ragged = fault(begin, "a further field", as_many_as_the_header());
+    }
+    ++count;
+    if (columns_ == 0 && count > max_csv_columns) {
+      fail(begin, "a further field", fmt::format("at most {}", max_csv_columns));
+    }
+  } while (take_separator());
+  if (columns_ != 0 && count < named_) {
+    row.ragged = fault(
+        here(), fmt::format("the row ends after {} {}", count, count == 1 ? "field" : "fields"),
+        as_many_as_the_header());
   }
+  row.fields.resize(columns_ == 0 ? count : columns_);
+  for (std::size_t i = count; i < row.fields.size(); ++i) row.fields[i].clear();
   if (at_ < text_.size()) end_line();
+  return !blank;
 }
 
 // Leaves the reader at a separator or a line end.
@@ -213,15 +256,10 @@ void CsvReader::end_line() {
   line_begin_ = at_;
 }
 
-// Stops early in a row that is too long, however long it is.
-bool CsvReader::take_separator(std::size_t fields) {
+bool CsvReader::take_separator() {
   if (at_ == text_.size() || at_line_end()) return false;
   if (text_[at_] == '\r') fail(here(), "a carriage return alone", "LF or CRLF at line ends");
   ++at_;
-  if (fields == max_csv_columns) {
-    fail(here(), "a further field", fmt::format("at most {}", max_csv_columns));
-  }
-  if (fields == columns_) fail(here(), "a further field", as_many_as_the_header());
   return true;
 }
 

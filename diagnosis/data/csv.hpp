@@ -1,31 +1,37 @@
 // Reads a CSV file (RFC 4180) row by row, and keeps line numbers, so that whoever reads the fields
 // can name the place of what is wrong.
 //
-//   - The first row is the header; every other row has as many fields as it.
+//   - The first row is the header; every other row has as many fields as it. Separators behind the
+//     last field are passed over: fields beyond the header must be blank, and a row may end before
+//     columns that have no name.
 //   - Fields may be quoted ("a ""quoted"" field"), over several lines too. A quote elsewhere in a
 //     field is an error.
 //   - Lines end with LF or CRLF. A UTF-8 byte order mark at the beginning is passed over.
 //   - A line that begins with # is a comment (a first field that begins with # must be quoted);
-//     empty lines are passed over.
-//   - The separator is what the header has outside quotes: commas or semicolons. A header with both
-//     is refused, one with tabs alone too.
+//     lines that are empty or have nothing but separators are passed over.
+//   - The separator is what the header has outside quotes: commas, semicolons, or else tabs. A
+//     header with commas and semicolons is refused.
+//   - A spreadsheet's own file is refused by name.
 //
 // Time is linear in the size. Errors are "file:line:column: …", columns counted in bytes from 1.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "numerics/floors.hpp"
+#include "core/error.hpp"
 
 namespace reeve::diagnosis {
 
 struct CsvRow {
-  std::size_t line = 0;  // where it begins, from 1
-  std::vector<std::string> fields;
+  std::size_t line = 0;             // where it begins, from 1
+  std::vector<std::string> fields;  // as many as the header has
+  // Set if the row has another number of them, and means nothing.
+  std::optional<InputFault> ragged;
 };
 
 struct CsvComment {
@@ -49,7 +55,8 @@ class CsvReader {
   // Those passed so far.
   const std::vector<CsvComment>& comments() const { return comments_; }
 
-  // The next row below the header; false at the end. Keeps the memory of `row`.
+  // The next row below the header; false at the end. Keeps the memory of `row`. Throws InputError
+  // where the rest of the file cannot be parted into fields.
   bool next(CsvRow& row);
 
  private:
@@ -59,18 +66,20 @@ class CsvReader {
   };
 
   Place here() const { return {line_, at_ - line_begin_ + 1}; }
+  InputFault fault(Place place, std::string what, std::string expected) const;
   [[noreturn]] void fail(Place place, std::string what, std::string expected) const;
 
   std::string as_many_as_the_header() const;
-  void require_no_nul();
+  void require_text();
   char find_separator() const;
   bool at_row();
-  void read_row(CsvRow& row);
+  void read_header();
+  bool read_row(CsvRow& row);
   void read_field(std::string& field);
   void read_quoted(std::string& field);
   bool at_line_end() const;
   void end_line();
-  bool take_separator(std::size_t fields);
+  bool take_separator();
 
   std::string text_;
   std::string name_;
@@ -80,6 +89,7 @@ class CsvReader {
   char separator_ = ',';
   CsvRow header_;
   std::size_t columns_ = 0;  // 0 while the header is read
+  std::size_t named_ = 0;    // up to the last column that has a name
   std::vector<CsvComment> comments_;
 };
 

@@ -3,17 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
 
 #include "core/error.hpp"
+#include "diagnosis/data/intake/words.hpp"
 
 namespace reeve::diagnosis {
 
+bool is_missing(std::string_view text) {
+  constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "#n/a", "null"};
+  const std::string small = lower(text);
+  return std::any_of(words.begin(), words.end(), [&](const char* word) { return small == word; });
+}
+
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high) {
   std::string number(text);
-  if (with_commas_) {
+  // Words may have both marks, and say nothing of either.
+  if (with_commas_ && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) {
     require_one_mark(text, line);
     std::replace(number.begin(), number.end(), ',', '.');
   }

@@ -1,5 +1,5 @@
-// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is a
-// semicolon. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
+// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no
+// comma. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,12 @@
 
 namespace reeve::diagnosis {
 
+// NaN, NA, n/a, - and what else stands for a number that is not there, or nothing at all.
+bool is_missing(std::string_view text);
+
 class CsvNumberReader {
  public:
-  explicit CsvNumberReader(char separator) : with_commas_(separator == ';') {}
+  explicit CsvNumberReader(char separator) : with_commas_(separator != ',') {}
 
   // A finite number from low to high. Throws InputError that says what was expected; the place is
   // the caller's to name.

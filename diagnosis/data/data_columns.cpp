@@ -3,132 +3,227 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <limits>
-#include <map>
-#include <string_view>
+#include <utility>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "diagnosis/data/intake/column_units.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct KnownColumn {
-  const char* name;
-  DataRole role;
-  double low;
-  double high;
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
 };
 
 // The greatest numbers are far above any rig: they catch a slipped decimal mark, and keep sums of
 // squares finite. An angle of 100 rad is sixteen turns of a sheath; more is likely in degrees.
-constexpr std::array known_columns{
-    KnownColumn{"run", DataRole::run, 0, 0},
-    KnownColumn{"routing", DataRole::routing, 0, 0},
-    KnownColumn{"held", DataRole::held, 0, 0},
-    KnownColumn{"direction", DataRole::direction, 0, 0},
-    KnownColumn{"motor_tension_N", DataRole::motor_tension, 0, 1e9},
-    KnownColumn{"speed_mm_s", DataRole::speed, 0, 1e9},
-    KnownColumn{"cycle", DataRole::cycle, 0, 1e15},
-    KnownColumn{"temperature_C", DataRole::temperature, -273.15, 1e4},
-    KnownColumn{"sheath_angle_rad", DataRole::sheath_angle, 0, 100},
-};
-constexpr double max_tension_N = 1e9;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-bool all_of(std::string_view text, int (*is)(int)) {
-  return std::all_of(text.begin(), text.end(),
-                     [&](char c) { return is(static_cast<unsigned char>(c)) != 0; });
-}
-
-// Has the form of a tension's name, but for case and zeros: T1_N, Ta_N, Th1_N. A motor-side segment
-// has two letters at most: 702 of them are more than 64 fingers can have.
-bool looks_like_a_tension(const std::string& name) {
-  if (name.size() < 4 || (name[0] != 'T' && name[0] != 't') || !lower(name).ends_with("_n")) {
-    return false;
+Range range_of(DataRole role) {
+  switch (role) {
+    case DataRole::motor_tension:
+    case DataRole::tension:
+      return {-1e9, 1e9};
+    case DataRole::deviation:
+    case DataRole::speed:
+      return {0, 1e9};
+    case DataRole::cycle:
+      return {0, 1e15};
+    case DataRole::readings:
+      return {1, 1e15};
+    case DataRole::temperature:
+      return {-273.15, 1e4};
+    case DataRole::sheath_angle:
+      return {0, 100};
+    default:
+      return {};
   }
-  std::string_view middle = std::string_view(name).substr(1, name.size() - 3);
-  if (all_of(middle, std::isalpha)) return middle.size() <= 2;
-  if (middle[0] == 'h' || middle[0] == 'H') middle.remove_prefix(1);
-  return all_of(middle, std::isdigit);
 }
 
-std::optional<Segment> segment_of(const std::string& name) {
-  if (!name.starts_with('T') || !name.ends_with("_N")) return std::nullopt;
-  const bool strand = std::isdigit(static_cast<unsigned char>(name[1])) != 0;
-  const std::size_t begin = strand ? 0 : 1;
-  return segment_named(std::string_view(name).substr(begin, name.size() - 2 - begin));
-}
+class ColumnReader {
+ public:
+  ColumnReader(const CsvReader& csv, const std::optional<CsvRow>& units,
+               const ReadingOptions& options, FaultList& faults)
+      : csv_(csv), units_(units), options_(options), faults_(faults) {}
 
-// Throws InputError without the place.
-DataColumn read_column(const std::string& name) {
-  if (name.empty()) throw InputError({.what = "has no name", .expected = "one"});
-  for (const KnownColumn& known : known_columns) {
-    if (name == known.name) return {known.role, name, known.low, known.high, {}};
-    if (lower(name) == lower(known.name)) {
-      throw InputError({.expected = fmt::format("'{}', written so", known.name)});
+  DataColumns read() {
+    for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
+    require_options();
+    require_columns();
+    require_tensions_of_deviations();
+    note_names();
+    note_units_row();
+    return std::move(result_);
+  }
+
+ private:
+  void fail(std::size_t line, InputFault fault) {
+    if (!fault.where) fault.where = fmt::format("{}:{}", csv_.name(), line);
+    faults_.add(line, "in the header", std::move(fault));
+  }
+
+  void fail_column(std::size_t column, std::string expected) {
+    fail(csv_.header().line,
+         {.what = fmt::format("column {}", column + 1),
+          .value = for_message(std::string(trimmed(csv_.header().fields[column]))),
+          .expected = std::move(expected)});
+  }
+
+  void add_column(std::size_t index) {
+    const std::string name(trimmed(csv_.header().fields[index]));
+    DataColumn column{DataRole::no_name, name, 0, 0, {}, {}};
+    if (!name.empty()) {
+      try {
+        column = read(name, index);
+      } catch (const InputError& error) {
+        fail_column(index, error.fault().expected);
+        has_bad_name_ = true;
+      }
+    }
+    if (const auto first = same_as(column)) {
+      fail_same(index, *first);
+      column.role = DataRole::no_name;
+    }
+    result_.columns.push_back(std::move(column));
+  }
+
+  DataColumn read(const std::string& name, std::size_t index) {
+    if (options_.group && *options_.group == name) return {DataRole::group, name, 0, 0, {}, {}};
+    const Range any = range_of(DataRole::covariate);
+    const DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
+    const auto named = column_named(meaning_of(name, options_));
+    if (!named) return covariate;
+    const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
+    if (named->needs_unit && !unit) return covariate;
+    const Range range = range_of(named->role);
+    DataColumn column{named->role, name, range.low, range.high, named->place, {}};
+    column.unit = unit.value_or(own_unit(dimension_of(named->role)));
+    note_name(*named, name, unit);
+    return column;
+  }
+
+  std::optional<std::size_t> same_as(const DataColumn& column) const {
+    if (column.role == DataRole::no_name) return std::nullopt;
+    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
+      const DataColumn& other = result_.columns[i];
+      const bool by_name = column.role == DataRole::covariate ? other.name == column.name
+                                                              : other.place == column.place;
+      if (other.role == column.role && by_name) return i;
+    }
+    return std::nullopt;
+  }
+
+  void fail_same(std::size_t index, std::size_t first) {
+    const std::string& name = result_.columns[first].name;
+    if (name != trimmed(csv_.header().fields[index])) {
+      return fail_column(index, fmt::format("one column of its meaning, and column {} '{}' has it",
+                                            first + 1, for_message(name)));
+    }
+    fail(csv_.header().line, {.where = {},
+                              .what = fmt::format("column {} '{}': column {} has that name already",
+                                                  index + 1, for_message(name), first + 1)});
+  }
+
+  // Nobody may think that something was done with what the file does not have.
+  void require_options() {
+    const auto is_there = [&](const auto& is) {
+      return std::any_of(result_.columns.begin(), result_.columns.end(), is);
+    };
+    const auto require_name = [&](const std::string& name, const std::string& what) {
+      if (is_there([&](const DataColumn& column) { return column.name == name; })) return;
+      fail(csv_.header().line,
+           {.what = "the header has no column", .value = for_message(name), .expected = what});
+    };
+    for (const ColumnMeaning& mapped : options_.map) {
+      require_name(mapped.column, fmt::format("the column that means {}", mapped.meaning));
+    }
+    if (options_.group) require_name(*options_.group, "the column of groups");
+    for (const ColumnUnit& given : options_.units) {
+      if (!given.column || is_there([&](const DataColumn& column) {
+            return means(*given.column, column.name, column.role, column.place);
+          })) {
+        continue;
+      }
+      require_name(*given.column, fmt::format("the column that is in {}", given.unit));
     }
   }
-  if (!looks_like_a_tension(name)) {
-    return {DataRole::covariate, name, -infinity, infinity, {}};
-  }
-  const std::optional<Segment> segment = segment_of(name);
-  if (!segment) {
-    throw InputError({.expected =
-                          "a tension written as T1_N (strand), Ta_N (motor-side segment) or Th1_N "
-                          "(stretch at the hand)"});
-  }
-  return {DataRole::tension, name, 0, max_tension_N, *segment};
-}
 
-std::string place_of_header(const CsvReader& csv) {
-  return fmt::format("{}:{}", csv.name(), csv.header().line);
-}
+  void require(DataRole role, const std::string& column, const std::string& expected) {
+    if (find_column(result_.columns, role)) return;
+    fail(csv_.header().line, {.what = "the header has no column " + column, .expected = expected});
+  }
 
-void require(const CsvReader& csv, const std::vector<DataColumn>& columns, DataRole role,
-             const std::string& column, const std::string& expected) {
-  if (find_column(columns, role)) return;
-  throw InputError({.where = place_of_header(csv),
-                    .what = "the header has no column " + column,
-                    .expected = expected});
-}
+  void require_columns() {
+    require(DataRole::run, "'run'", "a name or number for each run");
+    require(DataRole::routing, "'routing'", "a routing in each row");
+    // It may be the one that cannot be read.
+    if (has_bad_name_) return;
+    require(DataRole::tension, "of tensions",
+            "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
+            "the hand)");
+  }
+
+  void require_tensions_of_deviations() {
+    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
+      DataColumn& column = result_.columns[i];
+      if (column.role != DataRole::deviation) continue;
+      const bool has_tension =
+          std::any_of(result_.columns.begin(), result_.columns.end(), [&](const DataColumn& other) {
+            return other.role == DataRole::tension && other.place == column.place;
+          });
+      if (has_tension) continue;
+      fail_column(i, fmt::format("the column {} beside it",
+                                 plain_name({DataRole::tension, column.place, {}, false})));
+    }
+  }
+
+  void note_name(const ColumnName& named, const std::string& name,
+                 const std::optional<Unit>& unit) {
+    const Dimension dimension = dimension_of(named.role);
+    const bool assumed = dimension != Dimension::none && !unit;
+    const bool against_name = unit && named.unit && !(*unit == *named.unit);
+    if (name == plain_name(named) && !assumed && !against_name) return;
+    std::string text = fmt::format("'{}' as {}", for_message(name), plain_name(named));
+    if (assumed) {
+      text += fmt::format(" (no unit is said: {} is assumed)", own_unit(dimension).name);
+    }
+    if (unit && !unit->is_own()) text += fmt::format(" (from {})", unit->name);
+    if (against_name) text += fmt::format(", though its name says {}", named.unit->name);
+    names_.push_back(std::move(text));
+  }
+
+  void note_names() {
+    constexpr std::size_t most = 30;
+    if (names_.empty()) return;
+    std::string list;
+    for (std::size_t i = 0; i < names_.size() && i < most; ++i) {
+      list += (i == 0 ? "" : ", ") + names_[i];
+    }
+    if (names_.size() > most) list += fmt::format(", and {} more", names_.size() - most);
+    result_.notes.push_back({NoteKind::column_names, "columns are read so: " + list, {}});
+  }
+
+  void note_units_row() {
+    if (!units_) return;
+    result_.notes.push_back({NoteKind::passed_over,
+                             "the row below the header has the columns' units, and no reading",
+                             {units_->line}});
+  }
+
+  const CsvReader& csv_;
+  const std::optional<CsvRow>& units_;
+  const ReadingOptions& options_;
+  FaultList& faults_;
+  DataColumns result_;
+  std::vector<std::string> names_;
+  bool has_bad_name_ = false;
+};
 
 }  // namespace
 
-std::vector<DataColumn> read_columns(const CsvReader& csv) {
-  const CsvRow& header = csv.header();
-  std::vector<DataColumn> columns;
-  std::map<std::string, std::size_t> seen;
-  for (const std::string& field : header.fields) {
-    const std::string name(trimmed(field));
-    const std::size_t number = columns.size() + 1;
-    const auto [first, is_new] = seen.emplace(name, number);
-    try {
-      if (!is_new && !name.empty()) {
-        throw InputError(fmt::format("column {} has that name already", first->second));
-      }
-      columns.push_back(read_column(name));
-    } catch (const InputError& error) {
-      throw error.at(InputFault{.where = place_of_header(csv),
-                                .what = fmt::format("column {}", number),
-                                .value = for_message(name)});
-    }
-  }
-  require(csv, columns, DataRole::run, "'run'", "a name or number for each run");
-  require(csv, columns, DataRole::routing, "'routing'", "a routing in each row");
-  require(csv, columns, DataRole::tension, "of tensions",
-          "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at the "
-          "hand)");
-  return columns;
+DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
+                         const ReadingOptions& options, FaultList& faults) {
+  return ColumnReader(csv, units, options, faults).read();
 }
 
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role) {

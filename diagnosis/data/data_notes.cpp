@@ -3,64 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <set>
-#include <tuple>
 #include <utility>
+
+#include "diagnosis/data/checks/below_zero.hpp"
+#include "diagnosis/data/checks/copies.hpp"
+#include "diagnosis/data/checks/directions.hpp"
 
 namespace reeve::diagnosis {
 namespace {
-
-// All that two rows can share but the line and the run.
-auto values(const Reading& reading) {
-  return std::tie(reading.routing, reading.grasp.held, reading.direction, reading.motor_tension_N,
-                  reading.speed_mm_s, reading.cycle, reading.temperature_C,
-                  reading.sheath_angle_rad, reading.tension_N, reading.covariates);
-}
-
-// Readings in an order in which equal ones stand together, the earliest first.
-std::vector<std::size_t> equal_together(const MeasuredData& data) {
-  const std::vector<Reading>& readings = data.readings;
-  std::vector<std::size_t> order(readings.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto key = [&](std::size_t i) {
-      return std::tuple_cat(values(readings[i]), std::tie(readings[i].line));
-    };
-    return key(a) < key(b);
-  });
-  return order;
-}
-
-// Each repeated row is in one note: of its own run if that has had the row before.
-void add_duplicates(const MeasuredData& data, std::vector<DataNote>& notes) {
-  const std::vector<Reading>& readings = data.readings;
-  const std::vector<std::size_t> order = equal_together(data);
-  DataNote same{NoteKind::duplicate, "", {}};
-  DataNote across{NoteKind::duplicate_across_runs, "", {}};
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    const Reading& first = readings[order[begin]];
-    std::set<std::size_t> runs{first.run};
-    for (end = begin + 1; end < order.size() && values(readings[order[end]]) == values(first);
-         ++end) {
-      const Reading& repeated = readings[order[end]];
-      (runs.insert(repeated.run).second ? across : same).lines.push_back(repeated.line);
-    }
-  }
-  const auto add = [&](DataNote note, const char* text) {
-    if (note.lines.empty()) return;
-    std::sort(note.lines.begin(), note.lines.end());
-    note.text = fmt::format("{} {} {}", note.lines.size(),
-                            note.lines.size() == 1 ? "row repeats" : "rows repeat", text);
-    notes.push_back(std::move(note));
-  };
-  add(std::move(same),
-      "an earlier row of the same run in every value. They are counted; if a reading was copied, "
-      "delete its copies");
-  add(std::move(across),
-      "an earlier row of another run in every value. They are counted; if readings were copied, "
-      "delete the copies: runs that share readings cannot test each other");
-}
 
 void add_motor_side(const MeasuredData& data, std::vector<DataNote>& notes) {
   DataNote note{NoteKind::motor_side_above_motor, "", {}};
@@ -132,23 +82,20 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
 }  // namespace
 
 std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
-  const std::vector<std::size_t> order = equal_together(data);
-  std::vector<std::size_t> repeated;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (values(data.readings[order[i]]) == values(data.readings[order[i - 1]])) {
-      repeated.push_back(order[i]);
-    }
-  }
+  const EqualRows equal = equal_rows(data);
+  std::vector<std::size_t> repeated = equal.copies;
+  repeated.insert(repeated.end(), equal.copies_across.begin(), equal.copies_across.end());
   std::sort(repeated.begin(), repeated.end());
   return repeated;
 }
 
 std::vector<DataNote> data_notes(const MeasuredData& data,
                                  const std::vector<CsvComment>& comments_below_the_header) {
-  std::vector<DataNote> notes;
-  add_duplicates(data, notes);
+  std::vector<DataNote> notes = notes_on_equal_rows(data);
   add_motor_side(data, notes);
   add_units(data, notes);
+  for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
+  for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
   for (const std::string& covariate : data.covariates) {
     notes.push_back(
         {NoteKind::covariate,

@@ -21,7 +21,7 @@ inline constexpr double greatest_plausible_ratio = 20;
 inline constexpr double least_plausible_tension_N = 1e-2;
 inline constexpr double greatest_plausible_tension_N = 1e4;
 
-// Readings that repeat an earlier one in all but their line and run, ascending.
+// Readings that are copies of an earlier one (checks/copies.hpp), ascending.
 std::vector<std::size_t> repeated_readings(const MeasuredData& data);
 
 std::vector<DataNote> data_notes(const MeasuredData& data,

@@ -22,9 +22,9 @@ Conditions conditions(const MeasuredData& data, std::size_t index) {
 
 bool says_something(const std::vector<Cell>& cells, const Reading& reading) {
   if (reading.motor_tension_N) return *reading.motor_tension_N > 0;
-  const auto taut = std::count_if(cells.begin(), cells.end(),
-                                  [](const Cell& cell) { return cell.measured_N > 0; });
-  return cells.size() >= 2 && taut > 0;
+  double sum_N = 0;
+  for (const Cell& cell : cells) sum_N += cell.measured_N;
+  return cells.size() >= 2 && sum_N > 0;
 }
 
 template <typename Member>

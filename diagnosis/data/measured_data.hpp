@@ -1,8 +1,9 @@
 // Measured tensions, as they stand in a CSV file: one row for each steady reading. docs/data.md
 // describes the format for people, data_columns.hpp its columns.
 //
-// Nothing is corrected and nothing is dropped: what cannot be read is an InputError that names line
-// and column, what looks wrong but can be read is a note (data_notes.hpp).
+// What cannot be read is an InputError that names every line and column. What is taken otherwise
+// than it stands in the file (units, zeros), what is left out, and what looks wrong but can be read
+// is a note.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include "core/grasp.hpp"
 #include "core/network.hpp"
 #include "core/routing.hpp"
+#include "diagnosis/data/intake/reading_options.hpp"
 #include "diagnosis/data/note.hpp"
 
 namespace reeve::diagnosis {
@@ -35,16 +37,21 @@ struct MeasuredRouting {
 
 struct Reading {
   std::size_t line = 0;
-  std::size_t run = 0;      // in MeasuredData::runs
-  std::size_t routing = 0;  // in MeasuredData::routings
+  std::size_t run = 0;               // in MeasuredData::runs
+  std::size_t routing = 0;           // in MeasuredData::routings
+  std::optional<std::size_t> group;  // in MeasuredData::groups
   Grasp grasp;
   Direction direction = Direction::pull;
+  bool direction_assumed = false;  // the file does not say it
   std::optional<double> motor_tension_N;
   std::optional<double> speed_mm_s;
   std::optional<double> cycle;
   std::optional<double> temperature_C;
   std::optional<double> sheath_angle_rad;
-  std::vector<std::optional<double>> tension_N;   // parallel to the channels
+  std::vector<std::optional<double>> tension_N;  // parallel to the channels
+  // Parallel to the channels: the standard error of the mean of the samples that the tension is the
+  // mean of, sd/√readings.
+  std::vector<std::optional<double>> error_N;
   std::vector<std::optional<double>> covariates;  // parallel to their names
 };
 
@@ -52,6 +59,7 @@ struct MeasuredData {
   std::string file;
   bool simulated = false;  // a comment line says so
   std::vector<std::string> runs;
+  std::vector<std::string> groups;  // empty if no column was named as one of groups
   std::vector<MeasuredRouting> routings;
   std::vector<Channel> channels;
   std::vector<std::string> covariates;
@@ -67,9 +75,11 @@ std::vector<bool> reads_below_zero(const MeasuredData& data);
 // InputError.
 using RoutingResolver = std::function<Routing(const std::string&)>;
 
-MeasuredData read_measured_data(const std::filesystem::path& path, const RoutingResolver& resolve);
+MeasuredData read_measured_data(const std::filesystem::path& path, const RoutingResolver& resolve,
+                                const ReadingOptions& options = {});
 // `name` stands for the file in messages.
 MeasuredData parse_measured_data(std::string text, const std::string& name,
-                                 const RoutingResolver& resolve);
+                                 const RoutingResolver& resolve,
+                                 const ReadingOptions& options = {});
 
 }  // namespace reeve::diagnosis

@@ -8,6 +8,8 @@ const char* note_kind_name(NoteKind kind) {
       return "duplicate";
     case NoteKind::duplicate_across_runs:
       return "duplicate_across_runs";
+    case NoteKind::equal_by_chance:
+      return "equal_by_chance";
     case NoteKind::motor_side_above_motor:
       return "motor_side_above_motor";
     case NoteKind::units:
@@ -16,6 +18,22 @@ const char* note_kind_name(NoteKind kind) {
       return "covariate";
     case NoteKind::comment:
       return "comment";
+    case NoteKind::column_names:
+      return "column_names";
+    case NoteKind::passed_over:
+      return "passed_over";
+    case NoteKind::tare:
+      return "tare";
+    case NoteKind::assumed:
+      return "assumed";
+    case NoteKind::not_as_pulled:
+      return "not_as_pulled";
+    case NoteKind::letters:
+      return "letters";
+    case NoteKind::outlier:
+      return "outlier";
+    case NoteKind::below_zero:
+      return "below_zero";
     case NoteKind::jams:
       return "jams";
     case NoteKind::not_compared:

@@ -11,12 +11,21 @@
 namespace reeve::diagnosis {
 
 enum class NoteKind : std::uint8_t {
-  duplicate,               // rows equal in all but their line
-  duplicate_across_runs,   // … and in the name of the run
+  duplicate,               // copies of a row of the same run
+  duplicate_across_runs,   // … of another run
+  equal_by_chance,         // rows equal in every tension, as coarse sensors make them
   motor_side_above_motor,  // a motor-side segment carries more than the whole carriage
   units,                   // tensions that no sheath or no hand explains
   covariate,               // a column that the model does not know
   comment,                 // comment lines below the header, which may be rows switched off
+  column_names,            // how names and units of columns were taken, if not as docs write them
+  passed_over,             // rows and columns that have no readings
+  tare,                    // zeros that were taken off
+  assumed,                 // what the file leaves open
+  not_as_pulled,           // tensions that no pulling carriage gives
+  letters,                 // of segments that another source may use otherwise
+  outlier,                 // cells far from all others of their kind
+  below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
 };

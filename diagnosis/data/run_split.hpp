@@ -17,7 +17,7 @@ struct Split {
   std::vector<std::size_t> training;  // readings, ascending
   std::vector<std::size_t> held_out;
   std::vector<std::size_t> held_out_runs;
-  std::vector<std::size_t> dropped;  // readings that repeat an earlier one in every value
+  std::vector<std::size_t> dropped;  // readings that are copies of an earlier one
 };
 
 // `share` of the runs, at least one and not all, unless it is 0 or there is one run only.

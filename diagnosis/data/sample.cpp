@@ -18,7 +18,7 @@ void note_what_is_left_out(const MeasuredData& data, const Split& split, Sample&
   if (!split.dropped.empty()) {
     std::vector<std::size_t> lines;
     for (const std::size_t i : split.dropped) lines.push_back(data.readings[i].line);
-    add_note(sample, "rows that repeat an earlier one in every value are left out of the diagnosis",
+    add_note(sample, "rows that are copies of an earlier one are left out of the diagnosis",
              std::move(lines));
   }
   const std::size_t silent =

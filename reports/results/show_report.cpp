@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/motor_sides.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
@@ -130,6 +131,25 @@ Table objective_list(const ObjectiveValues& values) {
   return table;
 }
 
+// "a at T1, b at T4": which letter is where, since letters run in walk order.
+std::string letter_key(const Network& network) {
+  std::string key;
+  for (const MotorSide& side : motor_sides(network)) {
+    key += (key.empty() ? "" : ", ") + segment_name(network.segments[side.motor_side]) + " at " +
+           segment_name(network.segments[side.hand]);
+  }
+  return key;
+}
+
+Json letter_key_json(const Network& network) {
+  Json json = Json::object();
+  for (const MotorSide& side : motor_sides(network)) {
+    json[segment_name(network.segments[side.motor_side])] =
+        segment_name(network.segments[side.hand]);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
@@ -152,6 +172,9 @@ Sheet show_sheet(const ShownRouting& report) {
   if (report.own_hardware) {
     lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
   }
+  if (const std::string key = letter_key(report.network); !key.empty()) {
+    lines.push_back({"Motor-side segments, in walk order: " + key});
+  }
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
@@ -169,7 +192,8 @@ Json to_json(const ShownRouting& report) {
   Json json{{"routing", report.word},
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
-            {"direction", direction_name(report.direction)}};
+            {"direction", direction_name(report.direction)},
+            {"motor_sides", letter_key_json(report.network)}};
   if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
   json["grasps"] = Json::array();
   for (const ShownGrasp& shown : report.grasps) {

@@ -22,35 +22,6 @@ Lines lines(const std::string& rows, NoteKind kind) {
   return noted_lines(read_data(header + rows).notes, kind);
 }
 
-TEST(DuplicateRows, AreNotedByLineAndKept) {
-  const MeasuredData data = read_data(header +
-                                      "A,TR5,,20,4,10,1\n"
-                                      "A,TR5,,20,5,10,1\n"
-                                      "A,M-1-P-2-M,,20.0,4,1e1,1\n"
-                                      "A,TR5,,20,4,10,1\n");
-  EXPECT_EQ(noted_lines(data.notes, NoteKind::duplicate), (Lines{4, 5}));
-  EXPECT_EQ(count_notes(data.notes, NoteKind::duplicate_across_runs), 0U);
-  EXPECT_EQ(data.readings.size(), 4U);
-}
-
-TEST(DuplicateRows, AreNotedAsLeakageUnderAnotherRun) {
-  const std::string rows =
-      "A,TR5,,20,4,10,1\n"
-      "B,TR5,,20,4,10,1\n"
-      "B,TR5,,20,4,10,1\n"
-      "C,TR5,,20,4,10,1\n";
-  EXPECT_EQ(lines(rows, NoteKind::duplicate_across_runs), (Lines{3, 5}));
-  EXPECT_EQ(lines(rows, NoteKind::duplicate), Lines{4});
-}
-
-TEST(RowsThatDifferInOneValue, AreNoDuplicates) {
-  const std::string first = "A,TR5,,20,4,10,1\n";
-  for (const char* other : {"A,TR3,,20,4,10,1\n", "A,TR5,1,20,4,10,1\n", "A,TR5,,21,4,10,1\n",
-                            "A,TR5,,20,4.1,10,1\n", "A,TR5,,20,4,,1\n", "A,TR5,,20,4,10,2\n"}) {
-    EXPECT_EQ(lines(first + other, NoteKind::duplicate), Lines{}) << other;
-  }
-}
-
 TEST(AMotorSideSegment, WithMoreThanTheMotorGivesIsNoted) {
   EXPECT_EQ(lines("A,TR5,,20,4,20.9,1\nA,TR5,,20,4,21.1,1\n", NoteKind::motor_side_above_motor),
             Lines{3});
@@ -69,7 +40,8 @@ TEST(UnitsOffByAThousand, AreSuspected) {
   EXPECT_EQ(unit_notes("A,TR5,20000,4000\nA,TR5,25000,3000\n"), 1U);  // motor in mN
   EXPECT_EQ(unit_notes("A,TR5,,0.004\nA,TR5,,0.005\n"), 1U);
   EXPECT_EQ(unit_notes("A,TR5,20,0\nA,TR5,25,0\n"), 0U);
-  const auto notes = read_data("run,routing,motor_tension_N,T1_N\nA,TR5,20,4000\n").notes;
+  const auto notes =
+      read_data("run,routing,direction,motor_tension_N,T1_N\nA,TR5,release,20,4000\n").notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(
       notes[0].text,

@@ -102,14 +102,14 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
     EXPECT_EQ(cell_error(column, cell),
               "d.csv:3: column '" + column + "' = '" + cell + "': " + message);
   };
-  expect("T2_N", "-1", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("T2_N", "inf", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("T2_N", "2 N", "expected a number from 0 to 1000000000, or an empty cell");
-  expect("motor_tension_N", "-20", "expected a number from 0 to 1000000000, or an empty cell");
+  expect("T2_N", "-2e9", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("T2_N", "inf", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("T2_N", "2 N", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("motor_tension_N", "-2e9",
+         "expected a number from -1000000000 to 1000000000, or an empty cell");
   expect("speed_mm_s", "-1", "expected a number from 0 to 1000000000, or an empty cell");
   expect("temperature_C", "-300", "expected a number from -273.15 to 10000, or an empty cell");
   expect("sheath_angle_rad", "360", "expected a number from 0 to 100, or an empty cell");
-  expect("operator", "Ann", "expected a finite number such as 12.5, or an empty cell");
   expect("direction", "push", "expected pull, release, or an empty cell (pull)");
   const std::string held =
       "expected an empty cell (none held), or finger numbers from 1 to 2, each once, such as 1;2";
@@ -139,8 +139,8 @@ TEST(BadRow, IsNamedInOneLine) {
                 [&] { parse_measured_data("run,routing,T1_N\nA,\"M-\nF\",1\n", "d.csv", refuse); }),
             "d.csv:2: column 'routing' = 'M-?F': no such routing: M-?F");
   EXPECT_EQ(
-      data_error("run,routing,T1_N,\"a\nb\"\nA,M-1-F,1,\"x\ny\"\n"),
-      "d.csv:3: column 'a?b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
+      data_error("run,routing,T1_N,\"a\nb\"\nA,M-1-F,1,7\nA,M-1-F,1,\"x\ny\"\n"),
+      "d.csv:4: column 'a?b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
 }
 
 TEST(BadRow, NamesTheStrandThatTheRoutingDoesNotHave) {
@@ -163,8 +163,9 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
   const auto parts = [](const std::string& text) {
     return testing::input_fault([&] { read_data(text); });
   };
-  EXPECT_EQ(parts("run,routing,T1_N\nA,TR5,1\nA,TR5,x\n"),
-            "d.csv:3 | column 'T1_N' | x | a number from 0 to 1000000000, or an empty cell");
+  EXPECT_EQ(
+      parts("run,routing,T1_N\nA,TR5,1\nA,TR5,x\n"),
+      "d.csv:3 | column 'T1_N' | x | a number from -1000000000 to 1000000000, or an empty cell");
   EXPECT_EQ(parts("run,routing,held,T1_N\nA,TR5,3,1\n"),
             "d.csv:2 | column 'held' | 3 | an empty cell (none held), or finger numbers from 1 to "
             "2, each once, such as 1;2");
@@ -172,9 +173,9 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
       parts("run,routing,T1_N\nA,M-1-Q,1\n"),
       "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5 | unknown token | Q | "
       "M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");
-  EXPECT_EQ(parts("run,routing,t1_n\n"),
-            "d.csv:1 | column 3 | t1_n | a tension written as T1_N (strand), Ta_N (motor-side "
-            "segment) or Th1_N (stretch at the hand)");
+  EXPECT_EQ(parts("run,routing,T1_N,Th0_N\n"),
+            "d.csv:1 | column 4 | Th0_N | a tension written as T1_N (strand), Ta_N (motor-side "
+            "segment), Th1_N (stretch at the hand) or at_T1_N (the motor-side segment at T1)");
   EXPECT_EQ(parts("run,routing,T1_N\nA,TR5\n"),
             "d.csv:2:6 | the row ends after 2 fields | - | 3, as many as the header in line 1 has");
 }

@@ -13,12 +13,15 @@
 
 namespace reeve::testing {
 
-inline MeasuredData read_data(const std::string& text) {
-  return parse_measured_data(text, "d.csv", [](const std::string& routing) {
-    if (routing == "TR3") return parse_routing("F-1-P-2-F");
-    if (routing == "TR5") return parse_routing("M-1-P-2-M");
-    return parse_routing(routing);
-  });
+inline MeasuredData read_data(const std::string& text, const ReadingOptions& options = {}) {
+  return parse_measured_data(
+      text, "d.csv",
+      [](const std::string& routing) {
+        if (routing == "TR3") return parse_routing("F-1-P-2-F");
+        if (routing == "TR5") return parse_routing("M-1-P-2-M");
+        return parse_routing(routing);
+      },
+      options);
 }
 
 inline std::vector<std::size_t> all_readings(const MeasuredData& data) {
@@ -41,14 +44,22 @@ inline std::vector<ComparedCell> cells_as_measured(const MeasuredData& data) {
   return cells;
 }
 
-inline std::string data_error(const std::string& text) {
-  return input_error([&] { read_data(text); });
+inline std::string data_error(const std::string& text, const ReadingOptions& options = {}) {
+  return input_error([&] { read_data(text, options); });
 }
 
 // The lines of the first note of a kind; empty if there is none.
 inline std::vector<std::size_t> noted_lines(const std::vector<DataNote>& notes, NoteKind kind) {
   for (const DataNote& note : notes) {
     if (note.kind == kind) return note.lines;
+  }
+  return {};
+}
+
+// The text of the first note of a kind; empty if there is none.
+inline std::string note_text(const std::vector<DataNote>& notes, NoteKind kind) {
+  for (const DataNote& note : notes) {
+    if (note.kind == kind) return note.text;
   }
   return {};
 }

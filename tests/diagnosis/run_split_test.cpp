@@ -72,7 +72,8 @@ TEST(SplitByRun, DrawsAmongRoutingsThatHaveOneRunEach) {
 
 TEST(SplitByRun, DropsRepeatedRowsOfAnyRun) {
   const MeasuredData data = read_data(
-      "run,routing,motor_tension_N,T1_N\n1,TR3,10,1\n1,TR3,10,1\n2,TR3,10,1\n2,TR3,10,2\n");
+      "run,routing,motor_tension_N,T1_N,T2_N\n1,TR3,10,1.0013,2.1178\n1,TR3,10,1.0013,2.1178\n"
+      "2,TR3,10,1.0013,2.1178\n2,TR3,10,1.0013,2.1242\n");
   const Split split = split_by_run(data, 0, 1);
   EXPECT_EQ(split.dropped, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(split.training, (std::vector<std::size_t>{0, 3}));

@@ -1,0 +1,42 @@
+#include "cli/reading_flags.hpp"
+
+#include "cli/inputs.hpp"
+
+namespace reeve::cli {
+
+void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
+  CLI::Option* map = command
+                         .add_option("--map", map_,
+                                     "A column of the data and what it means, such as 'Kraft "
+                                     "Motor=motor_tension_N'; once for each column")
+                         ->allow_extra_args(false);
+  CLI::Option* unit =
+      command
+          .add_option("--unit", units_,
+                      "Unit of all tensions in the data, such as lbf, or of one column, such as "
+                      "T1=kgf; may be given again")
+          ->allow_extra_args(false);
+  group_given_ = command.add_option(
+      "--group", group_, "A column of the data whose words group the rows: a winch, an operator");
+  if (data == nullptr) return;
+  for (CLI::Option* option : {map, unit, group_given_}) option->needs(data);
+}
+
+MeasuredData ReadingFlags::read(const std::string& file, const Catalogue& catalogue) const {
+  return read_measured_data(
+      file, [&](const std::string& text) { return read_routing(text, catalogue); }, options());
+}
+
+ReadingOptions ReadingFlags::options() const {
+  ReadingOptions result;
+  for (const std::string& text : map_) {
+    result.map.push_back(for_option("--map", [&] { return parse_column_meaning(text); }));
+  }
+  for (const std::string& text : units_) {
+    result.units.push_back(for_option("--unit", [&] { return parse_column_unit(text); }));
+  }
+  if (group_given_->count() > 0) result.group = group_;
+  return result;
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,29 @@
+// How a file of readings is to be read, where it does not say so itself.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "diagnosis/data/measured_data.hpp"
+
+namespace reeve::cli {
+
+struct ReadingFlags {
+  // With `data`: they need that option.
+  void add_to(CLI::App& command, CLI::Option* data = nullptr);
+  // Throws InputError.
+  MeasuredData read(const std::string& file, const Catalogue& catalogue) const;
+
+ private:
+  ReadingOptions options() const;
+
+  std::vector<std::string> map_;
+  std::vector<std::string> units_;
+  std::string group_;
+  CLI::Option* group_given_ = nullptr;
+};
+
+}  // namespace reeve::cli

@@ -1,0 +1,28 @@
+// Which motor-side segment is which: every sheath leads from one of them to one segment at the
+// hand. The letters run in walk order; the Exo-Glove II paper has a, b, c, d beside T1, T2, T3, T4
+// whatever the walk. What a segment is beside does not depend on either.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/network.hpp"
+
+namespace reeve::core {
+
+struct MotorSide {
+  std::size_t motor_side = 0;  // in Network::segments
+  std::size_t hand = 0;        // what its sheath leads to: a strand, or another segment at the hand
+};
+
+// In walk order.
+std::vector<MotorSide> motor_sides(const Network& network);
+
+// The motor-side segment whose sheath leads to that strand, if it has one.
+std::optional<Segment> motor_side_at(const Network& network, const Segment& strand);
+
+// Whether a is beside T1, b beside T2 and so on, wherever a letter is beside a strand at all.
+bool letters_match_strands(const Network& network);
+
+}  // namespace reeve::core

@@ -1,0 +1,111 @@
+#include "diagnosis/data/intake/column_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "diagnosis/data/csv_number.hpp"
+#include "diagnosis/data/intake/words.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+// Nothing of a name that is none, or of one that cannot be read.
+std::optional<ColumnName> try_column_named(const std::string& name) {
+  try {
+    return column_named(name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_number(std::string_view text) {
+  constexpr std::string_view digits = "0123456789";
+  return text.find_first_of(digits) == 0 ||
+         (text.size() > 1 && text.find_first_of(digits, 1) == 1 &&
+          (text[0] == '-' || text[0] == '+' || text[0] == '.' || text[0] == ','));
+}
+
+std::optional<Unit> unit_in_row(Dimension dimension, const std::optional<CsvRow>& units,
+                                std::size_t index) {
+  if (!units || is_missing(without_brackets(units->fields[index]))) return std::nullopt;
+  const auto unit = find_unit(units->fields[index], dimension);
+  if (unit) return unit;
+  throw InputError({.expected = fmt::format("a unit of {} ({}), and line {} says '{}'",
+                                            dimension_name(dimension), unit_names(dimension),
+                                            units->line, for_message(units->fields[index]))});
+}
+
+struct GivenUnits {
+  std::optional<Unit> all;  // of the whole file
+  std::optional<Unit> own;  // of this column
+};
+
+GivenUnits given_units(const ColumnName& named, const std::string& name, Dimension dimension,
+                       const ReadingOptions& options) {
+  GivenUnits result;
+  for (const ColumnUnit& given : options.units) {
+    if (!given.column) {
+      result.all = find_unit(given.unit, dimension);
+    } else if (means(*given.column, name, named.role, named.place)) {
+      result.own = find_unit(given.unit, dimension);
+      if (result.own) continue;
+      throw InputError(
+          {.expected = fmt::format("a unit of {} ({}), and '{}' is given",
+                                   dimension_name(dimension), unit_names(dimension), given.unit)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+const std::string& meaning_of(const std::string& name, const ReadingOptions& options) {
+  for (const ColumnMeaning& mapped : options.map) {
+    if (mapped.column == name) return mapped.meaning;
+  }
+  return name;
+}
+
+bool is_units_row(const CsvRow& header, const CsvRow& row, const ReadingOptions& options) {
+  bool has_unit = false;
+  for (std::size_t i = 0; i < header.fields.size(); ++i) {
+    const std::string_view cell = without_brackets(row.fields[i]);
+    if (is_number(cell)) return false;
+    const auto named =
+        try_column_named(meaning_of(std::string(trimmed(header.fields[i])), options));
+    if (!named) continue;
+    const std::string small = lower(cell);
+    const bool is_text = small == "text" || small == "string";
+    if (named->role == DataRole::routing && !is_missing(cell) && !is_text) return false;
+    has_unit = has_unit || find_unit(cell, dimension_of(named->role)).has_value();
+  }
+  return has_unit;
+}
+
+bool means(const std::string& text, const std::string& name, DataRole role,
+           const MeasuredPlace& place) {
+  if (text == name) return true;
+  const auto other = try_column_named(text);
+  return other && other->role == role && other->place == place;
+}
+
+std::optional<Unit> unit_of(const ColumnName& named, const std::string& name,
+                            const std::optional<CsvRow>& units, std::size_t index,
+                            const ReadingOptions& options) {
+  const Dimension dimension = dimension_of(named.role);
+  if (dimension == Dimension::none) return std::nullopt;
+  const GivenUnits given = given_units(named, name, dimension, options);
+  if (given.own) return given.own;
+  const auto in_row = unit_in_row(dimension, units, index);
+  if (in_row && named.unit && !(*in_row == *named.unit)) {
+    throw InputError({.expected = fmt::format("one unit: the name says {}, and line {} says {}",
+                                              named.unit->name, units->line, in_row->name)});
+  }
+  const auto said = named.unit ? named.unit : in_row;
+  return given.all && (said || !named.needs_unit) ? given.all : said;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,71 @@
+// Rows of a file of measured tensions, one after the other, into readings. What is wrong with a row
+// goes into the list of faults, all of it, and the row into nothing else.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnosis/data/csv_number.hpp"
+#include "diagnosis/data/data_columns.hpp"
+#include "diagnosis/data/intake/covariates.hpp"
+#include "diagnosis/data/intake/routing_table.hpp"
+#include "diagnosis/data/intake/tare.hpp"
+#include "diagnosis/data/measured_data.hpp"
+
+namespace reeve::diagnosis {
+
+class RowReader {
+ public:
+  // All must outlive the reader.
+  RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
+            const RoutingResolver& resolve, FaultList& faults);
+
+  void read(const CsvRow& row);
+  // Once all rows are read.
+  MeasuredData finish();
+
+ private:
+  using Numbers = std::vector<std::optional<double>>;
+
+  template <typename Action>
+  auto at(const CsvRow& row, std::size_t column, Action action)
+      -> std::optional<decltype(action(std::string_view{}))>;
+  InputFault cell_fault(const CsvRow& row, std::size_t column, const InputError& error) const;
+
+  bool is_tare(const CsvRow& row) const;
+  std::string_view cell(const CsvRow& row, DataRole role) const;
+  Numbers numbers(const CsvRow& row);
+  std::optional<double> number(const CsvRow& row, std::size_t column);
+  void take_zeros(Numbers& numbers) const;
+
+  std::optional<std::size_t> run(const CsvRow& row);
+  std::optional<std::size_t> group(const CsvRow& row);
+  std::optional<std::size_t> routing(const CsvRow& row);
+  void read_words(const CsvRow& row, Reading& reading);
+  void set_numbers(const CsvRow& row, const Numbers& numbers, Reading& reading);
+  void read_covariates(const CsvRow& row, Reading& reading);
+  void set_conditions(const Numbers& numbers, Reading& reading) const;
+  void set_tension(const CsvRow& row, std::size_t column, double tension_N, Reading& reading);
+  void set_errors(const Numbers& numbers, Reading& reading) const;
+  void require_tension(const CsvRow& row, const Numbers& numbers);
+  void note_what_is_passed_over();
+
+  const CsvReader& csv_;
+  const std::vector<DataColumn>& columns_;
+  FaultList& faults_;
+  CsvNumberReader numbers_;
+  RoutingTable routings_;
+  Covariates covariates_;
+  Tare tare_;
+  std::map<std::string, std::size_t, std::less<>> runs_;
+  std::map<std::string, std::size_t, std::less<>> groups_;
+  std::vector<std::size_t> no_name_lines_;  // that have something in a column without a name
+  MeasuredData data_;
+};
+
+}  // namespace reeve::diagnosis

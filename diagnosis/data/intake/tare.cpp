@@ -1,0 +1,30 @@
+#include "diagnosis/data/intake/tare.hpp"
+
+#include <algorithm>
+
+namespace reeve::diagnosis {
+
+void Tare::add(std::size_t line, const std::vector<std::optional<double>>& zeros) {
+  if (!open_) {
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+    std::fill(counts_.begin(), counts_.end(), 0.0);
+  }
+  open_ = true;
+  lines_.push_back(line);
+  for (std::size_t column = 0; column < zeros_.size(); ++column) {
+    if (!zeros[column]) continue;
+    sums_[column] += *zeros[column];
+    counts_[column] += 1;
+    zeros_[column] = sums_[column] / counts_[column];
+  }
+}
+
+std::vector<DataNote> Tare::notes() const {
+  if (lines_.empty()) return {};
+  return {{NoteKind::tare,
+           "these rows have the zeros of the sensors, which are taken off the readings below each "
+           "of them",
+           lines_}};
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,39 @@
+// Zeros of the sensors: a row whose run or routing is called tare has what each sensor reads
+// without load. It is taken off the readings below, until the next such row:
+//
+//   T = reading − zero
+//
+// Rows of zeros that follow one another are averaged. A cell that is empty keeps the zero from
+// before.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "diagnosis/data/note.hpp"
+
+namespace reeve::diagnosis {
+
+class Tare {
+ public:
+  explicit Tare(std::size_t columns) : zeros_(columns), sums_(columns), counts_(columns) {}
+
+  // `zeros` by column, of a row of zeros.
+  void add(std::size_t line, const std::vector<std::optional<double>>& zeros);
+  // A row of readings has come: the next zeros replace these.
+  void close() { open_ = false; }
+
+  double zero(std::size_t column) const { return zeros_[column]; }
+  // Empty if there were no zeros.
+  std::vector<DataNote> notes() const;
+
+ private:
+  bool open_ = false;
+  std::vector<double> zeros_;
+  std::vector<double> sums_;
+  std::vector<double> counts_;
+  std::vector<std::size_t> lines_;
+};
+
+}  // namespace reeve::diagnosis

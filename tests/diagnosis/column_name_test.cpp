@@ -1,0 +1,82 @@
+#include "diagnosis/data/intake/column_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/input_error.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// "motor_tension_N in lbf"; what is no known name is "-".
+std::string read_as(const std::string& name) {
+  const auto found = column_named(name);
+  if (!found) return "-";
+  return plain_name(*found) + (found->unit ? std::string(" in ") + found->unit->name : "") +
+         (found->needs_unit ? " *" : "");
+}
+
+TEST(ColumnName, IsReadInAnySpelling) {
+  for (const char* name : {"motor_tension_N", "Motor Tension [N]", "MOTOR-TENSION (n)",
+                           "motorTension_N", " motor.tension N "}) {
+    EXPECT_EQ(read_as(name), "motor_tension_N in N") << name;
+  }
+  EXPECT_EQ(read_as("Motor Tension"), "motor_tension_N");
+  for (const char* name : {"T1_N", "t1_n", "T1 [N]", "T1 (N)", "T_1_N", "T01_N"}) {
+    EXPECT_EQ(read_as(name), "T1_N in N") << name;
+  }
+  EXPECT_EQ(read_as("T1"), "T1_N");
+  EXPECT_EQ(read_as("Run"), "run");
+  EXPECT_EQ(read_as("HELD [-]"), "held");
+  EXPECT_EQ(read_as("Sheath angle (deg)"), "sheath_angle_rad in deg");
+  EXPECT_EQ(read_as("speed_m_s"), "speed_mm_s in m/s");
+  EXPECT_EQ(read_as("Speed [mm/s]"), "speed_mm_s in mm/s");
+  EXPECT_EQ(read_as("temperature_F"), "temperature_C in °F");
+}
+
+TEST(ColumnName, OfALetterNeedsAUnitToBeATension) {
+  EXPECT_EQ(read_as("Ta_N"), "Ta_N in N *");
+  EXPECT_EQ(read_as("TA [lbf]"), "Ta_N in lbf *");
+  EXPECT_EQ(read_as("Th1_kgf"), "Th1_N in kgf *");
+  EXPECT_EQ(read_as("Ta"), "Ta_N *");
+}
+
+TEST(ColumnName, IsNoTensionWithAUnitOfSomethingElse) {
+  for (const char* name : {"T1 [°C]", "T1_C", "Ta (degC)", "T0", "Tmax_N", "T_N [K]", "time",
+                           "T1 [MN]", "motor tension (set)", "at_Ta_N", "speed [N]"}) {
+    EXPECT_EQ(read_as(name), "-") << name;
+  }
+}
+
+TEST(ColumnName, OfAPlaceOrADeviation) {
+  EXPECT_EQ(read_as("at_T1_N"), "at_T1_N in N");
+  EXPECT_EQ(read_as("At T12 [lbf]"), "at_T12_N in lbf");
+  EXPECT_EQ(read_as("T1_sd_N"), "T1_sd_N in N");
+  EXPECT_EQ(read_as("T1 SD"), "T1_sd_N");
+  EXPECT_EQ(read_as("Ta_sd_N"), "Ta_sd_N in N *");
+  EXPECT_EQ(read_as("at_T1_sd_N"), "at_T1_sd_N in N");
+  EXPECT_EQ(read_as("readings"), "readings");
+}
+
+TEST(Unit, IsConvertedAsTheStandardsSay) {
+  const auto value = [](const char* unit, Dimension dimension, double x) {
+    return find_unit(unit, dimension)->converted(x);
+  };
+  EXPECT_DOUBLE_EQ(value("lbf", Dimension::force, 1), 4.4482216152605);
+  EXPECT_DOUBLE_EQ(value("kg", Dimension::force, 2), 19.6133);
+  EXPECT_DOUBLE_EQ(value("g", Dimension::force, 100), 0.980665);
+  EXPECT_DOUBLE_EQ(value("ozf", Dimension::force, 16), 4.4482216152605);
+  EXPECT_DOUBLE_EQ(value("mN", Dimension::force, 1), 0.001);
+  EXPECT_DOUBLE_EQ(value("m/s", Dimension::speed, 0.5), 500);
+  EXPECT_DOUBLE_EQ(value("m/min", Dimension::speed, 6), 100);
+  EXPECT_NEAR(value("degF", Dimension::temperature, 212), 100, 1e-12);
+  EXPECT_NEAR(value("K", Dimension::temperature, 300), 26.85, 1e-12);
+  EXPECT_DOUBLE_EQ(value("[°]", Dimension::angle, 180), 3.14159265358979312);
+  EXPECT_FALSE(find_unit("lbf", Dimension::speed));
+  const Unit fahrenheit = *find_unit("°F", Dimension::temperature);
+  EXPECT_NEAR(fahrenheit.back(fahrenheit.converted(71)), 71, 1e-12);
+}
+
+}  // namespace
+}  // namespace reeve::testing
