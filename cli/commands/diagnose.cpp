@@ -16,10 +16,12 @@
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
+#include "diagnosis/data/csv.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/files.hpp"
+#include "reports/shell_word.hpp"
 #include "studies/diagnosed_distributions.hpp"
 #include "studies/diagnosis_study.hpp"
 
@@ -30,6 +32,7 @@ struct DiagnoseFlags {
   std::string data;
   DiagnosisSettings settings;
   bool explore = false;
+  bool as_readings = false;
   int threads = 0;
   std::string out;
   std::string save_model;
@@ -62,6 +65,19 @@ void require_places(const DiagnoseFlags& flags) {
   }
 }
 
+// Thousands of samples would be taken for as many readings, and chance for certainty.
+void require_readings(const MeasuredData& data) {
+  for (const DataNote& note : data.notes) {
+    if (note.kind != NoteKind::time_series) continue;
+    throw InputError(
+        {.where = data.file,
+         .what = note.text,
+         .expected = fmt::format("steady readings, which reeve import {} -o readings.csv makes of "
+                                 "it; or --as-readings, if each row is a reading of its own",
+                                 shell_word(for_message(data.file)))});
+  }
+}
+
 DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
@@ -70,6 +86,7 @@ DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   request.threads = flags.threads;
   request.data = read_measured_data(
       flags.data, [&](const std::string& text) { return read_routing(text, catalogue); });
+  if (!flags.as_readings) require_readings(request.data);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : request.data.routings) {
     routings.push_back(measured.routing);
@@ -150,6 +167,8 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
                   "Simulated data sets that a finding is judged by")
       ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
       ->capture_default_str();
+  command.add_flag("--as-readings", flags.as_readings,
+                   "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--explore", flags.explore,
                    "Choose the next measurement from generated routings too, not only from those "
                    "of the catalogue and of the data");

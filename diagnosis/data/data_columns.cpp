@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "diagnosis/series/recognise_series.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -123,6 +124,7 @@ std::vector<DataColumn> read_columns(const CsvReader& csv) {
                                 .value = for_message(name)});
     }
   }
+  require_no_log(csv, columns);
   require(csv, columns, DataRole::run, "'run'", "a name or number for each run");
   require(csv, columns, DataRole::routing, "'routing'", "a routing in each row");
   require(csv, columns, DataRole::tension, "of tensions",

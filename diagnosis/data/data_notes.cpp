@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "diagnosis/series/recognise_series.hpp"
+
 namespace reeve::diagnosis {
 namespace {
 
@@ -146,6 +148,7 @@ std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
 std::vector<DataNote> data_notes(const MeasuredData& data,
                                  const std::vector<CsvComment>& comments_below_the_header) {
   std::vector<DataNote> notes;
+  if (auto series = recognise_series(data)) notes.push_back(std::move(*series));
   add_duplicates(data, notes);
   add_motor_side(data, notes);
   add_units(data, notes);

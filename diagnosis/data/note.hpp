@@ -11,6 +11,7 @@
 namespace reeve::diagnosis {
 
 enum class NoteKind : std::uint8_t {
+  time_series,             // samples of a logger in place of readings (recognise_series.hpp)
   duplicate,               // rows equal in all but their line
   duplicate_across_runs,   // … and in the name of the run
   motor_side_above_motor,  // a motor-side segment carries more than the whole carriage
@@ -19,6 +20,9 @@ enum class NoteKind : std::uint8_t {
   comment,                 // comment lines below the header, which may be rows switched off
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
+  clock,                   // of a time series: set back (steady_readings.hpp)
+  no_motion,               // of a time series: it does not say when the carriage moves
+  reversed,                // of a time series: pulling looks like releasing
 };
 const char* note_kind_name(NoteKind kind);
 

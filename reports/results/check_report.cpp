@@ -95,7 +95,7 @@ Section family_section(const CheckReport& report, const std::string& family) {
   return {family, table, {{counts_text(report, family)}}};
 }
 
-Json to_json(const CheckItem& item) {
+Json item_json(const CheckItem& item) {
   return {{"family", item.family},
           {"routing", text_or_null(item.routing)},
           {"source", item.source},
@@ -126,7 +126,7 @@ std::string check_json(const CheckReport& report) {
   Json json;
   json["checks"] = Json::array();
   for (const CheckItem& item : report.items) {
-    json["checks"].push_back(to_json(item));
+    json["checks"].push_back(item_json(item));
   }
   json["misprints"] = Json::array();
   for (const CheckedMisprint& misprint : report.misprints) {

@@ -59,7 +59,7 @@ Section summary_section(const QuantitySummary& summary, const std::string& title
   return {title, table, {}};
 }
 
-Json to_json(const ResidualSummary& summary) {
+Json residual_json(const ResidualSummary& summary) {
   return {{"group", summary.group},
           {"count", summary.count},
           {"mean_measured", number(summary.mean_measured)},
@@ -68,13 +68,13 @@ Json to_json(const ResidualSummary& summary) {
           {"relative_rms", number(summary.relative_rms)}};
 }
 
-Json to_json(const QuantitySummary& summary) {
+Json quantity_json(const QuantitySummary& summary) {
   if (summary.all.count == 0) return nullptr;
-  Json json{{"all", to_json(summary.all)}};
+  Json json{{"all", residual_json(summary.all)}};
   for (const Grouping& grouping : groupings) {
     Json& groups = json[std::string("by_") + grouping.name] = Json::array();
     for (const ResidualSummary& group : summary.*grouping.summaries) {
-      groups.push_back(to_json(group));
+      groups.push_back(residual_json(group));
     }
   }
   return json;
@@ -130,8 +130,8 @@ Sheet compare_sheet(const CompareReport& report) {
 std::string compare_json(const CompareReport& report) {
   Json json{{"data", data_json(report)},
             {"fitted", false},
-            {"tension", to_json(report.comparison.tension)},
-            {"share", to_json(report.comparison.share)}};
+            {"tension", quantity_json(report.comparison.tension)},
+            {"share", quantity_json(report.comparison.share)}};
   json["notes"] = Json::array();
   add_notes(json["notes"], all_notes(report));
   json["settings"] = {{"hardware", to_json(report.model.hardware)},

@@ -17,7 +17,7 @@ const char* word(FrictionKind kind) {
   return "";
 }
 
-Json to_json(const StrandShare& strand) {
+Json strand_json(const StrandShare& strand) {
   Json json{{"strand", strand.strand}, {"model", number(strand.model)},
             {"published", nullptr},    {"published_fault", nullptr},
             {"measured", nullptr},     {"measured_deviation", nullptr}};
@@ -32,13 +32,13 @@ Json to_json(const StrandShare& strand) {
   return json;
 }
 
-Json to_json(const RoutingShares& routing) {
+Json shares_json(const RoutingShares& routing) {
   Json json{{"routing", routing.word},
             {"name", text_or_null(routing.name)},
             {"published_source", text_or_null(routing.published_source)},
             {"readings", routing.readings}};
   json["strands"] = Json::array();
-  for (const StrandShare& strand : routing.strands) json["strands"].push_back(to_json(strand));
+  for (const StrandShare& strand : routing.strands) json["strands"].push_back(strand_json(strand));
   return json;
 }
 
@@ -56,7 +56,7 @@ Json to_json(const TensionDistribution& distribution) {
   json["published_share_error"] = value_or_null(distribution.share_errors.published, number);
   json["routings"] = Json::array();
   for (const RoutingShares& routing : distribution.routings) {
-    json["routings"].push_back(to_json(routing));
+    json["routings"].push_back(shares_json(routing));
   }
   return json;
 }

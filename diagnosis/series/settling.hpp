@@ -1,0 +1,36 @@
+// From where on all contacts slide, within a stretch in which the carriage moves evenly.
+//
+// After a turn or a rest the contacts begin to slide one after another. Until then the tensions
+// come nearer to their ratios; from then on the ratios to the load, q = T / T_load, go on as they
+// went, whether the load stays or grows (T_load: motor tension, or the sum of the tensions). So the
+// stretch is walked backwards from its end: a block belongs to what has settled as long as every q
+// lies on the straight line through the least time behind it, to within
+//
+//   tolerance · median q  +  4 sd
+//
+// with sd the deviation of such forecasts over all stretches of the log. One block off the line is
+// passed over; two end the walk. The first block of what is left may hold the last contact's start,
+// and is left out too. Idea: the settling time of control engineering, about a trend
+// instead of a level.
+//
+// The end itself must slide: over its least time q changes by no more than that much and half of
+// what the load changes, since where a contact sticks, T stays and q changes as 1 / T_load.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "diagnosis/series/series_blocks.hpp"
+#include "diagnosis/series/stretch_of_blocks.hpp"
+
+namespace reeve::diagnosis {
+
+// Standard deviations, one for each tension, of the forecasts that the walk makes.
+std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
+                                const std::vector<std::vector<BlockStretch>>& stretches);
+
+// The first settled block of the stretch; its end if none is.
+std::size_t settled_from(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
+                         const std::vector<double>& noise, double tolerance);
+
+}  // namespace reeve::diagnosis
