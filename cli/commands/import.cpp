@@ -12,7 +12,7 @@
 #include "reports/files.hpp"
 #include "reports/import/import_report.hpp"
 #include "reports/import/log_chart.hpp"
-#include "studies/import_study.hpp"
+#include "studies/import/import_study.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -10,6 +10,7 @@ namespace reeve::diagnosis {
 namespace {
 
 constexpr double walk_deviations = 4;
+constexpr double nearly_slack = 0.05;  // of the greatest ratio
 
 // NaN where there is none.
 double ratio(const SeriesBlock& block, std::size_t tension) {
@@ -56,24 +57,27 @@ bool is_logged(const std::vector<SeriesBlock>& blocks, const BlockStretch& stret
 
 struct WatchedRatio {
   std::size_t tension = 0;
-  double level = 0;
-  double allowed = 0;
+  double level = 0;      // as it is while sliding
+  double tolerance = 0;  // by which it may be off
+  double noise = 0;      // … and by chance, in the next block
 };
 
-// By the later half of the stretch. Tensions that it does not have say nothing.
-std::vector<WatchedRatio> watched(const std::vector<SeriesBlock>& blocks,
-                                  const BlockStretch& stretch, const std::vector<double>& noise,
-                                  double tolerance) {
+// By the later half of the stretch, without what may be off. Tensions that it does not have say
+// nothing, and of a nearly slack one small changes neither.
+std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks,
+                                       const BlockStretch& stretch) {
   std::vector<WatchedRatio> result;
-  for (std::size_t k = 0; k < noise.size(); ++k) {
+  double greatest = 0;
+  for (std::size_t k = 0; k < blocks[stretch.begin].tensions_N.size(); ++k) {
     if (!is_logged(blocks, stretch, k)) continue;
     std::vector<double> later;
     for (std::size_t i = (stretch.begin + stretch.end) / 2; i < stretch.end; ++i) {
       later.push_back(ratio(blocks[i], k));
     }
-    const double level = std::abs(middle_of(std::move(later)));
-    result.push_back({k, level, tolerance * level + walk_deviations * noise[k]});
+    result.push_back({k, std::abs(middle_of(std::move(later))), 0, 0});
+    greatest = std::max(greatest, result.back().level);
   }
+  for (WatchedRatio& ratio : result) ratio.level = std::max(ratio.level, nearly_slack * greatest);
   return result;
 }
 
@@ -84,53 +88,88 @@ bool slides_at_the_end(const std::vector<SeriesBlock>& blocks, std::size_t end,
   const double load = std::abs(blocks[end - 1].load_N / blocks[begin].load_N - 1);
   return std::all_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
     const double change = std::abs(line_from(blocks, begin, watched.tension).slope) * seconds;
-    return change <= watched.allowed + 0.5 * load * watched.level;
+    return change <= watched.tolerance + watched.noise + 0.5 * load * watched.level;
   });
 }
 
-// Not so of a ratio that there is not.
-bool goes_on(const std::vector<SeriesBlock>& blocks, std::size_t block, std::size_t from,
-             const std::vector<WatchedRatio>& ratios) {
-  return std::all_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
-    const double forecast = line_from(blocks, from, watched.tension).at(blocks[block].time_s);
-    return std::abs(ratio(blocks[block], watched.tension) - forecast) <= watched.allowed;
+// Blocks before the one that the walk has come to; the first is 1.
+struct BlocksAhead {
+  std::size_t first = 1;
+  std::size_t last = 1;
+
+  double count() const { return static_cast<double>(last - first + 1); }
+  double middle() const { return static_cast<double>(first + last) / 2; }
+};
+
+// How much farther off the mean of these lies from its forecast by chance than the next block does.
+double reach_of_noise(BlocksAhead ahead) {
+  constexpr auto count = static_cast<double>(blocks_per_least_time);
+  const auto variance = [&](const BlocksAhead& of) {
+    const double away = of.middle() + (count - 1) / 2;
+    return 1 / of.count() + 1 / count + away * away * 12 / (count * (count * count - 1));
+  };
+  return std::sqrt(variance(ahead) / variance({1, 1}));
+}
+
+// Whether the mean of the blocks is off the line. So is one without a ratio.
+bool is_off(const std::vector<SeriesBlock>& blocks, std::size_t from, BlocksAhead ahead,
+            const std::vector<WatchedRatio>& ratios) {
+  return std::any_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
+    const BlockLine line = line_from(blocks, from, watched.tension);
+    double off = 0;
+    for (std::size_t before = ahead.first; before <= ahead.last; ++before) {
+      const SeriesBlock& block = blocks[from - before];
+      off += (ratio(block, watched.tension) - line.at(block.time_s)) / ahead.count();
+    }
+    return !(std::abs(off) <= watched.tolerance + reach_of_noise(ahead) * watched.noise);
   });
+}
+
+// A sharp bend shows in the next two blocks, a blunt one in the third to the fifth.
+bool bends(const std::vector<SeriesBlock>& blocks, std::size_t begin, std::size_t from,
+           const std::vector<WatchedRatio>& ratios) {
+  const std::size_t there = from - begin;
+  if (is_off(blocks, from, {1, 1}, ratios) && (there < 2 || is_off(blocks, from, {2, 2}, ratios))) {
+    return true;
+  }
+  return there >= 5 && is_off(blocks, from, {3, 5}, ratios);
 }
 
 }  // namespace
 
 std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
                                 const std::vector<std::vector<BlockStretch>>& stretches) {
-  std::vector<double> noise;
   const std::size_t tensions =
       recordings.empty() || recordings[0].empty() ? 0 : recordings[0][0].tensions_N.size();
-  for (std::size_t k = 0; k < tensions; ++k) {
-    std::vector<double> errors;
-    for (std::size_t part = 0; part < recordings.size(); ++part) {
-      const std::vector<SeriesBlock>& blocks = recordings[part];
-      for (const BlockStretch& stretch : stretches[part]) {
+  std::vector<std::vector<double>> errors(tensions);
+  for (std::size_t part = 0; part < recordings.size(); ++part) {
+    const std::vector<SeriesBlock>& blocks = recordings[part];
+    for (const BlockStretch& stretch : stretches[part]) {
+      for (const WatchedRatio& watched : ratio_levels(blocks, stretch)) {
+        const std::size_t k = watched.tension;
         for (std::size_t i = stretch.begin; i + blocks_per_least_time < stretch.end; ++i) {
-          errors.push_back(ratio(blocks[i], k) - line_from(blocks, i + 1, k).at(blocks[i].time_s));
+          const double forecast = line_from(blocks, i + 1, k).at(blocks[i].time_s);
+          errors[k].push_back((ratio(blocks[i], k) - forecast) / watched.level);
         }
       }
     }
-    noise.push_back(deviation_about_zero(std::move(errors)));
   }
+  std::vector<double> noise;
+  for (std::vector<double>& all : errors) noise.push_back(deviation_about_zero(std::move(all)));
   return noise;
 }
 
 std::size_t settled_from(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
                          const std::vector<double>& noise, double tolerance) {
   if (stretch.end - stretch.begin < blocks_per_least_time) return stretch.end;
-  const std::vector<WatchedRatio> ratios = watched(blocks, stretch, noise, tolerance);
+  std::vector<WatchedRatio> ratios = ratio_levels(blocks, stretch);
+  for (WatchedRatio& watched : ratios) {
+    watched.tolerance = tolerance * watched.level;
+    watched.noise = walk_deviations * noise[watched.tension] * watched.level;
+  }
   if (!slides_at_the_end(blocks, stretch.end, ratios)) return stretch.end;
   std::size_t from = stretch.end - blocks_per_least_time;
-  while (from > stretch.begin) {
-    const bool next = goes_on(blocks, from - 1, from, ratios);
-    const bool but_one = from >= stretch.begin + 2 && goes_on(blocks, from - 2, from, ratios);
-    if (!next && !but_one) break;
-    --from;
-  }
+  while (from > stretch.begin && !bends(blocks, stretch.begin, from, ratios)) --from;
   return from + 1;
 }
 

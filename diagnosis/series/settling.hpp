@@ -3,15 +3,16 @@
 // After a turn or a rest the contacts begin to slide one after another. Until then the tensions
 // come nearer to their ratios; from then on the ratios to the load, q = T / T_load, go on as they
 // went, whether the load stays or grows (T_load: motor tension, or the sum of the tensions). So the
-// stretch is walked backwards from its end: a block belongs to what has settled as long as every q
-// lies on the straight line through the least time behind it, to within
+// stretch is walked backwards from its end, as long as every q goes on along the straight line
+// through the least time behind, to within
 //
-//   tolerance · median q  +  4 sd
+//   (tolerance + 4 sd) · median q
 //
-// with sd the deviation of such forecasts over all stretches of the log. One block off the line is
-// passed over; two end the walk. The first block of what is left may hold the last contact's start,
-// and is left out too. Idea: the settling time of control engineering, about a trend
-// instead of a level.
+// with sd the relative deviation of such forecasts over all stretches of the log, and more of it
+// the farther the forecast. Two blocks off the line in a row end the walk, and so do the third to
+// the fifth together, as where q bends slowly; a single one is passed over. The first block of what
+// is left may hold the last contact's start, and is left out too. Idea: the settling time of
+// control engineering, about a trend instead of a level.
 //
 // The end itself must slide: over its least time q changes by no more than that much and half of
 // what the load changes, since where a contact sticks, T stays and q changes as 1 / T_load.
@@ -25,7 +26,7 @@
 
 namespace reeve::diagnosis {
 
-// Standard deviations, one for each tension, of the forecasts that the walk makes.
+// Relative standard deviations, one for each tension, of the forecasts that the walk makes.
 std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
                                 const std::vector<std::vector<BlockStretch>>& stretches);
 

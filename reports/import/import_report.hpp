@@ -5,7 +5,7 @@
 #include <string>
 
 #include "reports/sheet/sheet.hpp"
-#include "studies/import_study.hpp"
+#include "studies/import/import_study.hpp"
 
 namespace reeve::reports {
 

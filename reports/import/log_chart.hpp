@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "studies/import_study.hpp"
+#include "studies/import/import_study.hpp"
 
 namespace reeve::reports {
 

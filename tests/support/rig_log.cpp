@@ -40,7 +40,7 @@ class Rig {
     for (const RigStrand& strand : run.strands) strands_N_.push_back(motor_N_ * strand.release);
   }
 
-  // To a place of the carriage; all slide if every strand is at its bound.
+  // To a place of the carriage; whether every strand is at its bound.
   bool move(double position_mm) {
     const double stroke_mm = plan_.speed_mm_s * (plan_.even_s + plan_.ramp_s);
     const double load_N =
@@ -50,12 +50,15 @@ class Rig {
     const double high_N = load_N / end_;
     motor_N_ = std::clamp(motor_N_ + plan_.stiffness_N_mm * way_mm, low_N, high_N);
     position_mm_ = position_mm;
-    bool slides = way_mm != 0 && motor_N_ == (way_mm > 0 ? high_N : low_N);
+    const auto at = [](double value, double bound) {
+      return std::abs(value - bound) <= 1e-9 * bound;
+    };
+    bool slides = way_mm != 0;
     for (std::size_t i = 0; i < strands_N_.size(); ++i) {
       const double pulled_N = motor_N_ * run_.strands[i].pull;
       const double released_N = motor_N_ * run_.strands[i].release;
       strands_N_[i] = std::clamp(strands_N_[i], pulled_N, released_N);
-      slides &= strands_N_[i] == (way_mm > 0 ? pulled_N : released_N);
+      slides &= at(strands_N_[i], way_mm > 0 ? pulled_N : released_N);
     }
     return slides;
   }

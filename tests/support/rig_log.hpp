@@ -46,7 +46,7 @@ struct RigSample {
   double speed_mm_s = 0;
   double motor_N = 0;  // true
   std::vector<double> strands_N;
-  bool slides = false;  // everywhere
+  bool slides = false;  // along every strand
   double motor_read_N = 0;
   std::vector<double> strands_read_N;
 };

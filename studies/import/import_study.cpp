@@ -1,4 +1,4 @@
-#include "studies/import_study.hpp"
+#include "studies/import/import_study.hpp"
 
 #include <fmt/format.h>
 
