@@ -39,7 +39,8 @@ SeriesBlock block_of(const LoggedSeries& series, std::size_t begin, std::size_t 
 }  // namespace
 
 double block_width(double least_time_s, double usual_step_s) {
-  return std::max(least_time_s / blocks_per_least_time, 2 * usual_step_s);
+  constexpr double samples = 3;  // of which one may be wild
+  return std::max(least_time_s / blocks_per_least_time, samples * usual_step_s);
 }
 
 std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,

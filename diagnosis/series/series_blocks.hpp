@@ -2,8 +2,8 @@
 // stretches looks at these, so that single wild samples do not matter, and its time is linear in
 // the size of the log.
 //
-// A block lasts a fifth of the least time that a reading shall last, and at least two steps of the
-// clock. Blocks without a sample are left out: neighbours in the list need not be so in time.
+// A block lasts a fifth of the least time that a reading shall last, and at least three steps of
+// the clock. Blocks without a sample are left out: neighbours in the list need not be so in time.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ class EvenStretches {
 
   SlidingBlocks find() {
     SlidingBlocks result;
-    for (const double speed : speeds_) result.uses.push_back(use_of(speed));
+    for (std::size_t i = 0; i < blocks_.size(); ++i) result.uses.push_back(use_of(i));
     for (std::size_t begin = 0, end = 0; begin < blocks_.size(); begin = end) {
       end = begin + 1;
       if (!moves(begin)) continue;
@@ -43,9 +43,12 @@ class EvenStretches {
   }
 
  private:
-  SampleUse use_of(double speed) const {
-    if (std::isnan(speed)) return SampleUse::incomplete;
-    return std::abs(speed) <= scale_.standstill ? SampleUse::standstill : SampleUse::speed_varies;
+  // A position without neighbours has no speed.
+  SampleUse use_of(std::size_t block) const {
+    if (std::isnan(speeds_[block])) {
+      return std::isnan(blocks_[block].position_mm) ? SampleUse::incomplete : SampleUse::too_few;
+    }
+    return moves(block) ? SampleUse::speed_varies : SampleUse::standstill;
   }
 
   bool moves(std::size_t block) const { return std::abs(speeds_[block]) > scale_.standstill; }

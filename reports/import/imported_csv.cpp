@@ -32,8 +32,12 @@ class ImportedCsv {
   // A name with the word that marks simulated data must not make measured ones of that kind.
   void put_comments(const std::string& command) {
     put("# steady readings out of a logger's time series, by reeve {}\n", version_json());
-    for (const std::string& comment : series_.comments) put("#{}\n", one_line(comment));
-    if (series_.simulated) put("# {}\n", simulated_text);
+    bool said = false;
+    for (const std::string& comment : series_.comments) {
+      put("#{}\n", one_line(comment));
+      said |= comment.find("imulated") != std::string::npos;
+    }
+    if (series_.simulated && !said) put("# {}\n", simulated_text);
     const std::string line = one_line(command);
     if (series_.simulated || line.find("simulated") == std::string::npos) {
       put("# command: {}\n", line);
