@@ -10,6 +10,11 @@ namespace {
 
 constexpr double level_deviations = 4;
 
+// The tensions, and then the load.
+double level_signal(const SeriesBlock& block, std::size_t signal) {
+  return signal < block.tensions_N.size() ? block.tensions_N[signal] : block.load_N;
+}
+
 class LevelSearch {
  public:
   LevelSearch(const std::vector<SeriesBlock>& blocks, const std::vector<double>& noise_N,
@@ -35,7 +40,7 @@ class LevelSearch {
 
  private:
   void add(const SeriesBlock& block) {
-    for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k] += block.tensions_N[k];
+    for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k] += level_signal(block, k);
   }
 
   double allowed(std::size_t tension, double load_N) const {
@@ -47,7 +52,7 @@ class LevelSearch {
     if (is_gap(blocks_[block - 1], blocks_[block], width_s_)) return false;
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       const double mean = sums_[k] / static_cast<double>(block - begin);
-      const double tension = blocks_[block].tensions_N[k];
+      const double tension = level_signal(blocks_[block], k);
       if (std::isnan(mean) && std::isnan(tension)) continue;
       if (!(std::abs(tension - mean) <= allowed(k, blocks_[begin].load_N))) return false;
     }
@@ -61,8 +66,8 @@ class LevelSearch {
       std::vector<double> first;
       std::vector<double> last;
       for (std::size_t i = 0; i < third; ++i) {
-        first.push_back(blocks_[begin + i].tensions_N[k]);
-        last.push_back(blocks_[end - 1 - i].tensions_N[k]);
+        first.push_back(level_signal(blocks_[begin + i], k));
+        last.push_back(level_signal(blocks_[end - 1 - i], k));
       }
       const double change = std::abs(middle_of(std::move(last)) - middle_of(std::move(first)));
       if (change > allowed(k, blocks_[begin].load_N)) return true;
@@ -104,12 +109,12 @@ std::vector<double> block_noise(const std::vector<std::vector<SeriesBlock>>& rec
   std::vector<double> noise;
   const std::size_t tensions =
       recordings.empty() || recordings[0].empty() ? 0 : recordings[0][0].tensions_N.size();
-  for (std::size_t k = 0; k < tensions; ++k) {
+  for (std::size_t k = 0; k <= tensions; ++k) {
     std::vector<double> differences;
     for (const std::vector<SeriesBlock>& blocks : recordings) {
       for (std::size_t i = 2; i < blocks.size(); ++i) {
-        differences.push_back(blocks[i].tensions_N[k] - 2 * blocks[i - 1].tensions_N[k] +
-                              blocks[i - 2].tensions_N[k]);
+        differences.push_back(level_signal(blocks[i], k) - 2 * level_signal(blocks[i - 1], k) +
+                              level_signal(blocks[i - 2], k));
       }
     }
     noise.push_back(deviation_about_zero(std::move(differences)) / of_second_differences);

@@ -9,7 +9,9 @@
 namespace reeve::diagnosis {
 namespace {
 
+constexpr std::size_t most_blocks = 50;
 constexpr double walk_deviations = 4;
+constexpr double sticking = 0.5;  // of what the load changes by, where 1 is a contact that sticks
 constexpr double nearly_slack = 0.05;  // of the greatest ratio
 
 // NaN where there is none.
@@ -47,12 +49,10 @@ BlockLine line_from(const std::vector<SeriesBlock>& blocks, std::size_t begin,
   return line;
 }
 
-bool is_logged(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
-               std::size_t tension) {
-  return std::any_of(
-      blocks.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
-      blocks.begin() + static_cast<std::ptrdiff_t>(stretch.end),
-      [&](const SeriesBlock& block) { return !std::isnan(block.tensions_N[tension]); });
+bool is_logged(const std::vector<SeriesBlock>& blocks, std::size_t tension) {
+  return std::any_of(blocks.begin(), blocks.end(), [&](const SeriesBlock& block) {
+    return !std::isnan(block.tensions_N[tension]);
+  });
 }
 
 struct WatchedRatio {
@@ -64,14 +64,13 @@ struct WatchedRatio {
 
 // By the later half of the stretch, without what may be off. Tensions that it does not have say
 // nothing, and of a nearly slack one small changes neither.
-std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks,
-                                       const BlockStretch& stretch) {
+std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks) {
   std::vector<WatchedRatio> result;
   double greatest = 0;
-  for (std::size_t k = 0; k < blocks[stretch.begin].tensions_N.size(); ++k) {
-    if (!is_logged(blocks, stretch, k)) continue;
+  for (std::size_t k = 0; k < blocks.front().tensions_N.size(); ++k) {
+    if (!is_logged(blocks, k)) continue;
     std::vector<double> later;
-    for (std::size_t i = (stretch.begin + stretch.end) / 2; i < stretch.end; ++i) {
+    for (std::size_t i = blocks.size() / 2; i < blocks.size(); ++i) {
       later.push_back(ratio(blocks[i], k));
     }
     result.push_back({k, std::abs(middle_of(std::move(later))), 0, 0});
@@ -81,14 +80,31 @@ std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks,
   return result;
 }
 
-bool slides_at_the_end(const std::vector<SeriesBlock>& blocks, std::size_t end,
-                       const std::vector<WatchedRatio>& ratios) {
-  const std::size_t begin = end - blocks_per_least_time;
-  const double seconds = blocks[end - 1].time_s - blocks[begin].time_s;
-  const double load = std::abs(blocks[end - 1].load_N / blocks[begin].load_N - 1);
+struct ThirdMeans {
+  double first = 0;
+  double last = 0;
+};
+
+template <typename Value>
+ThirdMeans third_means(const std::vector<SeriesBlock>& blocks, std::size_t from, Value value) {
+  const std::size_t third = std::max<std::size_t>(1, (blocks.size() - from) / 3);
+  ThirdMeans means;
+  for (std::size_t i = 0; i < third; ++i) {
+    means.first += value(blocks[from + i]) / static_cast<double>(third);
+    means.last += value(blocks[blocks.size() - 1 - i]) / static_cast<double>(third);
+  }
+  return means;
+}
+
+bool follows_the_load(const std::vector<SeriesBlock>& blocks, std::size_t from,
+                      const std::vector<WatchedRatio>& ratios) {
+  const ThirdMeans load = third_means(blocks, from, [](const SeriesBlock& b) { return b.load_N; });
+  const double growth = std::abs(std::log(load.last / load.first));
   return std::all_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
-    const double change = std::abs(line_from(blocks, begin, watched.tension).slope) * seconds;
-    return change <= watched.tolerance + watched.noise + 0.5 * load * watched.level;
+    const ThirdMeans means =
+        third_means(blocks, from, [&](const SeriesBlock& b) { return ratio(b, watched.tension); });
+    const double allowed = watched.tolerance + watched.noise + sticking * growth * watched.level;
+    return std::abs(means.last - means.first) <= allowed;
   });
 }
 
@@ -126,13 +142,44 @@ bool is_off(const std::vector<SeriesBlock>& blocks, std::size_t from, BlocksAhea
 }
 
 // A sharp bend shows in the next two blocks, a blunt one in the third to the fifth.
-bool bends(const std::vector<SeriesBlock>& blocks, std::size_t begin, std::size_t from,
+bool bends(const std::vector<SeriesBlock>& blocks, std::size_t from,
            const std::vector<WatchedRatio>& ratios) {
-  const std::size_t there = from - begin;
-  if (is_off(blocks, from, {1, 1}, ratios) && (there < 2 || is_off(blocks, from, {2, 2}, ratios))) {
+  if (is_off(blocks, from, {1, 1}, ratios) && (from < 2 || is_off(blocks, from, {2, 2}, ratios))) {
     return true;
   }
-  return there >= 5 && is_off(blocks, from, {3, 5}, ratios);
+  return from >= 5 && is_off(blocks, from, {3, 5}, ratios);
+}
+
+// Of a long stretch in blocks so coarse that a slow bend shows in some of them.
+struct CoarseStretch {
+  std::size_t each = 1;  // blocks in one of these
+  std::vector<SeriesBlock> blocks;
+};
+
+SeriesBlock merged(const std::vector<SeriesBlock>& blocks, std::size_t begin, std::size_t end) {
+  SeriesBlock all;
+  const auto count = static_cast<double>(end - begin);
+  all.tensions_N.assign(blocks[begin].tensions_N.size(), 0);
+  for (std::size_t i = begin; i < end; ++i) {
+    all.time_s += blocks[i].time_s / count;
+    all.load_N += blocks[i].load_N / count;
+    for (std::size_t k = 0; k < all.tensions_N.size(); ++k) {
+      all.tensions_N[k] += blocks[i].tensions_N[k] / count;
+    }
+  }
+  return all;
+}
+
+// From its end, so that what is left over lies at its begin, and is left out.
+CoarseStretch coarse(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch) {
+  CoarseStretch result;
+  const std::size_t length = stretch.end - stretch.begin;
+  result.each = (length + most_blocks - 1) / most_blocks;
+  for (std::size_t end = stretch.end; end >= stretch.begin + result.each; end -= result.each) {
+    result.blocks.push_back(merged(blocks, end - result.each, end));
+  }
+  std::reverse(result.blocks.begin(), result.blocks.end());
+  return result;
 }
 
 }  // namespace
@@ -143,11 +190,11 @@ std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& rec
       recordings.empty() || recordings[0].empty() ? 0 : recordings[0][0].tensions_N.size();
   std::vector<std::vector<double>> errors(tensions);
   for (std::size_t part = 0; part < recordings.size(); ++part) {
-    const std::vector<SeriesBlock>& blocks = recordings[part];
     for (const BlockStretch& stretch : stretches[part]) {
-      for (const WatchedRatio& watched : ratio_levels(blocks, stretch)) {
+      const std::vector<SeriesBlock> blocks = coarse(recordings[part], stretch).blocks;
+      for (const WatchedRatio& watched : ratio_levels(blocks)) {
         const std::size_t k = watched.tension;
-        for (std::size_t i = stretch.begin; i + blocks_per_least_time < stretch.end; ++i) {
+        for (std::size_t i = 0; i + blocks_per_least_time < blocks.size(); ++i) {
           const double forecast = line_from(blocks, i + 1, k).at(blocks[i].time_s);
           errors[k].push_back((ratio(blocks[i], k) - forecast) / watched.level);
         }
@@ -159,18 +206,19 @@ std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& rec
   return noise;
 }
 
-std::size_t settled_from(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
+std::size_t settled_from(const std::vector<SeriesBlock>& all, const BlockStretch& stretch,
                          const std::vector<double>& noise, double tolerance) {
-  if (stretch.end - stretch.begin < blocks_per_least_time) return stretch.end;
-  std::vector<WatchedRatio> ratios = ratio_levels(blocks, stretch);
+  const auto [each, blocks] = coarse(all, stretch);
+  if (blocks.size() < blocks_per_least_time) return stretch.end;
+  std::vector<WatchedRatio> ratios = ratio_levels(blocks);
   for (WatchedRatio& watched : ratios) {
     watched.tolerance = tolerance * watched.level;
     watched.noise = walk_deviations * noise[watched.tension] * watched.level;
   }
-  if (!slides_at_the_end(blocks, stretch.end, ratios)) return stretch.end;
-  std::size_t from = stretch.end - blocks_per_least_time;
-  while (from > stretch.begin && !bends(blocks, stretch.begin, from, ratios)) --from;
-  return from + 1;
+  std::size_t from = blocks.size() - blocks_per_least_time;
+  while (from > 0 && !bends(blocks, from, ratios)) --from;
+  if (!follows_the_load(blocks, from, ratios)) return stretch.end;
+  return stretch.end - (blocks.size() - from - 1) * each;
 }
 
 }  // namespace reeve::diagnosis

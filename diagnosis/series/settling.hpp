@@ -14,8 +14,10 @@
 // is left may hold the last contact's start, and is left out too. Idea: the settling time of
 // control engineering, about a trend instead of a level.
 //
-// The end itself must slide: over its least time q changes by no more than that much and half of
-// what the load changes, since where a contact sticks, T stays and q changes as 1 / T_load.
+// The stretch is looked at in 50 blocks at most, since a bend is as slow as the carriage. What is
+// found must follow the load: from its first to its last third q changes by no more than that much
+// and half of ln of what the load grows by; where a contact sticks, T stays and ln q falls by all
+// of it.
 #pragma once
 
 #include <cstddef>

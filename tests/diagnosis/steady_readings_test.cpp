@@ -78,6 +78,7 @@ TEST(SteadyReadings, AreTakenFromEveryStrokeAndNeverWhereAContactSticks) {
     EXPECT_GT(count(found, SampleUse::taken), 2500U);
     EXPECT_GT(count(found, SampleUse::settling), 200U);
     EXPECT_GT(count(found, SampleUse::standstill), 600U);
+    EXPECT_LT(count(found, SampleUse::spike), 5U);  // nor a rest of sticking
   }
 }
 
@@ -123,6 +124,32 @@ TEST(SteadyReadings, LeaveOutALongTakeUp) {
   EXPECT_GE(found.readings.size(), 16U);
   EXPECT_GT(count(found, SampleUse::settling), 800U);
   expect_sound(samples, found);
+}
+
+// So slowly that each block looks as if it went on as the next.
+TEST(SteadyReadings, LeaveOutASlowTakeUp) {
+  RigPlan plan;
+  plan.rate_hz = 50;
+  plan.strokes = 1;
+  plan.speed_mm_s = 0.2;
+  plan.even_s = 60;
+  plan.stiffness_N_mm = 2.5;
+  plan.noise = plan.noise_N = 0.002;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_GE(found.readings.size(), 5U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, DoNotComeFromStrokesTooShortForTheContactsToSlide) {
+  RigPlan plan;
+  plan.even_s = 1.5;
+  plan.stiffness_N_mm = 0.5;
+  plan.greatest_load_N = plan.least_load_N = 30;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_GT(count(found, SampleUse::settling), 800U);
+  EXPECT_TRUE(found.readings.empty());
 }
 
 TEST(SteadyReadings, GoByASignedSpeedWhereThereIsNoPosition) {
@@ -239,11 +266,11 @@ TEST(SteadyReadings, CountCopiesOnce) {
 
 TEST(SteadyReadings, DoNotReachOverAGapOrAClockThatIsSetBack) {
   std::vector<RigSample> samples = rig_log({}, one_run);
-  samples.erase(samples.begin() + 250, samples.begin() + 330);
+  samples.erase(samples.begin() + 270, samples.begin() + 350);
   for (std::size_t i = 2000; i < samples.size(); ++i) samples[i].time_s -= 15;
   const SteadyReadings found = steady_readings(series_of(samples), {});
   for (const SteadyReading& reading : found.readings) {
-    EXPECT_FALSE(reading.begin < 250 && reading.end > 250);
+    EXPECT_FALSE(reading.begin < 270 && reading.end > 270);
     EXPECT_FALSE(reading.begin < 2000 && reading.end > 2000);
   }
   ASSERT_EQ(found.notes.size(), 1U);
@@ -272,6 +299,15 @@ TEST(SteadyReadings, DoNotComeFromARigThatStands) {
   const SteadyReadings found = steady_readings(series_of(samples), {});
   EXPECT_TRUE(found.readings.empty());
   EXPECT_EQ(count(found, SampleUse::standstill), 3000U);
+}
+
+TEST(SteadyReadings, DoNotComeFromAPositionThatIsNothingButNoise) {
+  std::vector<RigSample> samples = rig_log({}, one_run);
+  LoggedSeries series = series_of(samples);
+  series.position_mm.values = correlated_noise(series.size(), 0.9, 2, 9);
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_TRUE(found.readings.empty());
+  EXPECT_GT(count(found, SampleUse::standstill), 9 * series.size() / 10);
 }
 
 TEST(SteadyReadings, DoNotComeFromASingleSample) {
@@ -335,6 +371,16 @@ TEST(SteadyLevels, AreNotFoundWhereTheLoadNeverRests) {
     const double swing = 1 + 0.5 * std::sin(6 * series.time_s[i]);
     series.motor_tension_N.values[i] *= swing;
     series.tensions_N[0].values[i] *= swing;
+  }
+  EXPECT_TRUE(steady_readings(series, {}).readings.empty());
+}
+
+TEST(SteadyLevels, AreNotFoundOnASlowRamp) {
+  LoggedSeries series = steps({20, 20, 20, 20}, 0.002);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double ramp = std::exp(0.05 * series.time_s[i]);
+    series.motor_tension_N.values[i] *= ramp;
+    series.tensions_N[0].values[i] *= ramp;
   }
   EXPECT_TRUE(steady_readings(series, {}).readings.empty());
 }
