@@ -10,7 +10,7 @@ namespace reeve::cli {
 // What the process returns to the shell.
 enum ExitCode : int {
   done = 0,
-  answer_is_no = 1,  // a check failed
+  answer_is_no = 1,  // a check failed, or a log holds no reading
   bad_input = 2,
   interrupted = 3,  // or an internal error
 };
@@ -21,6 +21,7 @@ void add_explore(CLI::App& program, int& exit_code);
 void add_count(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_compare(CLI::App& program, int& exit_code);
+void add_import(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
 void add_diagnose(CLI::App& program, int& exit_code);
 

@@ -17,10 +17,12 @@
 #include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
+#include "diagnosis/data/csv.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/files.hpp"
+#include "reports/shell_word.hpp"
 #include "studies/diagnosed_distributions.hpp"
 #include "studies/diagnosis_study.hpp"
 
@@ -35,6 +37,7 @@ struct DiagnoseFlags {
   std::string data;
   DiagnosisSettings settings;
   bool explore = false;
+  bool as_readings = false;
   int threads = 0;
   std::string out;
   std::string save_model;
@@ -85,6 +88,19 @@ void require_places(const DiagnoseFlags& flags) {
   }
 }
 
+// Thousands of samples would be taken for as many readings, and chance for certainty.
+void require_readings(const MeasuredData& data) {
+  for (const DataNote& note : data.notes) {
+    if (note.kind != NoteKind::time_series) continue;
+    throw InputError(
+        {.where = data.file,
+         .what = note.text,
+         .expected = fmt::format("steady readings, which reeve import {} -o readings.csv makes of "
+                                 "it; or --as-readings, if each row is a reading of its own",
+                                 shell_word(for_message(data.file)))});
+  }
+}
+
 DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
@@ -92,6 +108,7 @@ DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   request.with_generated = flags.explore;
   request.threads = flags.threads;
   request.data = flags.readings.read(flags.data, catalogue);
+  if (!flags.as_readings) require_readings(request.data);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : request.data.routings) {
     routings.push_back(measured.routing);
@@ -174,6 +191,13 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
                       "is also the default where it is more")
           ->check(CLI::Range(std::size_t{99}, most_replicates))
           ->capture_default_str();
+  command
+      .add_option("--replicates", settings.replicates,
+                  "Simulated data sets that a finding is judged by")
+      ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
+      ->capture_default_str();
+  command.add_flag("--as-readings", flags.as_readings,
+                   "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--explore", flags.explore,
                    "Choose the next measurement from generated routings too, not only from those "
                    "of the catalogue and of the data");

@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
+#include "diagnosis/series/recognise_series.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -49,6 +50,7 @@ class ColumnReader {
   DataColumns read() {
     for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
     require_options();
+    require_no_log(csv_, result_.columns);
     require_columns();
     require_tensions_of_deviations();
     note_names();

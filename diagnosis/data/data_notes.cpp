@@ -8,6 +8,7 @@
 #include "diagnosis/data/checks/below_zero.hpp"
 #include "diagnosis/data/checks/copies.hpp"
 #include "diagnosis/data/checks/directions.hpp"
+#include "diagnosis/series/recognise_series.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -91,7 +92,9 @@ std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
 
 std::vector<DataNote> data_notes(const MeasuredData& data,
                                  const std::vector<CsvComment>& comments_below_the_header) {
-  std::vector<DataNote> notes = notes_on_equal_rows(data);
+  std::vector<DataNote> notes;
+  if (auto series = recognise_series(data)) notes.push_back(std::move(*series));
+  for (DataNote& note : notes_on_equal_rows(data)) notes.push_back(std::move(note));
   add_motor_side(data, notes);
   add_units(data, notes);
   for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));

@@ -4,6 +4,8 @@ namespace reeve::diagnosis {
 
 const char* note_kind_name(NoteKind kind) {
   switch (kind) {
+    case NoteKind::time_series:
+      return "time_series";
     case NoteKind::duplicate:
       return "duplicate";
     case NoteKind::duplicate_across_runs:
@@ -38,6 +40,12 @@ const char* note_kind_name(NoteKind kind) {
       return "jams";
     case NoteKind::not_compared:
       return "not_compared";
+    case NoteKind::clock:
+      return "clock";
+    case NoteKind::no_motion:
+      return "no_motion";
+    case NoteKind::reversed:
+      return "reversed";
   }
   return "";
 }

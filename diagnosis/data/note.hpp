@@ -11,6 +11,7 @@
 namespace reeve::diagnosis {
 
 enum class NoteKind : std::uint8_t {
+  time_series,             // samples of a logger in place of readings (recognise_series.hpp)
   duplicate,               // copies of a row of the same run
   duplicate_across_runs,   // … of another run
   equal_by_chance,         // rows equal in every tension, as coarse sensors make them
@@ -28,6 +29,9 @@ enum class NoteKind : std::uint8_t {
   below_zero,              // tensions that a slack strand or a drifted zero gives
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
+  clock,                   // of a time series: set back (steady_readings.hpp)
+  no_motion,               // of a time series: it does not say when the carriage moves
+  reversed,                // of a time series: pulling looks like releasing
 };
 const char* note_kind_name(NoteKind kind);
 

@@ -219,6 +219,20 @@ TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
   expect_csv(read_text(folder.path() / "residuals.csv"), "compare_residuals.csv");
 }
 
+TEST(GoldenImport, OfTheLogOfASimulatedRig) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "readings.csv").string();
+  ProcessOptions options;
+  options.directory = REEVE_SOURCE_DIR;
+  const ProcessResult result =
+      reeve({"import", "tests/golden/log.csv", "-o", file, "--format", "json"}, options);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  expect_json(result.out, "import.json");
+  const std::string csv = read_text(file);
+  expect_csv(csv.substr(csv.find('\n') + 1), "import_readings.csv");  // below the version
+}
+
 TEST(GoldenSchematic, OfTheSevenInThePapersGrasp) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "drawing.svg").string();

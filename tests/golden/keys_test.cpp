@@ -307,6 +307,24 @@ TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
   EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());
 }
 
+const std::string logged = std::string(REEVE_SOURCE_DIR) + "/tests/golden/log.csv";
+
+TEST(KeysOfImport, AreThePromisedOnes) {
+  const Json json = json_of({"import", logged});
+  EXPECT_EQ(keys(json), "data readings samples notes settings version");
+  EXPECT_EQ(keys(json["data"]), "file simulated samples seconds_logged usual_step_s motion");
+  EXPECT_EQ(keys(json["readings"][0]),
+            "run routing held direction time_s lines samples readings speed_mm_s motor_tension "
+            "tensions others");
+  EXPECT_EQ(keys(json["readings"][0]["tensions"]), "T1 T2 T3 T4");
+  EXPECT_EQ(keys(json["readings"][0]["motor_tension"]), "mean_N deviation_N");
+  EXPECT_EQ(keys(json["samples"]),
+            "taken standstill speed_varies load_varies settling slack no_direction incomplete copy "
+            "spike too_few");
+  EXPECT_EQ(keys(json["settings"]),
+            "least_time_s tolerance per_sweep reverse direction run routing held");
+}
+
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
@@ -336,6 +354,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);
   collect(json_of(power), names);
+  collect(json_of({"import", logged}), names);
   collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
   collect(json_of({"diagnose", seeds_readings}), names);
   const std::string csv =

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "reports/files.hpp"
+#include "reports/import/import_report.hpp"
+#include "reports/import/log_chart.hpp"
+#include "studies/import/import_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ImportFlags {
+  std::string log;
+  ImportLabels labels;
+  SteadyOptions options;
+  std::string direction;
+  std::string out;
+  std::string plot;
+  CLI::Option* out_given = nullptr;
+  CLI::Option* plot_given = nullptr;
+  CLI::Option* direction_given = nullptr;
+  FormatOption format;
+  std::string command;  // as it was given
+};
+
+void require_places(const ImportFlags& flags) {
+  const auto require = [&](const CLI::Option* given, const std::string& file, const char* option) {
+    if (given->count() == 0) return;
+    require_file_can_be_written(file, option);
+    require_not_the_data(file, flags.log, option);
+  };
+  require(flags.out_given, flags.out, "-o");
+  require(flags.plot_given, flags.plot, "--plot");
+}
+
+ImportReport report(const ImportFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  SteadyOptions options = flags.options;
+  if (flags.direction_given->count() > 0) {
+    options.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
+  }
+  return import_study(read_logged_series(flags.log), flags.labels, options,
+                      [&](const std::string& text) { return read_routing(text, catalogue); });
+}
+
+void print(const ImportReport& result, const ImportFlags& flags, bool written) {
+  if (flags.format.is("json")) {
+    std::cout << import_json(result);
+    return;
+  }
+  Sheet sheet = import_sheet(result);
+  if (flags.format.is("table")) {
+    Section last;
+    if (written) last.lines.push_back({fmt::format("Written: {}", flags.out)});
+    if (flags.plot_given->count() > 0) {
+      last.lines.push_back({fmt::format("Plot: {}", flags.plot)});
+    }
+    sheet.add(last);
+  }
+  std::cout << printed(sheet, flags.format);
+}
+
+int run(const ImportFlags& flags) {
+  require_places(flags);
+  const ImportReport result = report(flags);
+  const bool found = !result.steady.readings.empty();
+  const bool written = found && flags.out_given->count() > 0;
+  if (flags.plot_given->count() > 0) write_file(flags.plot, log_svg(result));
+  if (written) write_file(flags.out, imported_csv(result, flags.command));
+  print(result, flags, written);
+  return found ? done : answer_is_no;
+}
+
+void add_labels(CLI::App& command, ImportFlags& flags) {
+  command.add_option("--run", flags.labels.run,
+                     "Run of all readings, if the log has no column run (default: 1)");
+  command.add_option("--routing", flags.labels.routing,
+                     "Routing of all readings, if the log has no column routing: a name of the "
+                     "catalogue or a word");
+  command.add_option("--held", flags.labels.held,
+                     "Held fingers of all readings, such as 1 or '1;2', if the log has no column "
+                     "held (default: none)");
+  flags.direction_given =
+      command
+          .add_option("--direction", flags.direction,
+                      "pull or release, where neither position nor speed nor load say")
+          ->check(CLI::IsMember({"pull", "release"}));
+}
+
+void add_steadiness(CLI::App& command, SteadyOptions& options) {
+  command.add_option("--least-time", options.least_time_s, "Seconds that a reading lasts at least")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "Share within which a steady tension stays, beside its noise")
+      ->check(CLI::Range(0.0001, 0.5))
+      ->capture_default_str();
+  command
+      .add_option("--per-sweep", options.per_sweep,
+                  "Readings at most of one stroke along which the load grows or falls")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{20}))
+      ->capture_default_str();
+  command.add_flag("--reverse", options.reverse,
+                   "Position and speed of the log fall while the carriage pulls");
+}
+
+}  // namespace
+
+void add_import(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "import", "Steady readings out of a logger's time series, as a data file");
+  auto flags = std::make_shared<ImportFlags>();
+  command
+      ->add_option("log", flags->log,
+                   "CSV file with a row for each sample; docs/data.md describes its columns")
+      ->required();
+  flags->out_given = command->add_option("-o,--output", flags->out,
+                                         "CSV file for the readings (default: none written)");
+  flags->plot_given =
+      command->add_option("--plot", flags->plot,
+                          "SVG file: the signals, what was taken, and what was left out and why");
+  add_labels(*command, *flags);
+  add_steadiness(*command, flags->options);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags, command, &exit_code] {
+    flags->command = command_line(*command, {"--format", "--output", "--plot"});
+    exit_code = run(*flags);
+  });
+}
+
+}  // namespace reeve::cli

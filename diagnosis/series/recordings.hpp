@@ -1,0 +1,32 @@
+// A log falls into recordings: stretches of samples over which the clock runs forward and the
+// labels stay. A logger that is started anew sets its clock back, and a new mounting changes the
+// run; no reading reaches over either.
+//
+// A clock that goes back all the time is no clock: where it does so more than once in twenty
+// samples, that is an InputError which names the first line.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "diagnosis/series/logged_series.hpp"
+
+namespace reeve::diagnosis {
+
+struct Recording {
+  std::size_t begin = 0;  // samples [begin, end)
+  std::size_t end = 0;
+  std::size_t label = 0;  // in LoggedSeries::labels
+};
+
+struct Recordings {
+  std::vector<Recording> parts;             // in the order of the samples; none is empty
+  std::vector<std::size_t> clock_set_back;  // lines at which the clock is behind the line before
+};
+
+Recordings recordings(const LoggedSeries& series);
+
+// Median of the steps of the clock that are not 0; 0 if there is none.
+double usual_step(const LoggedSeries& series, const std::vector<Recording>& parts);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,19 @@
+// Middle and spread of numbers of which some are wild. NaN is passed over.
+#pragma once
+
+#include <vector>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::diagnosis {
+
+// NaN of none.
+double middle_of(std::vector<double> values);
+
+// The value below which this share of them lies; NaN of none.
+double quantile_of(std::vector<double> values, double share);
+
+// Of normal numbers about 0, their standard deviation: median |v| / 0.6745. 0 of none.
+double deviation_about_zero(std::vector<double> values);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,73 @@
+// Logs and options that `import` refuses, and nothing is written.
+#include <gtest/gtest.h>
+
+#include "tests/cli/bad_line.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// A log beside the files of bad_line.hpp.
+void expect_refused(const std::string& log, Arguments options, const std::string& message) {
+  SCOPED_TRACE(log);
+  const TemporaryFolder folder;
+  folder.write("log.csv", log);
+  const std::vector<std::string> before = everything_in(folder.path());
+  ProcessOptions process;
+  process.directory = folder.path();
+  Arguments arguments{"import", "log.csv"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ProcessResult result = reeve(arguments, process);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "reeve: " + message + "\n");
+  EXPECT_EQ(everything_in(folder.path()), before);
+}
+
+const std::string plain = "t,motor_tension_N,T1_N\n0,20,6\n1,20,6\n";
+
+TEST(BadImport, NamesAnOptionThatItCannotTake) {
+  const auto import = [](Arguments arguments, const std::string& message) {
+    arguments.insert(arguments.begin(), "import");
+    return BadLine{arguments, message, {}};
+  };
+  expect_all_bad({
+      import({}, "log is required"),
+      import({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
+      import({"empty.csv"}, "empty.csv: is empty: expected a header and rows below it"),
+      import({"ok.csv"}, "ok.csv:1: the header has no column of time: expected one of "),
+      import({"ok.csv", "--least-time", "0"}, "--least-time"),
+      import({"ok.csv", "--tolerance", "2"}, "--tolerance"),
+      import({"ok.csv", "--per-sweep", "0"}, "--per-sweep"),
+      import({"ok.csv", "--direction", "back"}, "--direction"),
+      import({"ok.csv", "-o", "ok.csv"}, "would be written over the data"),
+      import({"ok.csv", "--plot", "ok.csv"}, "would be written over the data"),
+      import({"ok.csv", "-o", "none/readings.csv"}, "-o 'none/readings.csv': expected a file in"),
+      import({"ok.csv", "-o", "no_catalogue"}, "-o 'no_catalogue': expected the name of a file"),
+  });
+}
+
+TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
+  expect_refused(plain, {"-o", "readings.csv"},
+                 "routing '': expected a routing such as M-1-T-2-F, in a column of the log or "
+                 "given");
+  expect_refused(
+      plain, {"--routing", "TR1", "--held", "3"},
+      "held '3': expected nothing (none held), or finger numbers from 1 to 2, such as 1");
+  expect_refused(plain, {"--routing", "TR1", "--run", ""},
+                 "run '': expected a name or number for the run");
+  expect_refused("t,routing,motor_tension_N,T1_N\n0,TR1,20,6\n1,TR,20,6\n", {"--routing", "TR1"},
+                 "log.csv: the log has a column 'routing', and 'TR1' is given too: expected one of "
+                 "them");
+  expect_refused("t,routing,motor_tension_N,T1_N\n0,TR1,20,6\n1,,20,6\n", {},
+                 "log.csv:3: column 'routing' = '': expected a routing such as M-1-T-2-F, in a "
+                 "column of the log or given");
+  expect_refused("t,direction,motor_tension_N,T1_N\n0,,20,6\n1,up,20,6\n", {"--routing", "TR1"},
+                 "log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell "
+                 "(by the motion)");
+  expect_refused("t,motor_tension_N,T5_N\n0,20,\n1,20,6\n", {"--routing", "TR1"},
+                 "log.csv:3: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty "
+                 "cell");
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,106 @@
+#include "diagnosis/series/logged_series.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "diagnosis/series/recordings.hpp"
+#include "tests/support/input_error.hpp"
+
+namespace reeve::testing {
+namespace {
+
+LoggedSeries log_of(const std::string& text) { return parse_logged_series(text, "log.csv"); }
+
+std::string log_error(const std::string& text) {
+  return input_error([&] { recordings(log_of(text)); });
+}
+
+TEST(LoggedSeries, HasEachColumnInItsPlace) {
+  const LoggedSeries series = log_of(
+      "# our rig, May 3\ntime_ms,run,position_mm,motor_tension_N,T1_N,Ta_N,temperature_C,operator\n"
+      "10,A,1,20,6,9,21,Kim\n20,A,2,21,7,9,22,Kim\n30,B,3,22,8,9,23,Kim\n");
+  EXPECT_EQ(series.time_s, (std::vector<double>{0.01, 0.02, 0.03}));
+  EXPECT_EQ(series.position_mm.values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(series.motor_tension_N.values, (std::vector<double>{20, 21, 22}));
+  ASSERT_EQ(series.tensions_N.size(), 2U);
+  EXPECT_EQ(series.tensions_N[1].name, "Ta_N");
+  ASSERT_EQ(series.others.size(), 1U);
+  EXPECT_EQ(series.others[0].values, (std::vector<double>{21, 22, 23}));
+  EXPECT_EQ(series.other_labels, std::vector<std::string>{"operator"});
+  EXPECT_EQ(series.label, (std::vector<std::size_t>{0, 0, 1}));
+  EXPECT_EQ(series.labels[1].run, "B");
+  EXPECT_EQ(series.lines, (std::vector<std::size_t>{3, 4, 5}));
+  EXPECT_EQ(series.comments, std::vector<std::string>{" our rig, May 3"});
+  EXPECT_FALSE(series.simulated);
+}
+
+TEST(LoggedSeries, TakesEmptyCellsAndNanAsMissing) {
+  const LoggedSeries series = log_of("t,T1_N,T2_N\n0,,2\n1,NaN,-0.1\n2,nan,\n3,3,n/a\n");
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[0]));
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[1]));
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[2]));
+  EXPECT_EQ(series.tensions_N[0].values[3], 3);
+  EXPECT_EQ(series.tensions_N[1].values[1], -0.1);
+  EXPECT_TRUE(std::isnan(series.tensions_N[1].values[3]));
+}
+
+TEST(LoggedSeries, IsSimulatedIfACommentSaysSo) {
+  EXPECT_TRUE(log_of("# Simulated rig\nt,T1_N,T2_N\n0,1,2\n").simulated);
+}
+
+TEST(BadLog, IsNamedWithLineColumnAndWhatWasExpected) {
+  EXPECT_EQ(log_error("T1_N,T2_N\n1,2\n"),
+            "log.csv:1: the header has no column of time: expected one of time_s, t_s, t, time, "
+            "timestamp (seconds), time_ms and t_ms");
+  EXPECT_EQ(log_error("t,time_s,T1_N,T2_N\n0,0,1,2\n").substr(0, 56),
+            "log.csv:1: the header has more than one column of time: ");
+  EXPECT_EQ(log_error("t,force\n0,1\n").substr(0, 52),
+            "log.csv:1: the header has no column of tensions: exp");
+  EXPECT_EQ(log_error("t,T1_N\n0,1\n").substr(0, 52),
+            "log.csv:1: the header has one column of tensions: ex");
+  EXPECT_EQ(log_error("t,T1_N,T1_N\n0,1,1\n"),
+            "log.csv:1: column 3 'T1_N': column 2 has that name already");
+  EXPECT_EQ(log_error("t,T1_N,T2_N,readings\n0,1,1,1\n").substr(0, 54),
+            "log.csv:1: column 4 'readings': expected another name:");
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n"),
+            "log.csv:1: expected rows below the header, and there are none");
+  EXPECT_EQ(log_error(""), "log.csv: is empty: expected a header and rows below it");
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n0,1,2\n1,x,2\n"),
+            "log.csv:3: column 'T1_N' = 'x': expected a number from -1000000000 to 1000000000, or "
+            "an empty cell");
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n0,1,2\n1,1e300,2\n").substr(0, 33),
+            "log.csv:3: column 'T1_N' = '1e300");
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n,1,2\n"),
+            "log.csv:2: column 't' = '': expected the time of the sample, a number");
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n12:00:01,1,2\n").substr(0, 33),
+            "log.csv:2: column 't' = '12:00:01");
+  EXPECT_EQ(log_error("t,T1_N,T2_N,c\n0,1,2,3\n1,1,2,x\n").substr(0, 28),
+            "log.csv:3: column 'c' = 'x':");
+}
+
+TEST(Recordings, EndWhereTheClockIsSetBackOrALabelChanges) {
+  std::string text = "t,run,T1_N,T2_N\n";
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(i % 40) + (i < 20 ? ",A" : ",B") + ",1,2\n";
+  }
+  const Recordings found = recordings(log_of(text));
+  ASSERT_EQ(found.parts.size(), 3U);
+  EXPECT_EQ(found.parts[1].begin, 20U);
+  EXPECT_EQ(found.parts[1].label, 1U);
+  EXPECT_EQ(found.parts[2].begin, 40U);
+  EXPECT_EQ(found.parts[2].end, 60U);
+  EXPECT_EQ(found.clock_set_back, std::vector<std::size_t>{42});
+}
+
+TEST(Recordings, NeedAClockThatRunsForward) {
+  std::string text = "t,T1_N,T2_N\n";
+  for (int i = 40; i > 0; --i) text += std::to_string(i) + ",1,2\n";
+  EXPECT_EQ(log_error(text),
+            "log.csv:3: the time is less than in the row before, and so in 39 of 40 rows: expected "
+            "rows in the order of their time");
+}
+
+}  // namespace
+}  // namespace reeve::testing

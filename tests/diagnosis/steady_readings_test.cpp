@@ -1,0 +1,399 @@
+// Logs of a simulated rig, whose truth is known at every sample.
+#include "diagnosis/series/steady_readings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/support/rig_log.hpp"
+
+namespace reeve::testing {
+namespace {
+
+const std::vector<RigRun> one_run{
+    {"1", "M-1-T-2-F", "", {{0.7, 1.2}, {0.55, 1.5}, {0.45, 1.8}, {0.35, 2.2}}}};
+
+LoggedSeries series_of(const std::vector<RigSample>& samples, const RigColumns& columns = {}) {
+  return parse_logged_series(rig_csv(samples, one_run, columns), "log.csv");
+}
+
+std::size_t count(const SteadyReadings& found, SampleUse use) {
+  return static_cast<std::size_t>(std::count(found.uses.begin(), found.uses.end(), use));
+}
+
+// Mean of the true tensions over the samples that were taken into the reading.
+double true_mean(const std::vector<RigSample>& samples, const SteadyReadings& found,
+                 const SteadyReading& reading, std::size_t strand) {
+  double sum = 0;
+  for (std::size_t i = reading.begin; i < reading.end; ++i) {
+    if (found.uses[i] == SampleUse::taken) sum += samples[i].strands_N[strand];
+  }
+  return sum / static_cast<double>(reading.samples);
+}
+
+std::vector<double> deviations_from_truth(const std::vector<RigSample>& samples,
+                                          const SteadyReadings& found) {
+  std::vector<double> deviations;
+  for (const SteadyReading& reading : found.readings) {
+    for (std::size_t strand = 0; strand < 4; ++strand) {
+      const AveragedTension& tension = *reading.tensions_N[strand];
+      const double error_N = tension.deviation_N / std::sqrt(static_cast<double>(reading.readings));
+      deviations.push_back((tension.mean_N - true_mean(samples, found, reading, strand)) / error_N);
+    }
+  }
+  return deviations;
+}
+
+double share_within(const std::vector<double>& values, double limit) {
+  const auto within = std::count_if(values.begin(), values.end(),
+                                    [&](double value) { return std::abs(value) <= limit; });
+  return static_cast<double>(within) / static_cast<double>(values.size());
+}
+
+void expect_sound(const std::vector<RigSample>& samples, const SteadyReadings& found) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (found.uses[i] != SampleUse::taken) continue;
+    EXPECT_TRUE(samples[i].slides) << "at " << samples[i].time_s << " s";
+  }
+  for (const SteadyReading& reading : found.readings) {
+    const RigSample& middle = samples[(reading.begin + reading.end) / 2];
+    EXPECT_EQ(reading.direction == Direction::pull, middle.speed_mm_s > 0) << reading.time_s;
+    EXPECT_NEAR(*reading.speed_mm_s, std::abs(middle.speed_mm_s), 0.3);
+  }
+}
+
+TEST(SteadyReadings, AreTakenFromEveryStrokeAndNeverWhereAContactSticks) {
+  for (const double correlation : {0.0, 0.9}) {
+    RigPlan plan;
+    plan.correlation = correlation;
+    const std::vector<RigSample> samples = rig_log(plan, one_run);
+    const SteadyReadings found = steady_readings(series_of(samples), {});
+    EXPECT_EQ(found.motion, MotionSource::position);
+    EXPECT_EQ(found.readings.size(), 40U);
+    expect_sound(samples, found);
+    EXPECT_GT(count(found, SampleUse::taken), 2500U);
+    EXPECT_GT(count(found, SampleUse::settling), 200U);
+    EXPECT_GT(count(found, SampleUse::standstill), 600U);
+    EXPECT_LT(count(found, SampleUse::spike), 5U);  // nor a rest of sticking
+  }
+}
+
+TEST(SteadyReadings, HaveMeansWithinTheirStandardErrors) {
+  RigPlan plan;
+  plan.strokes = 8;
+  plan.correlation = 0.7;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const std::vector<double> deviations = deviations_from_truth(samples, found);
+  ASSERT_EQ(deviations.size(), 320U);
+  EXPECT_NEAR(share_within(deviations, 1.96), 0.95, 0.035);
+  EXPECT_NEAR(share_within(deviations, 0.674), 0.5, 0.09);
+}
+
+TEST(SteadyReadings, OfAnEvenLoadAreOneForEachStroke) {
+  RigPlan plan;
+  plan.greatest_load_N = plan.least_load_N = 20;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_EQ(found.readings.size(), 8U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, OfASweepStandForLoadsOfTheirOwn) {
+  const std::vector<RigSample> samples = rig_log({}, one_run);
+  SteadyOptions options;
+  options.per_sweep = 3;
+  const SteadyReadings found = steady_readings(series_of(samples), options);
+  ASSERT_EQ(found.readings.size(), 24U);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_GT(found.readings[i].motor_tension_N->mean_N,
+              1.1 * found.readings[i - 1].motor_tension_N->mean_N);
+  }
+}
+
+// A long take-up: half of each stroke only brings the contacts to slide.
+TEST(SteadyReadings, LeaveOutALongTakeUp) {
+  RigPlan plan;
+  plan.stiffness_N_mm = 2.5;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_GE(found.readings.size(), 16U);
+  EXPECT_GT(count(found, SampleUse::settling), 800U);
+  expect_sound(samples, found);
+}
+
+// So slowly that each block looks as if it went on as the next.
+TEST(SteadyReadings, LeaveOutASlowTakeUp) {
+  RigPlan plan;
+  plan.rate_hz = 50;
+  plan.strokes = 1;
+  plan.speed_mm_s = 0.2;
+  plan.even_s = 60;
+  plan.stiffness_N_mm = 2.5;
+  plan.noise = plan.noise_N = 0.002;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_GE(found.readings.size(), 5U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, DoNotComeFromStrokesTooShortForTheContactsToSlide) {
+  RigPlan plan;
+  plan.even_s = 1.5;
+  plan.stiffness_N_mm = 0.5;
+  plan.greatest_load_N = plan.least_load_N = 30;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_GT(count(found, SampleUse::settling), 800U);
+  EXPECT_TRUE(found.readings.empty());
+}
+
+TEST(SteadyReadings, GoByASignedSpeedWhereThereIsNoPosition) {
+  const std::vector<RigSample> samples = rig_log({}, one_run);
+  const SteadyReadings found =
+      steady_readings(series_of(samples, {.position = false, .speed = true, .labels = false}), {});
+  EXPECT_EQ(found.motion, MotionSource::speed);
+  EXPECT_EQ(found.readings.size(), 40U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, GoByTheLoadWhereTheSpeedHasNoSign) {
+  const std::vector<RigSample> samples = rig_log({}, one_run);
+  LoggedSeries series = series_of(samples, {.position = false, .speed = true, .labels = false});
+  for (double& speed : series.speed_mm_s.values) speed = std::abs(speed);
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_EQ(found.readings.size(), 40U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, OfAnEvenLoadNeedToBeToldTheDirectionWhereTheSpeedHasNoSign) {
+  RigPlan plan;
+  plan.greatest_load_N = plan.least_load_N = 20;
+  LoggedSeries series =
+      series_of(rig_log(plan, one_run), {.position = false, .speed = true, .labels = false});
+  for (double& speed : series.speed_mm_s.values) speed = std::abs(speed);
+  const SteadyReadings silent = steady_readings(series, {});
+  EXPECT_TRUE(silent.readings.empty());
+  EXPECT_GT(count(silent, SampleUse::no_direction), 1500U);
+  SteadyOptions options;
+  options.direction = Direction::release;
+  const SteadyReadings told = steady_readings(series, options);
+  ASSERT_EQ(told.readings.size(), 8U);
+  EXPECT_EQ(told.readings[0].direction, Direction::release);
+}
+
+TEST(SteadyReadings, NoteAPositionThatCountsTheOtherWayAndTurnIt) {
+  LoggedSeries series = series_of(rig_log({}, one_run));
+  for (double& position : series.position_mm.values) position = -position;
+  const SteadyReadings wrong = steady_readings(series, {});
+  ASSERT_EQ(wrong.notes.size(), 1U);
+  EXPECT_EQ(wrong.notes[0].kind, NoteKind::reversed);
+  SteadyOptions options;
+  options.reverse = true;
+  const SteadyReadings right = steady_readings(series, options);
+  EXPECT_TRUE(right.notes.empty());
+  EXPECT_EQ(right.readings[0].direction, Direction::pull);
+}
+
+TEST(SteadyReadings, TakeTheDirectionThatTheLogNames) {
+  LoggedSeries series = series_of(rig_log({}, one_run));
+  series.labels[0].direction = "release";
+  for (const SteadyReading& reading : steady_readings(series, {}).readings) {
+    EXPECT_EQ(reading.direction, Direction::release);
+  }
+}
+
+TEST(SteadyReadings, DoNotFollowSpikes) {
+  const std::vector<RigSample> samples = rig_log({}, one_run);
+  LoggedSeries series = series_of(samples);
+  for (std::size_t i = 50; i < series.size(); i += 97) series.tensions_N[i % 4].values[i] = 1e9;
+  for (std::size_t i = 20; i < series.size(); i += 89) series.position_mm.values[i] = -1e6;
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_EQ(found.readings.size(), 40U);
+  EXPECT_GT(count(found, SampleUse::spike), 15U);
+  EXPECT_GT(share_within(deviations_from_truth(samples, found), 3), 0.97);
+}
+
+TEST(SteadyReadings, LeaveOutSamplesThatLackAValue) {
+  const std::vector<RigSample> samples = rig_log({}, one_run);
+  LoggedSeries series = series_of(samples);
+  for (std::size_t i = 0; i < series.size(); i += 10) {
+    series.tensions_N[1].values[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_EQ(found.readings.size(), 40U);
+  EXPECT_GT(count(found, SampleUse::incomplete), 250U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, HaveNoTensionOfASensorThatIsOff) {
+  LoggedSeries series = series_of(rig_log({}, one_run));
+  for (double& tension : series.tensions_N[2].values) {
+    tension = std::numeric_limits<double>::quiet_NaN();
+  }
+  const SteadyReadings found = steady_readings(series, {});
+  ASSERT_EQ(found.readings.size(), 40U);
+  EXPECT_FALSE(found.readings[7].tensions_N[2]);
+  EXPECT_TRUE(found.readings[7].tensions_N[3]);
+  EXPECT_EQ(count(found, SampleUse::incomplete), 0U);
+}
+
+// A logger that writes four rows for each that it measures.
+TEST(SteadyReadings, CountCopiesOnce) {
+  RigPlan plan;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings plain = steady_readings(series_of(samples), {});
+  std::vector<RigSample> copied;
+  for (const RigSample& sample : samples) {
+    for (int i = 0; i < 4; ++i) {
+      copied.push_back(sample);
+      copied.back().time_s += i * 0.0025;
+    }
+  }
+  const SteadyReadings found = steady_readings(series_of(copied), {});
+  EXPECT_EQ(found.readings.size(), 40U);
+  EXPECT_GT(count(found, SampleUse::copy), 2 * count(found, SampleUse::taken));
+  std::size_t worth = 0;
+  std::size_t worth_before = 0;
+  for (const SteadyReading& reading : found.readings) worth += reading.readings;
+  for (const SteadyReading& reading : plain.readings) worth_before += reading.readings;
+  EXPECT_NEAR(static_cast<double>(worth) / static_cast<double>(worth_before), 1, 0.1);
+}
+
+TEST(SteadyReadings, DoNotReachOverAGapOrAClockThatIsSetBack) {
+  std::vector<RigSample> samples = rig_log({}, one_run);
+  samples.erase(samples.begin() + 270, samples.begin() + 350);
+  for (std::size_t i = 2000; i < samples.size(); ++i) samples[i].time_s -= 15;
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  for (const SteadyReading& reading : found.readings) {
+    EXPECT_FALSE(reading.begin < 270 && reading.end > 270);
+    EXPECT_FALSE(reading.begin < 2000 && reading.end > 2000);
+  }
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_EQ(found.notes[0].kind, NoteKind::clock);
+  EXPECT_EQ(found.notes[0].lines, std::vector<std::size_t>{2002});
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, OfASlowLoggerAreTheSame) {
+  RigPlan plan;
+  plan.rate_hz = 10;
+  plan.even_s = 20;
+  plan.speed_mm_s = 2;
+  const std::vector<RigSample> samples = rig_log(plan, one_run);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_EQ(found.readings.size(), 40U);
+  expect_sound(samples, found);
+}
+
+TEST(SteadyReadings, DoNotComeFromARigThatStands) {
+  RigPlan plan;
+  plan.strokes = 1;
+  plan.dwell_s = 30;
+  std::vector<RigSample> samples = rig_log(plan, one_run);
+  samples.resize(3000);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_TRUE(found.readings.empty());
+  EXPECT_EQ(count(found, SampleUse::standstill), 3000U);
+}
+
+TEST(SteadyReadings, DoNotComeFromAPositionThatIsNothingButNoise) {
+  std::vector<RigSample> samples = rig_log({}, one_run);
+  LoggedSeries series = series_of(samples);
+  series.position_mm.values = correlated_noise(series.size(), 0.9, 2, 9);
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_TRUE(found.readings.empty());
+  EXPECT_GT(count(found, SampleUse::standstill), 9 * series.size() / 10);
+}
+
+TEST(SteadyReadings, DoNotComeFromASingleSample) {
+  std::vector<RigSample> samples = rig_log({}, one_run);
+  samples.resize(1);
+  const SteadyReadings found = steady_readings(series_of(samples), {});
+  EXPECT_TRUE(found.readings.empty());
+  EXPECT_EQ(found.uses.size(), 1U);
+}
+
+// A load test in steps: no motion in the log.
+LoggedSeries steps(const std::vector<double>& loads_N, double noise) {
+  LoggedSeries series;
+  series.file = "log.csv";
+  series.motor_tension_N.name = "motor_tension_N";
+  series.tensions_N = {{"T1_N", {}}};
+  series.labels.emplace_back();
+  const std::vector<double> scatter = correlated_noise(loads_N.size() * 300, 0.5, 3, 0);
+  double level_N = loads_N.front();
+  for (std::size_t i = 0; i < loads_N.size() * 300; ++i) {
+    level_N += 0.05 * (loads_N[i / 300] - level_N);  // settles over a fifth of a second
+    series.lines.push_back(i + 2);
+    series.time_s.push_back(0.01 * static_cast<double>(i));
+    series.label.push_back(0);
+    series.motor_tension_N.values.push_back(level_N * (1 + noise * scatter[i]));
+    series.tensions_N[0].values.push_back(0.5 * level_N * (1 - noise * scatter[i]));
+  }
+  return series;
+}
+
+TEST(SteadyLevels, OfALoadTestInStepsAreItsReadings) {
+  const std::vector<double> loads_N{5, 10, 20, 30, 20, 10};
+  const SteadyReadings found = steady_readings(steps(loads_N, 0.01), {});
+  ASSERT_EQ(found.readings.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const SteadyReading& reading = found.readings[i];
+    const double error_N =
+        reading.motor_tension_N->deviation_N / std::sqrt(static_cast<double>(reading.readings));
+    EXPECT_NEAR(reading.motor_tension_N->mean_N, loads_N[i + 1],
+                3 * error_N + 0.002 * loads_N[i + 1]);
+    EXPECT_EQ(reading.direction, i < 3 ? Direction::pull : Direction::release);
+  }
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_EQ(found.notes[0].kind, NoteKind::no_motion);
+  EXPECT_GT(count(found, SampleUse::no_direction), 200U);
+  EXPECT_GT(count(found, SampleUse::load_varies), 100U);
+}
+
+TEST(SteadyLevels, OfAConstantSignalIsOneWithoutScatter) {
+  SteadyOptions options;
+  options.direction = Direction::pull;
+  const SteadyReadings found = steady_readings(steps({20, 20, 20}, 0), options);
+  ASSERT_EQ(found.readings.size(), 1U);
+  EXPECT_EQ(found.readings[0].motor_tension_N->mean_N, 20);
+  EXPECT_EQ(found.readings[0].motor_tension_N->deviation_N, 0);
+}
+
+TEST(SteadyLevels, AreNotFoundWhereTheLoadNeverRests) {
+  LoggedSeries series = steps({20, 20, 20, 20}, 0.005);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double swing = 1 + 0.5 * std::sin(6 * series.time_s[i]);
+    series.motor_tension_N.values[i] *= swing;
+    series.tensions_N[0].values[i] *= swing;
+  }
+  EXPECT_TRUE(steady_readings(series, {}).readings.empty());
+}
+
+TEST(SteadyLevels, AreNotFoundOnASlowRamp) {
+  LoggedSeries series = steps({20, 20, 20, 20}, 0.002);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double ramp = std::exp(0.05 * series.time_s[i]);
+    series.motor_tension_N.values[i] *= ramp;
+    series.tensions_N[0].values[i] *= ramp;
+  }
+  EXPECT_TRUE(steady_readings(series, {}).readings.empty());
+}
+
+// A set point that is logged as the speed says nothing of when the carriage moves.
+TEST(SteadyLevels, AreSoughtWhereTheSpeedIsASetPoint) {
+  LoggedSeries series = steps({5, 10, 20}, 0.01);
+  series.speed_mm_s = {"speed_mm_s", std::vector<double>(series.size(), 10)};
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_EQ(found.motion, MotionSource::none);
+  ASSERT_EQ(found.readings.size(), 2U);
+  EXPECT_EQ(found.readings[0].speed_mm_s, 10);
+}
+
+}  // namespace
+}  // namespace reeve::testing
