@@ -142,10 +142,10 @@ std::string letter_key(const Network& network) {
 }
 
 Json letter_key_json(const Network& network) {
-  Json json = Json::object();
+  Json json = Json::array();
   for (const MotorSide& side : motor_sides(network)) {
-    json[segment_name(network.segments[side.motor_side])] =
-        segment_name(network.segments[side.hand]);
+    json.push_back({{"segment", segment_name(network.segments[side.motor_side])},
+                    {"beside", segment_name(network.segments[side.hand])}});
   }
   return json;
 }

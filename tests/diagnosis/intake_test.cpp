@@ -285,6 +285,9 @@ TEST(Letters, ThatThePaperUsesOtherwiseAreNoted) {
     EXPECT_NE(letters("Tb_N", other), "") << other;
   }
   EXPECT_EQ(letters("at_T4_N", "1-T-2-P-1"), "");
+  const MeasuredData none = read_data("run,routing,T1_N,Ta_N\nA,1-T-2-P-1,1,\nA,M-1-F,1,2\n");
+  EXPECT_EQ(count_notes(none.notes, NoteKind::letters),
+            0U);  // no letter of that routing is measured
 }
 
 TEST(AllFaults, AreToldAtOnceByTheirLines) {
