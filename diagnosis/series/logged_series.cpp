@@ -165,7 +165,13 @@ class LogReader {
           break;
         case LogRole::other:
           if (is_text_[i]) {
-            series_.other_labels.push_back(columns_[i].name);
+            series_.notes.push_back(
+                {NoteKind::covariate,
+                 fmt::format(
+                     "column '{}' holds text: the log is cut where it changes, and readings "
+                     "do not have it",
+                     for_message(columns_[i].name)),
+                 {}});
           } else {
             series_.others.push_back(std::move(signal));
           }

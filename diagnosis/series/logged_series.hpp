@@ -47,7 +47,6 @@ struct LoggedSeries {
   bool has_runs = false;  // columns of labels
   bool has_routings = false;
   bool has_held = false;
-  std::vector<std::string> other_labels;  // names of further columns with text
   std::vector<LogLabels> labels;
   std::vector<std::size_t> label;  // of each sample, in labels
   std::vector<DataNote> notes;

@@ -58,8 +58,7 @@ std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recordi
 }
 
 bool is_gap(const SeriesBlock& block, const SeriesBlock& next, double width_s) {
-  constexpr double widths =
-      3;  // between the middles of two blocks with one missing between them: 2
+  constexpr double widths = 3;  // two blocks with one missing between them are 2 apart
   return next.time_s - block.time_s >= widths * width_s;
 }
 

@@ -28,7 +28,10 @@ TEST(LoggedSeries, HasEachColumnInItsPlace) {
   EXPECT_EQ(series.tensions_N[1].name, "Ta_N");
   ASSERT_EQ(series.others.size(), 1U);
   EXPECT_EQ(series.others[0].values, (std::vector<double>{21, 22, 23}));
-  EXPECT_EQ(series.other_labels, std::vector<std::string>{"operator"});
+  ASSERT_EQ(series.notes.size(), 1U);
+  EXPECT_EQ(series.notes[0].text,
+            "column 'operator' holds text: the log is cut where it changes, and readings do not "
+            "have it");
   EXPECT_EQ(series.label, (std::vector<std::size_t>{0, 0, 1}));
   EXPECT_EQ(series.labels[1].run, "B");
   EXPECT_EQ(series.lines, (std::vector<std::size_t>{3, 4, 5}));
