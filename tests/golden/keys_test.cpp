@@ -52,7 +52,8 @@ void expect_settings(const Json& settings) {
 
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
-  EXPECT_EQ(keys(json), "routing name canonical direction motor_sides grasps" + objectives + " model");
+  EXPECT_EQ(keys(json),
+            "routing name canonical direction motor_sides grasps" + objectives + " model");
   EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
