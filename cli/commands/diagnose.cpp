@@ -192,10 +192,10 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
           ->check(CLI::Range(std::size_t{99}, most_replicates))
           ->capture_default_str();
   command
-      .add_option("--replicates", settings.replicates,
-                  "Simulated data sets that a finding is judged by")
-      ->check(CLI::Range(std::size_t{99}, std::size_t{100000}))
-      ->capture_default_str();
+      .add_option("--mounting-scatter", settings.mounting_scatter,
+                  "How far friction exponents differ from mounting to mounting, as a share such as "
+                  "0.05; 0: not at all (default: as the readings tell, or assumed)")
+      ->check(number(0, true, 1));
   command.add_flag("--as-readings", flags.as_readings,
                    "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--explore", flags.explore,

@@ -70,10 +70,15 @@ void leave_out_what_scales_nothing(MeasuredData& data) {
                     .expected = "motor tensions from 0"});
 }
 
+void mark_simulated(const CsvReader& csv, MeasuredData& data) {
+  for (const CsvComment& comment : csv.comments()) {
+    data.simulated |= says_simulated(comment.text);
+  }
+}
+
 void add_comments(const CsvReader& csv, MeasuredData& data) {
   std::vector<CsvComment> below;
   for (const CsvComment& comment : csv.comments()) {
-    data.simulated |= says_simulated(comment.text);
     if (comment.line > csv.header().line) below.push_back(comment);
   }
   add_notes(data_notes(data, below), data);
@@ -99,7 +104,9 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
                       .expected = "rows below the header, and there are none"});
   }
   add_notes(std::move(columns.notes), data);
-  add_notes(notes_on_letters(data, has_letters(columns.columns)), data);
+  mark_simulated(csv, data);
+  // Reeve itself writes its own letters.
+  add_notes(notes_on_letters(data, !data.simulated && has_letters(columns.columns)), data);
   leave_out_what_scales_nothing(data);
   add_notes(set_outliers_aside(data), data);
   add_comments(csv, data);

@@ -45,13 +45,13 @@ struct Spread {
 };
 
 // b² and its degrees of freedom; none left: 0.
-struct SharedScatter {
+struct ScatterOfAll {
   double square = 0;
   double degrees = 0;
 };
 
-SharedScatter shared_scatter(const std::vector<RunEquations>& runs, const VectorXd& scale) {
-  SharedScatter shared;
+ScatterOfAll scatter_of_all(const std::vector<RunEquations>& runs, const VectorXd& scale) {
+  ScatterOfAll shared;
   // Of many runs each has a small share in what all know.
   const double least = std::min(least_share, 0.1 / static_cast<double>(runs.size()));
   for (const RunEquations& run : runs) {
@@ -75,7 +75,7 @@ class Spreads {
           double degrees, VectorXd own_variance, double mounting_degrees)
       : runs_(std::move(runs)),
         inverse_(inverse_square(jacobian)),
-        shared_(shared_scatter(runs_, column_scale(jacobian))),
+        shared_(scatter_of_all(runs_, column_scale(jacobian))),
         reading_spread_(std::max(1.0, residuals.squaredNorm() / degrees)),
         degrees_(degrees),
         own_variance_(std::move(own_variance)),
@@ -122,7 +122,7 @@ class Spreads {
 
   std::vector<RunEquations> runs_;
   MatrixXd inverse_;  // H⁻¹
-  SharedScatter shared_;
+  ScatterOfAll shared_;
   double reading_spread_;
   double degrees_;
   VectorXd own_variance_;

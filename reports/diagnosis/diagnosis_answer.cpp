@@ -5,6 +5,7 @@
 
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -112,7 +113,10 @@ std::string none_answer(const DiagnosisReport& report) {
       weak_structure_remains(report)
           ? "The model as it stands explains the data but for weak structure.\n"
           : "The model as it stands explains the data as well as their noise allows.\n";
-  if (result.not_confirmed.empty()) {
+  const std::vector<std::string> dropped = not_named_sentences(result);
+  if (!dropped.empty()) {
+    for (const std::string& sentence : dropped) text += sentence + "\n";
+  } else if (result.not_confirmed.empty()) {
     text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
                         chance_text(result.p_value, report.settings.replicates));
   } else {

@@ -215,6 +215,9 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   });
   json["noise_limit"] = value_or_null(result.noise_limit, noise_limit_json);
   json["not_confirmed"] = result.not_confirmed;
+  json["not_sure"] = result.not_sure;
+  json["withdrawn"] = result.withdrawn;
+  json["withdrawn_held_out"] = value_or_null(result.withdrawn_held_out, held_out_json);
   json["weighed"] = list(result.weighed, [](const WeighedCauses& cause) {
     return Json{{"name", joined_causes(cause.causes)},
                 {"log_likelihood_gain", number(cause.gain)},

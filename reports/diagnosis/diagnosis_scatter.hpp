@@ -14,6 +14,9 @@ namespace reeve::reports {
 std::vector<std::string> scatter_sentences(const DiagnosisResult& result);
 Json mountings_json(const DiagnosisResult& result);
 
+// Why what looked likely is not named; none if nothing was dropped.
+std::vector<std::string> not_named_sentences(const DiagnosisResult& result);
+
 // "tube_friction: mu = 0.176 (0.165 to 0.187), as the hardware says (0.180)"
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result);
 Json coefficients_json(const DiagnosisResult& result);

@@ -37,6 +37,10 @@ Section data_section(const DiagnosisReport& report) {
       "Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
       100 * noise.relative, newton(noise.absolute_N), source, noise.degrees_of_freedom)});
   add_sentences(section, scatter_sentences(result));
+  for (const std::string& sentence : coefficient_sentences(result)) {
+    section.lines.push_back({"Calibrated: " + sentence});
+  }
+  add_sentences(section, not_named_sentences(result));
   return section;
 }
 

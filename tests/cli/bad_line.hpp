@@ -52,7 +52,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("cell.csv", "run,routing,T1_N\nA,TR1,x\n");
   folder.write("empty.csv", "");
   folder.write("nan.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,nan\n");
-  folder.write("column.csv", "run,routing,motor_tension_N,t1_N\nA,TR1,20,6\n");
+  folder.write("column.csv", "run,routing,motor_tension_N,t0_N\nA,TR1,20,6\n");
   folder.write("name.csv", "run,routing,T1_N\nA,TR9,1\n");
   folder.write("ragged.csv", "run,routing,T1_N\nA,TR1\n");
   folder.write("alone.csv", "run,routing,T1_N\nA,TR1,1\n");

@@ -94,6 +94,19 @@ TEST(FineSensors, GiveNoEqualRows) {
   EXPECT_EQ(noted_lines(read_data(text).notes, NoteKind::duplicate), Lines{328});
 }
 
+// Without noise a repetition is the same to the last digit, and nothing is wrong with it.
+TEST(SimulatedRows, MayRepeatToTheLastDigit) {
+  std::string text = "# simulated\nrun,routing,motor_tension_N,T1_N,T2_N,repeat\n";
+  for (int i = 0; i < 400; ++i) {
+    const double motor_N = 10 + 20 * uniform(5, 0, static_cast<std::uint64_t>(i / 2));
+    text += fmt::format("A,TR5,{},{:.6g},{:.6g},{}\n", motor_N, motor_N * 0.1834159,
+                        motor_N * 0.1041927, i % 2 + 1);
+  }
+  EXPECT_TRUE(repeated_readings(read_data(text)).empty());
+  text.replace(0, 11, "# measured ");
+  EXPECT_EQ(repeated_readings(read_data(text)).size(), 200U);
+}
+
 TEST(OneChannel, SaysLittleOfCopies) {
   const MeasuredData data = read_data("run,routing,T1_N\nA,TR5,4.137\nA,TR5,4.137\nA,TR5,4.15\n");
   EXPECT_TRUE(repeated_readings(data).empty());

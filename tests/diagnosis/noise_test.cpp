@@ -28,7 +28,7 @@ std::string rows_of_loads(int count, const std::function<double(int)>& motor_ten
     const double motor = motor_tension(i);
     const auto index = static_cast<std::uint64_t>(i);
     const double large = 0.8 * std::pow(motor, 1.1);
-    text += fmt::format("{},TR3,{},{},{}\n", i % 4, motor, noisy(large, 2 * index),
+    text += fmt::format("{},TR3,{},{},{}\n", i / 2 % 4, motor, noisy(large, 2 * index),
                         noisy(large / 20, 2 * index + 1));
   }
   return text;

@@ -52,7 +52,8 @@ void expect_settings(const Json& settings) {
 
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
-  EXPECT_EQ(keys(json), "routing name canonical direction motor_sides grasps" + objectives + " model");
+  EXPECT_EQ(keys(json),
+            "routing name canonical direction motor_sides grasps" + objectives + " model");
   EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
@@ -254,13 +255,13 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(
       keys(json),
       "verdict causes indistinguishable separating_measurement unexplained next_measurement "
-      "held_out held_out_by_run noise_limit not_confirmed weighed structure share_errors left_out_runs "
-      "losses without_apart published noise ranking simulated too_few rows runs "
+      "held_out held_out_by_run noise_limit not_confirmed not_sure withdrawn withdrawn_held_out weighed structure share_errors left_out_runs "
+      "losses without_apart published noise mountings coefficients ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
       "version");
   const Json& cause = json["causes"][0];
   EXPECT_EQ(keys(cause), "name meaning detail parameters held_out p_value runner_up");
-  EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit literature");
+  EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit at_bound literature");
   EXPECT_EQ(keys(cause["held_out"]), held_out_keys);
   EXPECT_EQ(keys(cause["runner_up"]), "name delta_log_likelihood");
   EXPECT_EQ(keys(json["held_out"]), held_out_keys);

@@ -58,7 +58,9 @@ struct Sensor {
   double scatter = 0;  // relative, about the levels
 };
 
-std::map<std::size_t, Sensor> sensors(const KindCells& cells, const Levels& levels) {
+std::map<std::size_t, Sensor> sensors(const KindCells& cells, const Levels& levels,
+                                      bool simulated) {
+  const double least_scatter = simulated ? 0 : least_relative_scatter;
   std::map<std::size_t, std::vector<double>> values, left;
   for (const KindCell& cell : cells) {
     values[cell.channel].push_back(cell.value_N);
@@ -68,7 +70,7 @@ std::map<std::size_t, Sensor> sensors(const KindCells& cells, const Levels& leve
   std::map<std::size_t, Sensor> result;
   for (const auto& [channel, list] : values) {
     result[channel] = {step_of(list), std::max(scatter_per_quartile * upper_quartile(left[channel]),
-                                               least_relative_scatter)};
+                                               least_scatter)};
   }
   return result;
 }
@@ -87,9 +89,10 @@ struct Kind {
   double expected_pairs = 0;             // E
 };
 
-Kind kind_of_cells(const KindCells& cells, std::size_t motor) {
+Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
+  const std::size_t motor = data.channels.size();
   const Levels levels = polished_levels(cells, motor);
-  const std::map<std::size_t, Sensor> of_channel = sensors(cells, levels);
+  const std::map<std::size_t, Sensor> of_channel = sensors(cells, levels, data.simulated);
   Kind kind;
   std::map<double, std::vector<double>> at_load;
   for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
@@ -168,7 +171,7 @@ void add_kind(const MeasuredData& data, const Kind& kind, EqualRows& result) {
 EqualRows equal_rows(const MeasuredData& data) {
   EqualRows result;
   for (const KindCells& cells : cells_by_kind(data)) {
-    add_kind(data, kind_of_cells(cells, data.channels.size()), result);
+    add_kind(data, kind_of_cells(data, cells), result);
   }
   for (auto* list : {&result.copies, &result.copies_across, &result.by_chance}) {
     std::sort(list->begin(), list->end());

@@ -1,0 +1,96 @@
+// Coefficients that are free in every model, on data whose coefficients are known.
+#include "diagnosis/search/calibration.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "diagnosis/diagnose.hpp"
+#include "numerics/random.hpp"
+#include "tests/diagnosis/read_data.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// M-1-F: motor tension, sheath (2 pi), T1.
+std::string sheath_csv(double mu, int runs, double scatter = 0) {
+  std::string csv = "run,routing,motor_tension_N,T1_N\n";
+  std::uint64_t index = 0;
+  for (int run = 0; run < runs; ++run) {
+    const double here = mu * (1 + scatter * normal(5, 3, static_cast<std::uint64_t>(run)));
+    for (int row = 0; row < 10; ++row) {
+      const double motor = 10 + 4 * row;
+      const double tension = motor * std::exp(-here * 2 * std::numbers::pi);
+      csv +=
+          fmt::format("{},M-1-F,{},{}\n", run, motor, tension * (1 + 0.01 * normal(5, 4, index++)));
+    }
+  }
+  return csv;
+}
+
+DiagnosisResult diagnosed(const std::string& csv, const Hardware& hardware = {}) {
+  DiagnoseOptions options;
+  options.replicates = 400;
+  options.threads = 1;
+  return diagnose(read_data(csv), hardware, options);
+}
+
+TEST(Calibration, FindsTheCoefficientAndSaysThatItIsAnother) {
+  const DiagnosisResult result = diagnosed(sheath_csv(0.12, 6));
+  ASSERT_EQ(result.calibration.size(), 1U);
+  EXPECT_EQ(result.calibration[0].name, "sheath_friction");
+  EXPECT_TRUE(result.calibration[0].differs);
+  EXPECT_NEAR(result.calibration[0].parameter.value, 0.12, 0.003);
+  EXPECT_LE(result.calibration[0].parameter.low, 0.12);
+  EXPECT_GE(result.calibration[0].parameter.high, 0.12);
+}
+
+TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
+  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 6));
+  ASSERT_EQ(result.calibration.size(), 1U);
+  EXPECT_FALSE(result.calibration[0].differs);
+  EXPECT_TRUE(result.causes.empty());
+}
+
+TEST(Calibration, LeavesAKnownCoefficientAsItIs) {
+  Hardware hardware;
+  hardware.sheath.known = true;
+  EXPECT_TRUE(diagnosed(sheath_csv(0.12, 6), hardware).calibration.empty());
+}
+
+TEST(Calibration, LeavesNoFrictionAsItIs) {
+  Hardware hardware;
+  hardware.sheath.mu = 0;
+  EXPECT_TRUE(diagnosed(sheath_csv(0, 6), hardware).calibration.empty());
+}
+
+// Runs that differ by 10 % know less than their sixty readings; each mounted again tells by how
+// much.
+TEST(Calibration, IsAsSureAsTheMountingsAre) {
+  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 9, 0.1));
+  ASSERT_EQ(result.calibration.size(), 1U);
+  const EstimatedParameter& mu = result.calibration[0].parameter;
+  const double of_readings = 2 * 0.01 / (2 * std::numbers::pi) / std::sqrt(60.0);
+  EXPECT_GT(mu.high - mu.low, 10 * of_readings);
+  EXPECT_LE(mu.low, 0.18);
+  EXPECT_GE(mu.high, 0.18);
+  EXPECT_NEAR(result.mounting.relative[0], 0.1, 0.06);
+  EXPECT_GT(result.mounting.told_by[0], 3);
+}
+
+TEST(Calibration, OfOneMountingAssumesHowTheyDiffer) {
+  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 1));
+  EXPECT_EQ(result.mounting.mounted_again, 0U);
+  EXPECT_LT(result.mounting.told_by[0], 1);
+  EXPECT_NEAR(result.mounting.relative[0], assumed_scatter[0], 1e-3);
+  ASSERT_EQ(result.calibration.size(), 1U);
+  const EstimatedParameter& mu = result.calibration[0].parameter;
+  EXPECT_GT(mu.high - mu.low, 2 * 1.9 * assumed_scatter[0] * 0.17);
+}
+
+}  // namespace
+}  // namespace reeve::testing
