@@ -43,6 +43,8 @@ struct Parameter {
   std::optional<double> nominal;
   Range range;  // that is searched
   std::optional<Range> literature;
+  // The range ends where the law does, not where the search does.
+  bool ends_by_nature = false;
 };
 
 // Ranges in newton are of loads about 20 N; those that are searched go with the loads of the data.

@@ -58,8 +58,8 @@ class ModelSolver {
   std::vector<std::size_t> left_;  // of each contact; equal to right_ if it is seized
   std::vector<std::size_t> right_;
   std::vector<std::size_t> number_;  // of each contact among those of its kind, before a seizure
-  std::vector<double> share_;  // of the way to its new value that an exponent goes in a step
-  std::vector<double> way_;    // in the last step
+  std::vector<double> share_;        // of the way to its new value that an exponent goes in a step
+  std::vector<double> way_;          // in the last step
   TensionSolver solver_;
   TensionState state_;
   TensionState restored_;

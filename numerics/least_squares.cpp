@@ -14,9 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_steps = 20;
+constexpr int most_steps = 50;
 constexpr double difference_share = 1e-6;  // of the width of the box
 constexpr double settled = 1e-7;  // relative fall of the sum, and more than rounding brings
+constexpr double nothing = 1e-20;  // of the first sum: an exact fit
 constexpr double least_damping = 1e-6;
 constexpr double most_damping = 1e8;
 
@@ -31,6 +32,7 @@ class Descent {
     if (!first) return {{at_, std::numeric_limits<double>::infinity()}, false};
     here_ = std::move(*first);
     value_ = here_.squaredNorm();
+    const double first_value = value_;
     bool converged = false;
     for (int step = 0; step < most_steps && !converged; ++step) {
       if (!differentiate()) break;
@@ -39,7 +41,7 @@ class Descent {
         converged = is_flat();
         break;
       }
-      converged = before - value_ <= settled * before;
+      converged = before - value_ <= settled * before || value_ <= nothing * first_value;
     }
     return {{at_, value_}, converged};
   }

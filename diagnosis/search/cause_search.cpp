@@ -56,11 +56,13 @@ class Search {
     });
     const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
     std::vector<Fit> fits(which.size());
-    const auto fit_those = [&](bool of_hardware) {
+    const auto is_no_line = [](const Candidate& candidate) {
+      return candidate.effect.cause->reach() == Reach::hardware || !candidate.has_size();
+    };
+    const auto fit_those = [&](bool no_line) {
       std::vector<std::size_t> places, candidates;
       for (std::size_t i = 0; i < which.size(); ++i) {
-        const Cause& cause = *outlook.candidates()[which[i]].effect.cause;
-        if ((cause.reach() == Reach::hardware) != of_hardware) continue;
+        if (is_no_line(outlook.candidates()[which[i]]) != no_line) continue;
         places.push_back(i);
         candidates.push_back(which[i]);
       }
@@ -69,8 +71,8 @@ class Search {
       return places;
     };
     const double before = misfit(problem_, result_.model);
-    // What is wrong with the hardware may be so far from what it says of itself that the first
-    // order sees little of the gain.
+    // What is wrong with the hardware may be so far from what it says of itself, and what is there
+    // or not is so much at once, that the first order sees little of the gain.
     double observed = outlook.screening().greatest_gain(outlook.residuals());
     for (const std::size_t i : fit_those(true)) {
       observed = std::max(observed, gain(before, fits[i].misfit));

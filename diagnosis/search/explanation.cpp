@@ -42,7 +42,9 @@ class Explaining {
     result_.scatter.noise = measured ? *measured : noise_left_by(training_, nominal_);
     result_.problem = problem(training_, result_.scatter, nominal_);
     result_.base = calibrated(result_.problem, nominal_, coefficients_);
-    knows_mountings_ = measured && measured->within_mountings;
+    // What a model leaves of many mountings contains what differs between them; of a few it cannot.
+    constexpr std::size_t few = 4;
+    knows_mountings_ = measured ? measured->within_mountings : mountings(training_).size() < few;
     if (knows_mountings_) {
       rescatter(result_.problem, result_.base);
       result_.base = calibrated(result_.problem, nominal_, coefficients_);
@@ -145,8 +147,9 @@ class Explaining {
     const double nominal = *parameters.front().nominal;
     const double margin = near * (range.high - range.low);
     const double value = effect.values.front();
-    return (size.low > nominal || size.high < nominal) && value > range.low + margin &&
-           value < range.high - margin;
+    const bool at_end = value <= range.low + margin || value >= range.high - margin;
+    return (size.low > nominal || size.high < nominal) &&
+           (!at_end || parameters.front().ends_by_nature);
   }
 
   const Dataset& training_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "diagnosis/search/calibration.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -9,6 +12,14 @@ namespace {
 bool is_law_of_friction(const Candidate& candidate) {
   const Reach reach = candidate.effect.cause->reach();
   return reach == Reach::hardware || reach == Reach::conditions || reach == Reach::load;
+}
+
+Model with_hardware_coefficients(Model model) {
+  for (Effect& effect : model.effects) {
+    if (!is_coefficient(effect)) continue;
+    effect.values.front() = *effect.cause->parameters(model.hardware).front().nominal;
+  }
+  return model;
 }
 
 std::vector<Candidate> not_in(const Model& model, const std::vector<Candidate>& candidates) {
@@ -35,17 +46,40 @@ Outlook::Outlook(const Problem& problem, const Model& model,
       residuals_(projection_.taken_out(diagnosis::residuals(problem, at_))),
       screening_(problem, model, at_, projection_, candidates_, workers) {}
 
+std::vector<std::size_t> Outlook::likeliest_without_size() const {
+  constexpr std::size_t few = 3;
+  const Model start = with_hardware_coefficients(model_);
+  std::vector<std::pair<double, std::size_t>> by_misfit;
+  for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    if (!candidates_[c].has_size()) by_misfit.emplace_back(0, c);
+  }
+  workers_.for_each_block(by_misfit.size(), 1, [&](const IndexBlock& block) {
+    auto& [misfit_of, c] = by_misfit[block.begin];
+    misfit_of = misfit(problem_, extended(start, candidates_[c].effect).model);
+  });
+  std::sort(by_misfit.begin(), by_misfit.end());
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < std::min(few, by_misfit.size()); ++i) {
+    result.push_back(by_misfit[i].second);
+  }
+  return result;
+}
+
 std::vector<std::size_t> Outlook::contenders(std::size_t most, Laws laws) const {
   const std::vector<double> gains = screening_.gains(residuals_);
   std::vector<std::size_t> order(candidates_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return gains[a] > gains[b]; });
+  const std::vector<std::size_t> there_or_not = likeliest_without_size();
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool promising = i < most && gains[order[i]] > 0;
-    const bool always = laws == Laws::always && is_law_of_friction(candidates_[order[i]]);
-    if (promising || always) result.push_back(order[i]);
+    const std::size_t c = order[i];
+    const bool promising = i < most && gains[c] > 0;
+    const bool always =
+        (laws == Laws::always && is_law_of_friction(candidates_[c])) ||
+        std::find(there_or_not.begin(), there_or_not.end(), c) != there_or_not.end();
+    if (promising || always) result.push_back(c);
   }
   return result;
 }
@@ -55,7 +89,11 @@ std::vector<Fit> Outlook::fit_each(const std::vector<std::size_t>& which) const 
   workers_.for_each_block(which.size(), 1, [&](const IndexBlock& block) {
     const std::size_t c = which[block.begin];
     const Extended with = extended(model_, candidates_[c].effect);
-    fits[block.begin] = fit(problem_, with.model, with.effect, screening_.starts(c, residuals_));
+    Fit& best = fits[block.begin];
+    best = fit(problem_, with.model, with.effect, screening_.starts(c, residuals_));
+    if (candidates_[c].has_size() || parameter_count(model_) == 0) return;
+    Fit other = fit(problem_, with_hardware_coefficients(with.model));
+    if (other.misfit < best.misfit) best = std::move(other);
   });
   return fits;
 }

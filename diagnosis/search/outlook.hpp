@@ -30,13 +30,18 @@ class Outlook {
   enum class Laws { by_gain, always };
   // Indices of the candidates with the greatest gains, at most so many. Far from nominal a law is
   // no straight line, and what the screening says of it is too little: `Laws::always` adds the laws
-  // of friction, whatever their gain.
+  // of friction, whatever their gain. What is there or not is no line at all, and may have drawn the
+  // coefficients so far that it seems to gain nothing beside them: the few that leave the least
+  // beside the hardware's own coefficients are among them, too.
   std::vector<std::size_t> contenders(std::size_t most, Laws laws) const;
 
-  // Each of these candidates fitted together with the model's effects; parallel to `which`.
+  // Each of these candidates fitted together with the model's effects; parallel to `which`. What is
+  // there or not is fitted from the hardware's coefficients, too.
   std::vector<Fit> fit_each(const std::vector<std::size_t>& which) const;
 
  private:
+  std::vector<std::size_t> likeliest_without_size() const;
+
   const Problem& problem_;
   const Model& model_;
   Workers& workers_;

@@ -9,7 +9,7 @@
 namespace reeve::testing {
 namespace {
 
-const Noise noise_of_bench{0, bench_deviation_N, NoiseSource::residuals, 10};
+const Noise noise_of_bench{0, bench_deviation_N, diagnosis::NoiseSource::residuals, 10};
 
 std::vector<LeftOutRun> left_out(const MeasuredData& data, const Model& model,
                                  const Noise& noise = noise_of_bench) {
@@ -41,7 +41,7 @@ TEST(LeftOutRuns, AreForecastByAFitToTheOthers) {
 TEST(LeftOutRuns, AreForecastByAFitThatWeighsByTheNoise) {
   const std::vector<BenchReading> readings{{"a", 2, 2.5}, {"b", 20, 21}, {"c", 5, 5.8}};
   constexpr double gain = 1.1;
-  const Noise noise{0.05, bench_deviation_N, NoiseSource::residuals, 10};
+  const Noise noise{0.05, bench_deviation_N, diagnosis::NoiseSource::residuals, 10};
   const auto runs = left_out(bench_data(readings), with_gain(gain), noise);
   ASSERT_EQ(runs.size(), 3U);
   for (std::size_t left = 0; left < 3; ++left) {

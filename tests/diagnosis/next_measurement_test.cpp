@@ -26,7 +26,7 @@ Model with(const char* cause, std::vector<double> values, Subject subject = {}) 
 MeasurementPlan plan(const MeasuredData& data) {
   return {&data,
           {{"M-1-F", parse_routing("M-1-F")}, {"M-1-T-2-F", parse_routing("M-1-T-2-F")}},
-          Noise{0.02, 0.05, NoiseSource::repeats, 30}};
+          Noise{0.02, 0.05, diagnosis::NoiseSource::repeats, 30}};
 }
 
 // At 30 mm/s both make the exponents of tubes and sheaths the same multiple.

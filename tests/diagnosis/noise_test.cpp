@@ -39,7 +39,7 @@ TEST(Noise, IsFoundInRepeats) {
       read_data(rows_of_loads(600, [](int i) { return i % 2 == 0 ? 10.0 : 40.0; }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
-  EXPECT_EQ(noise->source, NoiseSource::repeats);
+  EXPECT_EQ(noise->source, diagnosis::NoiseSource::repeats);
   EXPECT_NEAR(noise->relative, relative, 0.1 * relative);
   EXPECT_NEAR(noise->absolute_N, absolute, 0.15 * absolute);
 }
@@ -50,7 +50,7 @@ TEST(Noise, IsFoundInPairs) {
       read_data(rows_of_loads(400, [](int i) { return 10.0 + 0.1 * static_cast<double>(i / 2); }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
-  EXPECT_EQ(noise->source, NoiseSource::repeats);
+  EXPECT_EQ(noise->source, diagnosis::NoiseSource::repeats);
   EXPECT_NEAR(noise->degrees_of_freedom, 400, 1e-6);
   EXPECT_NEAR(noise->deviation(20), std::hypot(20 * relative, absolute),
               0.12 * std::hypot(20 * relative, absolute));
@@ -61,7 +61,7 @@ TEST(Noise, IsFoundBesideASmoothLaw) {
       600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));
   const auto noise = noise_without_model(all_of(data));
   ASSERT_TRUE(noise.has_value());
-  EXPECT_EQ(noise->source, NoiseSource::smoothing);
+  EXPECT_EQ(noise->source, diagnosis::NoiseSource::smoothing);
   EXPECT_NEAR(noise->relative, relative, 0.1 * relative);
   EXPECT_NEAR(noise->absolute_N, absolute, 0.15 * absolute);
 }
@@ -83,7 +83,7 @@ TEST(Noise, OfReadingsThatDifferInOneConditionAloneIsNotThatOfRepeats) {
     const MeasuredData data = read_data(text);
     const auto noise = noise_without_model(all_of(data));
     ASSERT_TRUE(noise.has_value()) << column;
-    EXPECT_EQ(noise->source, NoiseSource::smoothing) << column;
+    EXPECT_EQ(noise->source, diagnosis::NoiseSource::smoothing) << column;
     EXPECT_NEAR(noise->deviation(6), 0.06, 0.02) << column;
   }
 }
@@ -99,7 +99,7 @@ TEST(Noise, OfReadingsInAnotherGraspDirectionOrRoutingIsNotThatOfRepeats) {
     const MeasuredData data = read_data(text);
     const auto noise = noise_without_model(all_of(data));
     ASSERT_TRUE(noise.has_value()) << others;
-    EXPECT_EQ(noise->source, NoiseSource::repeats) << others;
+    EXPECT_EQ(noise->source, diagnosis::NoiseSource::repeats) << others;
     EXPECT_NEAR(noise->deviation(6), 0.06, 0.02) << others;
   }
 }
@@ -154,7 +154,7 @@ TEST(Noise, OfTooFewReadingsNeedsAModel) {
 TEST(Noise, OfAReadingFarFromWhatIsExpectedIsThatOfTheReading) {
   const MeasuredData data =
       read_data("run,routing,motor_tension_N,T1_N\n1,TR3,10,4\n1,TR3,10,4.1\n");
-  const Noise noise{0.1, 0, NoiseSource::repeats, 30};
+  const Noise noise{0.1, 0, diagnosis::NoiseSource::repeats, 30};
   const Eigen::VectorXd sd = deviations(all_of(data), noise, Eigen::Vector2d{0.1, 4});
   EXPECT_DOUBLE_EQ(sd[0], 0.4);
   EXPECT_DOUBLE_EQ(sd[1], 0.4);

@@ -61,8 +61,8 @@ struct Handed {
 };
 
 constexpr double wide_N = 3;
-const Noise of_residuals{0, wide_N, NoiseSource::residuals, 20};
-const Noise of_repeats{0, wide_N, NoiseSource::repeats, 20};
+const Noise of_residuals{0, wide_N, diagnosis::NoiseSource::residuals, 20};
+const Noise of_repeats{0, wide_N, diagnosis::NoiseSource::repeats, 20};
 
 double width(const WithoutApart& found) {
   const ParameterInterval& interval = found.intervals.at(0).at(0);

@@ -23,7 +23,7 @@ class Saturation final : public Cause {
     return "one force sensor reads less than there is above a limit";
   }
   std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"share", "1", 0, {0, 1}, std::nullopt},
+    return {{"share", "1", 0, {0, 1}, std::nullopt, true},
             {"limit_N", "N", std::nullopt, {1, 100}, std::nullopt}};
   }
   std::vector<Subject> subjects(const Survey& survey) const override {
