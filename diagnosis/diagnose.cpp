@@ -184,8 +184,8 @@ class Diagnosis {
         searched_parameters(*effect.cause, nominal_.hardware, force_scale(data_))[p];
     const bool at_bound = !parameter.ends_by_nature && (interval.low <= parameter.range.low ||
                                                         interval.high >= parameter.range.high);
-    return {parameter.name, parameter.unit, effect.values[p],  interval.low,
-            interval.high,  at_bound,       parameter.nominal, parameter.literature};
+    return {parameter.name, parameter.unit,    effect.values[p],     interval.low,
+            interval.high,  parameter.nominal, parameter.literature, at_bound};
   }
 
   bool weigh_rivals() {

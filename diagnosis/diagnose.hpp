@@ -67,9 +67,9 @@ struct EstimatedParameter {
   double value = 0;
   double low = 0;
   double high = 0;
-  bool at_bound = false;  // the value, or an end of its interval, stands where the search ended
   std::optional<double> nominal;
   std::optional<Range> literature;
+  bool at_bound = false;  // the value, or an end of its interval, stands where the search ended
 };
 
 struct RunnerUp {

@@ -49,7 +49,7 @@ TEST(Experiment, MeasuresEveryRoutingInTwoRuns) {
 TEST(Experiment, StaysWithinItsConditions) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     double cycle = 0;
-    for (const auto& [run, condition, measured] : experiment_of(seed).rows) {
+    for (const auto& [run, condition, measured, gain] : experiment_of(seed).rows) {
       EXPECT_LE(condition.motor_tension_N, 60);
       EXPECT_GT(condition.motor_tension_N,
                 condition.direction == ReferenceDirection::pull ? 4.99 : 0.2);
