@@ -18,8 +18,9 @@ bool is_force(const Parameter& parameter) { return parameter.unit[0] == 'N'; }
 
 Range valid_range(const Parameter& parameter) {
   constexpr double greatest = 1000;
-  const double scale = is_force(parameter) ? greatest : 1;
-  return {scale * parameter.range.low, scale * parameter.range.high};
+  const auto [low, high] = parameter.range;
+  if (!is_force(parameter)) return parameter.range;
+  return {low > 0 ? low / greatest : low * greatest, high * greatest};
 }
 
 bool has_contact(const Survey& survey, ContactKind kind) {

@@ -54,6 +54,8 @@ class Diagnosis {
     }
     if (stop_) return std::nullopt;
     describe_causes();
+    // Where nothing is named the hardware stands, and its coefficients with it.
+    if (result_.causes.empty()) result_.model = nominal_;
     decide();
     if (stopped("choosing the next measurement")) return std::nullopt;
     plan_measurements();

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 constexpr int most_steps = 50;
 constexpr double difference_share = 1e-6;  // of the width of the box
-constexpr double settled = 1e-7;  // relative fall of the sum, and more than rounding brings
+constexpr double settled = 1e-7;   // relative fall of the sum, and more than rounding brings
 constexpr double nothing = 1e-20;  // of the first sum: an exact fit
 constexpr double least_damping = 1e-6;
 constexpr double most_damping = 1e8;

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::diagnosis {
 
 // Of the readings of one mounting.

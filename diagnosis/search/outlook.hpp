@@ -30,8 +30,8 @@ class Outlook {
   enum class Laws { by_gain, always };
   // Indices of the candidates with the greatest gains, at most so many. Far from nominal a law is
   // no straight line, and what the screening says of it is too little: `Laws::always` adds the laws
-  // of friction, whatever their gain. What is there or not is no line at all, and may have drawn the
-  // coefficients so far that it seems to gain nothing beside them: the few that leave the least
+  // of friction, whatever their gain. What is there or not is no line at all, and may have drawn
+  // the coefficients so far that it seems to gain nothing beside them: the few that leave the least
   // beside the hardware's own coefficients are among them, too.
   std::vector<std::size_t> contenders(std::size_t most, Laws laws) const;
 

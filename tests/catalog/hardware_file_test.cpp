@@ -157,7 +157,8 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
        "finger, contact, uncertainty"},
-      {"[tube]\nmu_s = 1\n", "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad"},
+      {"[tube]\nmu_s = 1\n",
+       "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad, known"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},
       {"[[tube]]\nmu = 1\n", "h.toml:1:1: tube = (an array): expected a table"},
       {"[finger]\nmu = 1\n",

@@ -206,7 +206,7 @@ TEST(BadModelFile, NamesThePlaceOfABadEffect) {
       {"cause = \"tube_friction\"\nmu = nan\n",
        "m.toml:3:6: effect[1].mu = nan: expected a number from 0 to 0.6"},
       {"cause = \"bending_stiffness\"\nforce_N = true\n",
-       "m.toml:3:11: effect[1].force_N = true: expected a number from 0 to 5"},
+       "m.toml:3:11: effect[1].force_N = true: expected a number from 0 to 5000"},
       {"cause = \"tube_friction\"\nmu = 0.1\n[[effect]]\ncause = \"tube_friction\"\nmu = 0.2\n",
        "m.toml:4:1: effect[2]: tube_friction is given twice: expected each effect once"},
       {"cause = \"sheath_angle\"\nfinger = 1\nangle_rad = 0\n[[effect]]\ncause = \"sheath_angle\"\n"

@@ -270,7 +270,12 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["next_measurement"]), measurement_keys);
   EXPECT_EQ(keys(json["weighed"][0]), "name log_likelihood_gain held_out");
   EXPECT_EQ(keys(json["structure"][0]), "about statistic p_value");
-  EXPECT_EQ(keys(json["noise"]), "relative absolute_N source degrees_of_freedom");
+  EXPECT_EQ(
+      keys(json["noise"]),
+      "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings");
+  EXPECT_EQ(keys(json["mountings"]), "mounted_again given sheath tube bearing gain");
+  EXPECT_EQ(keys(json["coefficients"][0]),
+            "name parameter value low high at_bound hardware p_value differs");
   EXPECT_EQ(keys(json["ranking"]), "changes before after");
   EXPECT_EQ(keys(json["calibration"]), "replicates family_wise_alpha p_value structure_p_value");
   EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware");

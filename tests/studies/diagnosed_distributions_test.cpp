@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -124,8 +125,9 @@ TEST(DiagnosedDistributions, KeepToTheNumberOfFingersOfTheFirst) {
   ASSERT_TRUE(all);
   ASSERT_EQ(all->list.front().routings.size(), 1U);
   EXPECT_EQ(all->list.front().routings.front().word, "M-1-T-2-M");
-  ASSERT_EQ(all->data->notes.size(), 1U);
-  EXPECT_NE(all->data->notes.front().text.find("M-1-P-2-P-3-M"), std::string::npos);
+  EXPECT_TRUE(std::any_of(all->data->notes.begin(), all->data->notes.end(), [](const auto& note) {
+    return note.text.find("M-1-P-2-P-3-M") != std::string::npos;
+  }));
 }
 
 TEST(DiagnosedDistributions, HaveACoefficientOnceHoweverOftenItIsPublished) {
