@@ -108,8 +108,9 @@ class Diagnosis {
     return true;
   }
 
+  // With less to say for it every other cause would explain the data nearly as well.
   bool differs(const Calibration& calibration) const {
-    return calibration.p_value < options_.alpha;
+    return calibration.p_value < options_.alpha && calibration.gain >= alias_margin;
   }
 
   // No smaller chance than the replicates could tell of a cause.

@@ -27,6 +27,7 @@ struct Options {
   double visible = 20;
   int threads = 0;
   bool list = false;
+  std::uint64_t only = 0;  // this data set alone, by the number that the list gives it
   std::filesystem::path save;  // folder for the data sets that were missed
   DiagnoseOptions diagnosis;
 };
@@ -57,7 +58,11 @@ void save_missed(const std::vector<Outcome>& outcomes, const Options& options) {
 }
 
 void run_part(Part part, const Options& options) {
-  const auto outcomes = run_all(trials_of(part, options.sets, options.seed), options);
+  std::vector<Trial> trials = trials_of(part, options.sets, options.seed);
+  if (options.only != 0) {
+    std::erase_if(trials, [&](const Trial& trial) { return trial.seed != options.only; });
+  }
+  const auto outcomes = run_all(trials, options);
   fmt::print("{}", report(part, outcomes, options.visible));
   if (options.list) fmt::print("Missed:\n\n{}\n", misses(outcomes, options.visible));
   if (!options.save.empty()) save_missed(outcomes, options);
@@ -80,6 +85,7 @@ int run_main(int argc, char** argv) {
   app.add_option("--replicates", options.diagnosis.replicates, "of the diagnosis' null model")
       ->capture_default_str();
   app.add_flag("--list", options.list, "list what was missed");
+  app.add_option("--only", options.only, "one data set, by its number in the list");
   app.add_option("--save", options.save, "folder for the data sets that were missed");
   CLI11_PARSE(app, argc, argv);
   bool found = false;

@@ -251,6 +251,12 @@ std::optional<Noise> noise_told_by(const Dataset& dataset, Runs runs) {
   return noise;
 }
 
+// What the file says of the reading, N; 0 if nothing.
+double own_error(const Dataset& dataset, const Cell& cell) {
+  const auto& errors = dataset.data->readings[cell.reading].error_N;
+  return cell.channel < errors.size() ? errors[cell.channel].value_or(0) : 0;
+}
+
 }  // namespace
 
 const char* noise_source_name(NoiseSource source) {
@@ -286,6 +292,7 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
     } else {
       result[i] = std::abs(z) <= far ? at_expected : noise.deviation(std::max(measured, 0.0));
     }
+    result[i] = std::max(result[i], own_error(dataset, dataset.cells[static_cast<std::size_t>(i)]));
   }
   return result;
 }

@@ -46,7 +46,8 @@ struct ScatterSample {
   double kept = 1;
 };
 
-// sd of each cell at what a model expects it to read; where the reading is far from that, at the
+// sd of each cell at what a model expects it to read, and not less than what the file says of it
+// (the standard error of an average); where the reading is far from that, at the
 // reading. (Always at the reading would be worse: readings that chance made small would weigh more
 // than those that it made large.)
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,

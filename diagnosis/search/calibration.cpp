@@ -83,13 +83,16 @@ std::vector<Calibration> calibrations(const Problem& problem, const Model& model
   std::vector<Calibration> result;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     if (!is_coefficient(model.effects[e])) continue;
-    result.push_back({model.effects[e], intervals[e].front(), 1});
+    result.push_back({model.effects[e], intervals[e].front(), 1, 0});
   }
+  const double now = misfit(problem, model);
   for (Calibration& found : result) {
     const double nominal = *found.effect.cause->parameters(model.hardware).front().nominal;
     const double off = std::abs(found.effect.values.front() - nominal);
     const double chance = two_sided_p_value(off / found.interval.deviation, found.interval.degrees);
     found.p_value = std::min(1.0, chance * static_cast<double>(result.size()));
+    const Fit pinned = fit(problem, without(model, place(model, found.effect)));
+    found.gain = (pinned.misfit - now) / 2;
   }
   return result;
 }

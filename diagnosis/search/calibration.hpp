@@ -29,6 +29,7 @@ struct Calibration {
   // That chance alone takes the estimate so far from what the hardware says, by Student's t, for as
   // many coefficients as there are.
   double p_value = 1;
+  double gain = 0;  // in log-likelihood, over the hardware's own value with all else fitted
 };
 
 // Of each coefficient that the model has free.

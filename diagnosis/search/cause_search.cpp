@@ -84,7 +84,7 @@ class Search {
         greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
     if (result_.p_value_of_next > alpha || stop_()) return false;
     fit_those(false);
-    const std::size_t best = least_misfit(fits);
+    const std::size_t best = likeliest(problem_, fits);
     if (gain(before, fits[best].misfit) < critical_gain_) return false;
     const Effect effect = outlook.candidates()[which[best]].effect;
     result_.model = std::move(fits[best].model);
@@ -136,7 +136,7 @@ class Search {
     const Outlook outlook(problem_, base.model, candidates_, workers_);
     const auto which = outlook.contenders(most_rivals, Outlook::Laws::by_gain);
     std::vector<Fit> fits = outlook.fit_each(which);
-    const std::size_t best = fits.empty() ? 0 : least_misfit(fits);
+    const std::size_t best = fits.empty() ? 0 : likeliest(problem_, fits);
     if (!fits.empty() && gain(now, fits[best].misfit) > least_advantage) {
       result_.model = std::move(fits[best].model);
       result_.accepted[accepted].effect = outlook.candidates()[which[best]].effect;
@@ -167,7 +167,7 @@ class Search {
       const Outlook outlook(problem_, base.model, candidates_, workers_);
       const auto which = outlook.contenders(most_rivals, Outlook::Laws::always);
       std::vector<Fit> fits = outlook.fit_each(which);
-      const std::size_t i = least_misfit(fits);
+      const std::size_t i = likeliest(problem_, fits);
       if (fits.empty() || (best.misfit > 0 && fits[i].misfit >= best.misfit)) continue;
       best = std::move(fits[i]);
       kept = accepted;

@@ -1,6 +1,7 @@
 #include "diagnosis/search/outlook.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -98,9 +99,15 @@ std::vector<Fit> Outlook::fit_each(const std::vector<std::size_t>& which) const 
   return fits;
 }
 
-std::size_t least_misfit(const std::vector<Fit>& fits) {
-  const auto best = std::min_element(
-      fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+std::size_t likeliest(const Problem& problem, const std::vector<Fit>& fits) {
+  const double degrees = problem.dataset->degrees_of_freedom();
+  const auto surprise = [&](const Fit& fit) {
+    return degrees * std::log(fit.misfit) +
+           static_cast<double>(parameter_count(fit.model)) * std::log(degrees);
+  };
+  const auto best = std::min_element(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) {
+    return surprise(a) < surprise(b);
+  });
   return static_cast<std::size_t>(best - fits.begin());
 }
 

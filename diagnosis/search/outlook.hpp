@@ -52,7 +52,8 @@ class Outlook {
   Screening screening_;
 };
 
-// 0 if there are none.
-std::size_t least_misfit(const std::vector<Fit>& fits);
+// The fit that explains most for its parameters (G. Schwarz, Ann. Stat. 6, 1978): a law with a
+// shape bends to whatever stands beside it. 0 if there are none.
+std::size_t likeliest(const Problem& problem, const std::vector<Fit>& fits);
 
 }  // namespace reeve::diagnosis

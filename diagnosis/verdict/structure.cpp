@@ -51,6 +51,11 @@ class Tests {
 
   std::vector<StructureTest> all() {
     const auto channel = [this](const Cell& cell) { return data_.channels[cell.channel].name; };
+    if (!data_.groups.empty()) {
+      add_groups("group", [](const Cell&, const Reading& r) {
+        return r.group ? std::to_string(*r.group) : std::string();
+      });
+    }
     add_groups("routing", [](const Cell&, const Reading& r) { return std::to_string(r.routing); });
     add_groups("strand", [=](const Cell& c, const Reading&) { return channel(c); });
     add_groups("grasp", [](const Cell&, const Reading& r) {
