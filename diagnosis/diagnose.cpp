@@ -134,11 +134,11 @@ class Diagnosis {
       result_.withdrawn_held_out = gain;
       return true;
     };
-    if (!found_.accepted.empty() && (may_lose(found_.base) || may_lose(nominal_))) {
-      for (const AcceptedCause& accepted : found_.accepted) {
-        result_.withdrawn.push_back(effect_name(accepted.effect));
-      }
-      take_back_causes(found_);
+    // In the order in which they were accepted: which of them loses is not for these runs to
+    // choose.
+    while (!found_.accepted.empty() && (may_lose(found_.base) || may_lose(nominal_))) {
+      result_.withdrawn.push_back(effect_name(found_.accepted.back().effect));
+      take_back_last(found_);
     }
     if (names_a_coefficient() && may_lose(nominal_)) {
       for (Calibration& calibration : found_.calibrations) {

@@ -14,6 +14,8 @@ namespace {
 
 // The standard deviation is then known to 13 %.
 constexpr double enough_noise_degrees = 30;
+// To 18 %: rather that than noise with what differs between mountings in it.
+constexpr double enough_within_runs = 15;
 constexpr double floor_share = 1e-3;  // of the median reading
 
 double median_reading(const Dataset& dataset) {
@@ -242,7 +244,8 @@ std::optional<Noise> noise_told_by(const Dataset& dataset, Runs runs) {
   const bool repeated = !samples.empty();
   const std::vector<ScatterSample> smoothed = smoothing(dataset, runs, used);
   samples.insert(samples.end(), smoothed.begin(), smoothed.end());
-  if (degrees(samples) < enough_noise_degrees) return std::nullopt;
+  const double enough = runs == Runs::alike ? enough_noise_degrees : enough_within_runs;
+  if (degrees(samples) < enough) return std::nullopt;
   Noise noise = fit(dataset, samples,
                     !repeated          ? NoiseSource::smoothing
                     : smoothed.empty() ? NoiseSource::repeats

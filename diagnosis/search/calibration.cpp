@@ -58,6 +58,14 @@ bool is_open(const Effect& effect, const Hardware& hardware) {
   return !law.known && law.mu > 0;
 }
 
+Model with_hardware_coefficients(Model model) {
+  for (Effect& effect : model.effects) {
+    if (!is_coefficient(effect)) continue;
+    effect.values.front() = *effect.cause->parameters(model.hardware).front().nominal;
+  }
+  return model;
+}
+
 Model calibrated(const Problem& problem, const Model& nominal,
                  const std::vector<Candidate>& candidates) {
   Model model = nominal;

@@ -19,6 +19,9 @@ bool is_coefficient(const Effect& effect);
 // Whether the hardware leaves the coefficient open; `effect` is one.
 bool is_open(const Effect& effect, const Hardware& hardware);
 
+// The model's coefficients as the hardware says them: where a fit may start afresh.
+Model with_hardware_coefficients(Model model);
+
 // The model with each open coefficient of the candidates free, fitted from several starts.
 Model calibrated(const Problem& problem, const Model& nominal,
                  const std::vector<Candidate>& candidates);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagnosis/model/null_model.hpp"
+#include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/outlook.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "numerics/streams.hpp"
@@ -89,7 +90,7 @@ class Search {
     const Effect effect = outlook.candidates()[which[best]].effect;
     result_.model = std::move(fits[best].model);
     result_.accepted.push_back({effect, result_.p_value_of_next});
-    changed_(problem_, result_.model);
+    settle();
     return true;
   }
 
@@ -104,6 +105,15 @@ class Search {
     };
     exhausted_ |= std::any_of(met_.begin(), met_.end(), is_here);
     met_.push_back(result_.accepted);
+  }
+
+  // What readings weigh depends on the model, and what fits them best on what they weigh.
+  void settle() {
+    changed_(problem_, result_.model);
+    Fit here = fit(problem_, result_.model);
+    Fit afresh = fit(problem_, with_hardware_coefficients(result_.model));
+    result_.model = std::move((afresh.misfit < here.misfit ? afresh : here).model);
+    changed_(problem_, result_.model);
   }
 
   bool is_accepted(const Effect& effect) const {
@@ -140,13 +150,13 @@ class Search {
     if (!fits.empty() && gain(now, fits[best].misfit) > least_advantage) {
       result_.model = std::move(fits[best].model);
       result_.accepted[accepted].effect = outlook.candidates()[which[best]].effect;
-      changed_(problem_, result_.model);
+      settle();
       return true;
     }
     if (gain(base.misfit, now) >= critical_gain_) return false;
     result_.model = base.model;
     result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(accepted));
-    changed_(problem_, result_.model);
+    settle();
     return true;
   }
 
@@ -176,7 +186,7 @@ class Search {
     if (best.model.effects.empty() || gain(best.misfit, now) >= critical_gain_) return;
     result_.model = std::move(best.model);
     result_.accepted = {kept, taken};
-    changed_(problem_, result_.model);
+    settle();
     exhausted_ = true;
   }
 

@@ -131,6 +131,7 @@ class Explaining {
     to.push_back(effect_name(result_.accepted[cause].effect));
     result_.model = without_cause(cause);
     rescatter(result_.problem, result_.model);
+    result_.model = fit(result_.problem, result_.model).model;
     result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(cause));
   }
 
@@ -194,11 +195,14 @@ std::optional<Explanation> explain(const Dataset& training, const Model& nominal
   return explaining.take();
 }
 
-void take_back_causes(Explanation& explanation) {
-  explanation.model = explanation.base;
+void take_back_last(Explanation& explanation) {
+  const Effect last = explanation.accepted.back().effect;
+  explanation.accepted.pop_back();
+  explanation.model =
+      fit(explanation.problem, without(explanation.model, place(explanation.model, last))).model;
+  if (explanation.accepted.empty()) explanation.model = explanation.base;
   explanation.problem =
-      problem(*explanation.problem.dataset, explanation.scatter, explanation.base);
-  explanation.accepted.clear();
+      problem(*explanation.problem.dataset, explanation.scatter, explanation.model);
   explanation.calibrations =
       calibrations(explanation.problem, explanation.model, explanation.mounting_degrees());
 }

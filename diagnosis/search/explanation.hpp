@@ -48,7 +48,7 @@ std::optional<Explanation> explain(const Dataset& training, const Model& nominal
                                    const ExplanationOptions& options, Workers& workers,
                                    const std::function<bool(const char*)>& stop);
 
-// Without the accepted causes.
-void take_back_causes(Explanation& explanation);
+// Without the cause that was accepted last.
+void take_back_last(Explanation& explanation);
 
 }  // namespace reeve::diagnosis

@@ -15,14 +15,6 @@ bool is_law_of_friction(const Candidate& candidate) {
   return reach == Reach::hardware || reach == Reach::conditions || reach == Reach::load;
 }
 
-Model with_hardware_coefficients(Model model) {
-  for (Effect& effect : model.effects) {
-    if (!is_coefficient(effect)) continue;
-    effect.values.front() = *effect.cause->parameters(model.hardware).front().nominal;
-  }
-  return model;
-}
-
 std::vector<Candidate> not_in(const Model& model, const std::vector<Candidate>& candidates) {
   std::vector<Candidate> result;
   for (const Candidate& candidate : candidates) {
