@@ -1,16 +1,55 @@
 #include "diagnosis/model/left_noise.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
 
 namespace reeve::diagnosis {
 
+namespace {
+
+// In newton, and so sure that no reading is near what a sensor cannot read below.
+constexpr double sure_N = 1e-6;
+
+// The weight of a reading beside the others before its noise is known.
+double weight(double reading_N, double middle_N) {
+  return 1 / (std::abs(reading_N) + 0.1 * middle_N);
+}
+
+}  // namespace
+
 Noise noise_left_by(const Dataset& dataset, const Model& model) {
-  // In newton, and so sure that no reading is near what a sensor cannot read below.
-  constexpr double sure_N = 1e-6;
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
   const Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
   return noise_of_residuals(dataset, sure_N * own_residuals(plain, forecast(dataset, model)),
                             static_cast<double>(parameter_count(model)));
+}
+
+std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const Model& model,
+                                                 const MountingModes& modes) {
+  const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
+  const Forecast at = forecast(dataset, model);
+  const Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  const Eigen::VectorXd left = sure_N * own_residuals(plain, at);
+  const double scaled = dataset.degrees_of_freedom() / static_cast<double>(cells);
+  const double middle = at.reading_N.mean();
+  std::vector<ScatterSample> samples;
+  for (const Mounting& mounting : mountings(dataset)) {
+    Eigen::VectorXd weights = at.reading_N(mounting.cells);
+    for (double& of : weights) of = weight(of, middle);
+    const Eigen::MatrixXd basis = orthonormal_basis(
+        weights.asDiagonal() * Eigen::MatrixXd(modes.by_share_N(mounting.cells, Eigen::all)));
+    const Eigen::VectorXd weighted = weights.cwiseProduct(Eigen::VectorXd(left(mounting.cells)));
+    const Eigen::VectorXd own = weighted - basis * (basis.transpose() * weighted);
+    for (Eigen::Index i = 0; i < own.size(); ++i) {
+      const double level = std::max(at.reading_N[mounting.cells[static_cast<std::size_t>(i)]], 0.0);
+      samples.push_back({level, own[i] / weights[i], scaled * (1 - basis.row(i).squaredNorm())});
+    }
+  }
+  return noise_of_samples(dataset, samples);
 }
 
 }  // namespace reeve::diagnosis

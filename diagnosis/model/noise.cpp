@@ -307,6 +307,12 @@ std::optional<Noise> noise_without_model(const Dataset& dataset) {
   return std::nullopt;
 }
 
+std::optional<Noise> noise_of_samples(const Dataset& dataset,
+                                      const std::vector<ScatterSample>& samples) {
+  if (degrees(samples) < enough_within_runs) return std::nullopt;
+  return fit(dataset, samples, NoiseSource::residuals);
+}
+
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
                          double parameters) {
   const double kept = std::max(0.1, 1 - (parameters + static_cast<double>(dataset.cells.size()) -

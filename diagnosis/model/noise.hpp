@@ -55,6 +55,9 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
 
 // From repeats and smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);
+// From what is left of these readings; nothing if they tell too little.
+std::optional<Noise> noise_of_samples(const Dataset& dataset,
+                                      const std::vector<ScatterSample>& samples);
 // From what a model with so many fitted parameters leaves.
 Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
                          double parameters);

@@ -37,15 +37,10 @@ class Explaining {
   }
 
   void calibrate() {
-    const std::optional<Noise> measured = noise_without_model(training_);
-    noise_is_measured_ = measured.has_value();
-    result_.scatter.noise = measured ? *measured : noise_left_by(training_, nominal_);
-    result_.problem = problem(training_, result_.scatter, nominal_);
-    result_.base = calibrated(result_.problem, nominal_, coefficients_);
-    // What a model leaves of many mountings contains what differs between them; of a few it cannot.
-    constexpr std::size_t few = 4;
-    knows_mountings_ = measured ? measured->within_mountings : mountings(training_).size() < few;
-    if (knows_mountings_) {
+    measured_ = noise_without_model(training_);
+    result_.base = nominal_;
+    // What readings weigh, and what fits them, in turn.
+    for (int round = 0; round < 2; ++round) {
       rescatter(result_.problem, result_.base);
       result_.base = calibrated(result_.problem, nominal_, coefficients_);
     }
@@ -110,14 +105,36 @@ class Explaining {
   Explanation take() { return std::move(result_); }
 
  private:
+  // What a model leaves of many mountings contains what differs between them; of a few it cannot.
+  bool noise_contains_mountings() const {
+    constexpr std::size_t few = 4;
+    return mountings(training_).size() >= few;
+  }
+
+  // Whether the noise is that of readings of one mounting.
+  bool estimate_noise(const Model& model, const MountingModes& modes) {
+    Noise& noise = result_.scatter.noise;
+    if (measured_ && measured_->within_mountings) {
+      noise = *measured_;
+      return true;
+    }
+    if (const auto within = noise_left_within_mountings(training_, model, modes)) {
+      noise = *within;
+      return true;
+    }
+    noise = measured_ ? *measured_ : noise_left_by(training_, model);
+    return !noise_contains_mountings();
+  }
+
   // What is not explained yet may look as if mountings differed.
   void rescatter(Problem& problem, const Model& model) {
     Scatter& scatter = result_.scatter;
-    if (!noise_is_measured_) scatter.noise = noise_left_by(training_, model);
     const Forecast at = forecast(training_, model);
-    problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
-    if (!knows_mountings_) return;
     const MountingModes modes = mounting_modes(training_, model);
+    const bool knows_mountings = estimate_noise(model, modes);
+    problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
+    scatter.mounting = {};
+    if (!knows_mountings) return;
     scatter.mounting = mounting_scatter(problem, at, modes, options_.mounting_scatter);
     share_scatter(problem, modes, scatter.mounting.relative, at);
   }
@@ -158,8 +175,7 @@ class Explaining {
   const ExplanationOptions& options_;
   std::vector<Candidate> coefficients_;
   std::vector<Candidate> causes_;
-  bool noise_is_measured_ = false;
-  bool knows_mountings_ = false;
+  std::optional<Noise> measured_;
   Explanation result_;
 };
 

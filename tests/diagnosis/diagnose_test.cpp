@@ -147,10 +147,10 @@ TEST(Diagnose, NamesNoCauseThatTheTrainingRunsRefute) {
 
 // The noise is what the model leaves, and so that of the model that stays.
 TEST(Diagnose, JudgesWhatIsLeftByTheModelThatStays) {
-  const DiagnosisResult result = of_runs({4, -1}, 4);
+  const DiagnosisResult result = of_runs({4, -1}, 2);
   ASSERT_EQ(result.noise.source, diagnosis::NoiseSource::residuals);
   ASSERT_EQ(result.not_confirmed.size(), 1U);
-  const MeasuredData data = read_data(runs_csv({4, -1}, 4));
+  const MeasuredData data = read_data(runs_csv({4, -1}, 2));
   EXPECT_EQ(result.noise.relative, noise_left_by(all_of(data), result.model).relative);
 }
 
