@@ -7,9 +7,9 @@
 //               of T / T_M on load, speed, cycle, temperature and order, with a level of its own
 //               in each run: what no smooth law explains
 // together, since repeats of few conditions cannot tell the relative part from the absolute one;
-// where the data are too few for that, from the same without regard to runs; or, where they are
-// too few for either, from
-//   residuals   of a model
+// where the data are too few for that, from
+//   residuals   of a model, beside all that a mounting could change (left_noise.hpp), or
+// where these are too few, too, from the same without regard to runs, or from residuals alone.
 // Both parts together maximise the (restricted) likelihood of the residuals.
 //
 // Readings may scatter with heavier tails than normal ones: Student's t of ν degrees of freedom,

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "diagnosis/data/run_split.hpp"
-#include "diagnosis/model/left_noise.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -143,15 +142,6 @@ TEST(Diagnose, NamesNoCauseThatTheTrainingRunsRefute) {
   EXPECT_TRUE(result.indistinguishable.empty());
   EXPECT_TRUE(result.weighed.empty());
   EXPECT_LT(result.p_value, 0.05);
-}
-
-// The noise is what the model leaves, and so that of the model that stays.
-TEST(Diagnose, JudgesWhatIsLeftByTheModelThatStays) {
-  const DiagnosisResult result = of_runs({4, -1}, 2);
-  ASSERT_EQ(result.noise.source, diagnosis::NoiseSource::residuals);
-  ASSERT_EQ(result.not_confirmed.size(), 1U);
-  const MeasuredData data = read_data(runs_csv({4, -1}, 2));
-  EXPECT_EQ(result.noise.relative, noise_left_by(all_of(data), result.model).relative);
 }
 
 // There is no other run that could refute it, or confirm it.

@@ -58,7 +58,7 @@ struct Sensor {
   double scatter = 0;  // relative, about the levels
 };
 
-std::map<std::size_t, Sensor> sensors(const KindCells& cells, const Levels& levels,
+std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLevels& levels,
                                       bool simulated) {
   const double least_scatter = simulated ? 0 : least_relative_scatter;
   std::map<std::size_t, std::vector<double>> values, left;
@@ -91,7 +91,7 @@ struct Kind {
 
 Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
   const std::size_t motor = data.channels.size();
-  const Levels levels = polished_levels(cells, motor);
+  const PolishedLevels levels = polished_levels(cells, motor);
   const std::map<std::size_t, Sensor> of_channel = sensors(cells, levels, data.simulated);
   Kind kind;
   std::map<double, std::vector<double>> at_load;

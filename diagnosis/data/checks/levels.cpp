@@ -32,15 +32,15 @@ std::vector<KindCells> cells_by_kind(const MeasuredData& data) {
   return result;
 }
 
-double Levels::expected_N(const KindCell& cell) const {
+double PolishedLevels::expected_N(const KindCell& cell) const {
   const auto s = row.find(cell.reading);
   const auto l = channel.find(cell.channel);
   if (s == row.end() || l == channel.end()) return std::numeric_limits<double>::quiet_NaN();
   return std::exp(s->second + l->second);
 }
 
-Levels polished_levels(const KindCells& cells, std::size_t motor) {
-  Levels levels;
+PolishedLevels polished_levels(const KindCells& cells, std::size_t motor) {
+  PolishedLevels levels;
   std::map<std::size_t, std::size_t> in_row;
   for (const KindCell& cell : cells) in_row[cell.reading] += cell.value_N > 0 ? 1 : 0;
   for (int pass = 0; pass < polishing_passes; ++pass) {

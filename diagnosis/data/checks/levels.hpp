@@ -33,7 +33,7 @@ using KindCells = std::vector<KindCell>;
 // The cells of each routing, grasp and direction.
 std::vector<KindCells> cells_by_kind(const MeasuredData& data);
 
-struct Levels {
+struct PolishedLevels {
   std::map<std::size_t, double> row;
   std::map<std::size_t, double> channel;
 
@@ -42,7 +42,7 @@ struct Levels {
 };
 
 // `motor` is the channel of the motor tension.
-Levels polished_levels(const KindCells& cells, std::size_t motor);
+PolishedLevels polished_levels(const KindCells& cells, std::size_t motor);
 
 // The least difference between two of the values that is no rounding error; 0 if there is none.
 double least_step(std::vector<double> values);

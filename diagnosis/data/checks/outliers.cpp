@@ -36,7 +36,7 @@ struct FarCell {
 };
 
 void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCell>& far) {
-  const Levels levels = polished_levels(cells, motor);
+  const PolishedLevels levels = polished_levels(cells, motor);
   std::map<std::size_t, Spread> spreads;
   for (const KindCell& cell : cells) {
     const double expected_N = levels.expected_N(cell);
