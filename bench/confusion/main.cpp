@@ -27,7 +27,7 @@ struct Options {
   double visible = 20;
   int threads = 0;
   bool list = false;
-  std::uint64_t only = 0;  // this data set alone, by the number that the list gives it
+  std::uint64_t only = 0;      // this data set alone, by the number that the list gives it
   std::filesystem::path save;  // folder for the data sets that were missed
   DiagnoseOptions diagnosis;
 };
