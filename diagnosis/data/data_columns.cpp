@@ -92,7 +92,7 @@ class ColumnReader {
   DataColumn read(const std::string& name, std::size_t index) {
     if (options_.group && *options_.group == name) return {DataRole::group, name, 0, 0, {}, {}};
     const Range any = range_of(DataRole::covariate);
-    const DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
+    DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
     const auto named = column_named(meaning_of(name, options_));
     if (!named) return covariate;
     const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);

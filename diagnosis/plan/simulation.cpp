@@ -58,7 +58,7 @@ class Rig {
 
  private:
   Hardware bent_to(double sheath_angle_rad) const {
-    const Hardware hardware =
+    Hardware hardware =
         effective_hardware(with_sheath_angle(model_.hardware, sheath_angle_rad), model_.effects);
     if (const auto found = fault(hardware)) throw InputError(sentence(*found));
     return hardware;
