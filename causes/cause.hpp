@@ -161,6 +161,9 @@ class Cause {
   // What stands in brackets behind the name; empty if the cause is about the whole rig.
   virtual std::string subject_name(const Subject&) const { return {}; }
 
+  // Of a cause that is the coefficient of all contacts of a kind: that of the hardware.
+  virtual const ContactLaw* law(const Hardware&) const { return nullptr; }
+
   // Each of the following is called for causes of its reach only.
   virtual void change_hardware(Hardware&, const Effect&) const {}
   virtual double exponent(double phi, const ContactLoad&, const Conditions&, const Effect&) const {

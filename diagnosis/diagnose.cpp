@@ -10,10 +10,12 @@
 #include "diagnosis/model/intervals.hpp"
 #include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
+#include "diagnosis/plan/measurement_plan.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "diagnosis/search/weighed.hpp"
+#include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
@@ -21,10 +23,6 @@ namespace {
 
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
-
-// In log-likelihood, on the held-out runs. Each fitted parameter costs half on average where it is
-// needed for nothing there, and of few runs some know nothing of a cause that acts in one routing.
-constexpr double chance_loss = 2;
 
 class Diagnosis {
  public:
@@ -46,7 +44,11 @@ class Diagnosis {
       take_over_found();
     } else {
       if (!find_causes()) return std::nullopt;
-      withdraw_what_may_lose();
+      // The held-out runs are opened here.
+      const Withdrawal withdrawal =
+          withdraw_what_may_lose(found_, sample_.held_out, nominal_, options_.seed);
+      result_.withdrawn = withdrawal.names;
+      result_.withdrawn_held_out = withdrawal.held_out;
       take_over_found();
       if (!weigh_rivals()) return std::nullopt;
       confirm();
@@ -108,46 +110,9 @@ class Diagnosis {
     return true;
   }
 
-  // With less to say for it every other cause would explain the data nearly as well.
-  bool differs(const Calibration& calibration) const {
-    return calibration.p_value < options_.alpha && calibration.gain >= alias_margin;
-  }
-
   // No smaller chance than the replicates could tell of a cause.
   double resolved(double p_value) const {
     return std::max(p_value, 1 / static_cast<double>(options_.replicates + 1));
-  }
-
-  bool names_a_coefficient() const {
-    return std::any_of(found_.calibrations.begin(), found_.calibrations.end(),
-                       [&](const Calibration& calibration) { return differs(calibration); });
-  }
-
-  // The held-out runs are opened here. Each name had its own test; whether the names together
-  // forecast runs that nobody has seen, these alone can say.
-  void withdraw_what_may_lose() {
-    if (sample_.held_out.cells.empty()) return;
-    const auto may_lose = [&](const Model& before) {
-      const Problem unseen = problem(sample_.held_out, found_.scatter, found_.model);
-      const HeldOut gain = held_out_gain(unseen, before, found_.model, options_.seed);
-      if (gain.gain_low >= -chance_loss) return false;
-      result_.withdrawn_held_out = gain;
-      return true;
-    };
-    // In the order in which they were accepted: which of them loses is not for these runs to
-    // choose.
-    while (!found_.accepted.empty() && (may_lose(found_.base) || may_lose(nominal_))) {
-      result_.withdrawn.push_back(effect_name(found_.accepted.back().effect));
-      take_back_last(found_);
-    }
-    if (names_a_coefficient() && may_lose(nominal_)) {
-      for (Calibration& calibration : found_.calibrations) {
-        if (differs(calibration)) result_.withdrawn.push_back(effect_name(calibration.effect));
-        calibration.p_value = 1;
-      }
-      found_.model = nominal_;
-      found_.problem = problem(sample_.training, found_.scatter, nominal_);
-    }
   }
 
   void add_cause(const Effect& effect, double p_value) {
@@ -169,7 +134,7 @@ class Diagnosis {
     for (const Calibration& calibration : found_.calibrations) {
       CalibratedCoefficient coefficient{effect_name(calibration.effect),
                                         estimated(calibration.effect, 0, calibration.interval),
-                                        resolved(calibration.p_value), differs(calibration)};
+                                        resolved(calibration.p_value), calibration.differs};
       if (coefficient.differs) {
         add_cause(calibration.effect, coefficient.p_value);
         result_.p_value = std::min(result_.p_value, coefficient.p_value);
@@ -262,40 +227,19 @@ class Diagnosis {
     }
   }
 
-  // The data's routings first: what is on the rig is easiest to measure again.
-  MeasurementPlan plan() const {
-    MeasurementPlan plan{&data_, {}, result_.noise};
-    const auto add = [&](const MeasurableRouting& routing) {
-      const bool known =
-          std::any_of(plan.routings.begin(), plan.routings.end(),
-                      [&](const MeasurableRouting& other) { return other.word == routing.word; });
-      if (!known) plan.routings.push_back(routing);
-    };
-    for (const MeasuredRouting& measured : data_.routings) add({measured.word, measured.routing});
-    for (const MeasurableRouting& routing : options_.routings) add(routing);
-    return plan;
-  }
-
   void plan_measurements() {
-    const MeasurementPlan plan = this->plan();
+    const MeasurementPlan plan = measurement_plan(data_, options_.routings, result_.noise);
     for (const Indistinguishable& group : indistinguishable_) {
       result_.indistinguishable.push_back(group.names);
     }
     if (!indistinguishable_.empty()) {
-      separate(plan, indistinguishable_.front());
+      const Indistinguishable& group = indistinguishable_.front();
+      result_.separating_measurement = separating_measurement(plan, group.models, group.names);
       result_.next_measurement = result_.separating_measurement;
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
       result_.next_measurement = shrinking_measurement(plan, found_.problem, result_.model,
                                                        place(result_.model, cause.effect));
-    }
-  }
-
-  // Some of a group nothing on this rig tells apart: the first that something does.
-  void separate(const MeasurementPlan& plan, const Indistinguishable& group) {
-    for (std::size_t i = 1; i < group.names.size() && !result_.separating_measurement; ++i) {
-      result_.separating_measurement = separating_measurement(plan, group.models[0], group.names[0],
-                                                              group.models[i], group.names[i]);
     }
   }
 

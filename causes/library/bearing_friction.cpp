@@ -22,6 +22,7 @@ class BearingFriction final : public Cause {
   std::vector<Subject> subjects(const Survey& survey) const override {
     return has_bearing(survey) ? std::vector<Subject>(1) : std::vector<Subject>{};
   }
+  const ContactLaw* law(const Hardware& hardware) const override { return &hardware.bearing; }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     hardware.bearing.mu = effect.values[0];
   }

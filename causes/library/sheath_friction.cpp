@@ -23,6 +23,7 @@ class SheathFriction final : public Cause {
     return has_contact(survey, ContactKind::sheath) ? std::vector<Subject>(1)
                                                     : std::vector<Subject>{};
   }
+  const ContactLaw* law(const Hardware& hardware) const override { return &hardware.sheath; }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     hardware.sheath.mu = effect.values[0];
   }

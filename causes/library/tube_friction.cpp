@@ -23,6 +23,7 @@ class TubeFriction final : public Cause {
     return has_contact(survey, ContactKind::tube) ? std::vector<Subject>(1)
                                                   : std::vector<Subject>{};
   }
+  const ContactLaw* law(const Hardware& hardware) const override { return &hardware.tube; }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     hardware.tube.mu = effect.values[0];
   }

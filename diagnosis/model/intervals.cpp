@@ -95,7 +95,8 @@ class Spreads {
 
   Spread of_known_scatter(Index parameter) const {
     const double all = known(parameter);
-    const double shared = all > 0 ? std::max(0.0, 1 - own_variance_[parameter] / all) : 0;
+    // What readings alone hardly tell may have any variance by rounding.
+    const double shared = all > 0 ? std::clamp(1 - own_variance_[parameter] / all, 0.0, 1.0) : 0;
     const double degrees =
         1 / ((1 - shared) * (1 - shared) / degrees_ + shared * shared / mounting_degrees_);
     return {std::sqrt(reading_spread_ * all), degrees};

@@ -8,7 +8,6 @@
 #include "diagnosis/model/problem.hpp"
 
 namespace reeve::diagnosis {
-
 namespace {
 
 // In newton, and so sure that no reading is near what a sensor cannot read below.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnosis/search/rivals.hpp"
 #include "numerics/student_t.hpp"
 
 namespace reeve::diagnosis {
@@ -15,17 +16,10 @@ constexpr std::array starts{1.0, 0.3, 2.5};
 // Of the range that is searched, a standard error beyond which nothing is known.
 constexpr double vague = 1.0 / 6;
 
-const ContactLaw& law_of(const Effect& effect, const Hardware& hardware) {
-  const std::string name = effect.cause->name();
-  if (name == "tube_friction") return hardware.tube;
-  return name == "sheath_friction" ? hardware.sheath : hardware.bearing;
-}
-
 // The first effect of which the data say too little; the number of effects if there is none.
 std::size_t first_vague(const Problem& problem, const Model& model) {
   const auto intervals = parameter_intervals(problem, model);
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
-    if (!is_coefficient(model.effects[e])) continue;
     const Range range = model.effects[e].cause->parameters(model.hardware).front().range;
     if (!(intervals[e].front().deviation <= vague * (range.high - range.low))) return e;
   }
@@ -48,35 +42,25 @@ Model from_each_start(const Problem& problem, const Model& model) {
 
 }  // namespace
 
-bool is_coefficient(const Effect& effect) {
-  return effect.cause->reach() == Reach::hardware &&
-         effect.cause->subject_kind() == SubjectKind::rig;
-}
-
-bool is_open(const Effect& effect, const Hardware& hardware) {
-  const ContactLaw& law = law_of(effect, hardware);
-  return !law.known && law.mu > 0;
+bool is_open_coefficient(const Effect& effect, const Hardware& hardware) {
+  const ContactLaw* law = effect.cause->law(hardware);
+  return law != nullptr && !law->known && law->mu > 0;
 }
 
 Model with_hardware_coefficients(Model model) {
   for (Effect& effect : model.effects) {
-    if (!is_coefficient(effect)) continue;
+    if (!is_open_coefficient(effect, model.hardware)) continue;
     effect.values.front() = *effect.cause->parameters(model.hardware).front().nominal;
   }
   return model;
 }
 
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& candidates) {
+                 const std::vector<Candidate>& coefficients) {
   Model model = nominal;
-  for (const Candidate& candidate : candidates) {
-    if (is_coefficient(candidate.effect) && is_open(candidate.effect, nominal.hardware)) {
-      add_effect(model, candidate.effect);
-    }
-  }
+  for (const Candidate& coefficient : coefficients) add_effect(model, coefficient.effect);
   if (model.effects.empty()) return model;
-  const Model open = model;
-  model = from_each_start(problem, open);
+  model = from_each_start(problem, model);
   for (std::size_t e = first_vague(problem, model); e < model.effects.size();
        e = first_vague(problem, model)) {
     model = without(model, e);
@@ -86,12 +70,12 @@ Model calibrated(const Problem& problem, const Model& nominal,
 }
 
 std::vector<Calibration> calibrations(const Problem& problem, const Model& model,
-                                      double mounting_degrees) {
+                                      double mounting_degrees, double alpha) {
   const auto intervals = parameter_intervals(problem, model, mounting_degrees);
   std::vector<Calibration> result;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
-    if (!is_coefficient(model.effects[e])) continue;
-    result.push_back({model.effects[e], intervals[e].front(), 1, 0});
+    if (!is_open_coefficient(model.effects[e], model.hardware)) continue;
+    result.push_back({model.effects[e], intervals[e].front(), 1, 0, false});
   }
   const double now = misfit(problem, model);
   for (Calibration& found : result) {
@@ -101,6 +85,7 @@ std::vector<Calibration> calibrations(const Problem& problem, const Model& model
     found.p_value = std::min(1.0, chance * static_cast<double>(result.size()));
     const Fit pinned = fit(problem, without(model, place(model, found.effect)));
     found.gain = (pinned.misfit - now) / 2;
+    found.differs = found.p_value < alpha && found.gain >= alias_margin;
   }
   return result;
 }

@@ -2,8 +2,8 @@
 //
 // They are free in every model that the data are explained with, so that no cause stands in for a
 // coefficient that was guessed wrong. The hardware can say that one is known (`known = true`), or
-// that there is no friction (mu = 0): those stay, as do those of which the data say too little to
-// tell them apart within their range.
+// that there is no friction (mu = 0): then the first stays, and the second is a cause like others.
+// Those stay, too, of which the data say too little to tell them apart within their range.
 #pragma once
 
 #include <vector>
@@ -14,17 +14,15 @@
 
 namespace reeve::diagnosis {
 
-bool is_coefficient(const Effect& effect);
+// Whether it is a coefficient that the hardware leaves open.
+bool is_open_coefficient(const Effect& effect, const Hardware& hardware);
 
-// Whether the hardware leaves the coefficient open; `effect` is one.
-bool is_open(const Effect& effect, const Hardware& hardware);
-
-// The model's coefficients as the hardware says them: where a fit may start afresh.
+// The model's open coefficients as the hardware says them: where a fit may start afresh.
 Model with_hardware_coefficients(Model model);
 
-// The model with each open coefficient of the candidates free, fitted from several starts.
+// The model with each of these coefficients free, fitted from several starts.
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& candidates);
+                 const std::vector<Candidate>& coefficients);
 
 struct Calibration {
   Effect effect;  // fitted
@@ -33,10 +31,12 @@ struct Calibration {
   // many coefficients as there are.
   double p_value = 1;
   double gain = 0;  // in log-likelihood, over the hardware's own value with all else fitted
+  bool differs = false;
 };
 
-// Of each coefficient that the model has free.
+// Of each coefficient that the model has free. It differs from what the hardware says if that has a
+// chance below alpha, and gains more than other causes that cannot be told from it (alias_margin).
 std::vector<Calibration> calibrations(const Problem& problem, const Model& model,
-                                      double mounting_degrees);
+                                      double mounting_degrees, double alpha);
 
 }  // namespace reeve::diagnosis

@@ -21,6 +21,8 @@ std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware
                                   double force_scale) {
   std::vector<Candidate> result;
   for (const Cause* cause : cause_library()) {
+    const ContactLaw* law = cause->law(hardware);
+    if (law != nullptr && law->known) continue;
     for (const Subject& subject : cause->subjects(survey)) {
       Candidate candidate{
           {cause, subject, {}}, searched_parameters(*cause, hardware, force_scale), {}};

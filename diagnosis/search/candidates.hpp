@@ -17,7 +17,8 @@ struct Candidate {
   bool has_size() const { return !parameters.empty(); }
 };
 
-// `force_scale` as of the data (dataset.hpp).
+// A coefficient that the hardware knows is none of them. `force_scale` as of the data
+// (dataset.hpp).
 std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware,
                                   double force_scale = 1);
 

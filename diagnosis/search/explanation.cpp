@@ -31,7 +31,8 @@ class Explaining {
              const std::vector<Candidate>& candidates, const ExplanationOptions& options)
       : training_(training), nominal_(nominal), options_(options) {
     for (const Candidate& candidate : candidates) {
-      (is_coefficient(candidate.effect) ? coefficients_ : causes_).push_back(candidate);
+      const bool is_open = is_open_coefficient(candidate.effect, nominal.hardware);
+      (is_open ? coefficients_ : causes_).push_back(candidate);
     }
     result_.most_causes = options.most_causes.value_or(carried_causes(training));
   }
@@ -99,7 +100,9 @@ class Explaining {
   }
 
   void judge_coefficients() {
-    result_.calibrations = calibrations(result_.problem, result_.model, result_.mounting_degrees());
+    result_.calibrations =
+        calibrations(result_.problem, result_.model, result_.mounting_degrees(), options_.alpha);
+    result_.alpha = options_.alpha;
   }
 
   Explanation take() { return std::move(result_); }
@@ -219,8 +222,8 @@ void take_back_last(Explanation& explanation) {
   if (explanation.accepted.empty()) explanation.model = explanation.base;
   explanation.problem =
       problem(*explanation.problem.dataset, explanation.scatter, explanation.model);
-  explanation.calibrations =
-      calibrations(explanation.problem, explanation.model, explanation.mounting_degrees());
+  explanation.calibrations = calibrations(explanation.problem, explanation.model,
+                                          explanation.mounting_degrees(), explanation.alpha);
 }
 
 }  // namespace reeve::diagnosis

@@ -29,6 +29,7 @@ struct Explanation {
   Model model;  // with the accepted causes as well
   std::vector<AcceptedCause> accepted;
   std::vector<Calibration> calibrations;  // by the model
+  double alpha = 0.02;                    // at which coefficients differ
   double p_value = 1;                     // of the first accepted cause, or of the best there was
   std::size_t most_causes = 0;
   std::vector<std::string> not_confirmed;

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -66,6 +66,39 @@ TEST(Calibration, LeavesNoFrictionAsItIs) {
   Hardware hardware;
   hardware.sheath.mu = 0;
   EXPECT_TRUE(diagnosed(sheath_csv(0, 6), hardware).calibration.empty());
+}
+
+TEST(Calibration, OfNoFrictionIsACauseLikeOthers) {
+  Hardware hardware;
+  hardware.sheath.mu = 0;
+  const DiagnosisResult result = diagnosed(sheath_csv(0.12, 6), hardware);
+  EXPECT_TRUE(result.calibration.empty());
+  const auto is_named = [&](const std::string& name) {
+    return std::any_of(result.causes.begin(), result.causes.end(),
+                       [&](const NamedCause& cause) { return cause.name == name; }) ||
+           std::any_of(result.indistinguishable.begin(), result.indistinguishable.end(),
+                       [&](const auto& group) {
+                         return std::find(group.begin(), group.end(), name) != group.end();
+                       });
+  };
+  EXPECT_TRUE(is_named("sheath_friction"));
+}
+
+// Five times what there is, where no gain beyond three is searched.
+TEST(Calibration, NamesNoSizeAtTheEndOfWhatIsSearched) {
+  Hardware hardware;
+  hardware.sheath.known = true;
+  std::string csv = "run,routing,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 60; ++i) {
+    const double motor = 10 + i % 10;
+    const double tension = 5 * motor * std::exp(-0.18 * 2 * std::numbers::pi);
+    csv += fmt::format("{},M-1-F,{},{}\n", i / 10, motor,
+                       tension * (1 + 0.01 * normal(5, 6, static_cast<std::uint64_t>(i))));
+  }
+  const DiagnosisResult result = diagnosed(csv, hardware);
+  EXPECT_TRUE(result.causes.empty());
+  EXPECT_FALSE(result.not_sure.empty());
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
 }
 
 // Runs that differ by 10 % know less than their sixty readings; each mounted again tells by how

@@ -1,0 +1,29 @@
+// Whether the names that the training runs earned forecast runs that nobody has seen.
+//
+// Each name had its own test; whether all together gain on the held-out runs, these alone can say.
+// Where they may lose there (the interval of their gain in log-likelihood, by resampling, reaches
+// below that of parameters which are needed for nothing), the cause that was accepted last is
+// withdrawn, and so on: in the order of acceptance, since which of them loses is not for these runs
+// to choose. If what is left may still lose, the coefficients are no longer said to differ.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/search/explanation.hpp"
+#include "diagnosis/verdict/held_out.hpp"
+
+namespace reeve::diagnosis {
+
+struct Withdrawal {
+  std::vector<std::string> names;
+  std::optional<HeldOut> held_out;  // what all names do there while the last of these was one
+};
+
+// Changes the explanation. Nothing is withdrawn where nothing is held out.
+Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_out,
+                                  const Model& nominal, std::uint64_t seed);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,87 @@
+// Explanations of training runs that held-out runs bear out, or not.
+#include "diagnosis/verdict/withdrawal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "causes/library.hpp"
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// T1 is off by 1 N in the training runs, and T2 by 1 N; both are accepted, in this order.
+Explanation both(const Bench& training) {
+  Explanation explanation;
+  explanation.problem = training.problem;
+  explanation.scatter.noise.absolute_N = bench_noise_N;
+  for (const PatternCause* cause : {&on_T1, &on_T2}) {
+    add_effect(explanation.model, {cause, {}, {1}});
+    explanation.accepted.push_back({{cause, {}, {1}}, 0.001});
+  }
+  return explanation;
+}
+
+Withdrawal withdrawn(Explanation& explanation, const Pattern& held_out) {
+  const Bench unseen(held_out);
+  return withdraw_what_may_lose(explanation, unseen.dataset, {}, 1);
+}
+
+TEST(Withdrawal, OfWhatForecastsTheOthersIsNone) {
+  const Bench training({1, 1});
+  Explanation explanation = both(training);
+  const Withdrawal none = withdrawn(explanation, {1, 1});
+  EXPECT_TRUE(none.names.empty());
+  EXPECT_FALSE(none.held_out.has_value());
+  EXPECT_EQ(explanation.accepted.size(), 2U);
+}
+
+// T2 is not off at all there, by more than T1 is: together they lose.
+TEST(Withdrawal, TakesTheCauseThatWasAcceptedLast) {
+  const Bench training({1, 1});
+  Explanation explanation = both(training);
+  const Withdrawal last = withdrawn(explanation, {1, -1});
+  EXPECT_EQ(last.names, Names{"on_T2"});
+  ASSERT_TRUE(last.held_out.has_value());
+  EXPECT_LT(last.held_out->gain_low, 0);
+  ASSERT_EQ(explanation.accepted.size(), 1U);
+  ASSERT_EQ(explanation.model.effects.size(), 1U);
+  EXPECT_EQ(effect_name(explanation.model.effects[0]), "on_T1");
+}
+
+// The first loses, the last gains: it is not for these runs to choose.
+TEST(Withdrawal, GoesByTheOrderOfAcceptance) {
+  const Bench training({1, 1});
+  Explanation explanation = both(training);
+  EXPECT_EQ(withdrawn(explanation, {-1, 1}).names, (Names{"on_T2", "on_T1"}));
+  EXPECT_TRUE(explanation.model.effects.empty());
+}
+
+TEST(Withdrawal, NeedsHeldOutRuns) {
+  const Bench training({1, 1});
+  Explanation explanation = both(training);
+  EXPECT_TRUE(withdraw_what_may_lose(explanation, {}, {}, 1).names.empty());
+}
+
+// A coefficient that was drawn to the training runs.
+TEST(Withdrawal, TakesBackWhatACoefficientWasSaidToBe) {
+  const Bench training({0, 0});
+  Explanation explanation;
+  explanation.problem = training.problem;
+  explanation.scatter.noise.absolute_N = bench_noise_N;
+  Effect other{find_cause("tube_friction"), {}, {0.1}};
+  add_effect(explanation.model, other);
+  explanation.base = explanation.model;
+  explanation.calibrations = {{other, {}, 0.001, 100, true}};
+  EXPECT_EQ(withdrawn(explanation, {0, 0}).names, Names{"tube_friction"});
+  EXPECT_FALSE(explanation.calibrations[0].differs);
+  EXPECT_EQ(explanation.calibrations[0].p_value, 0.001);
+  EXPECT_TRUE(explanation.model.effects.empty());
+}
+
+}  // namespace
+}  // namespace reeve::testing
