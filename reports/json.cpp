@@ -57,8 +57,9 @@ Json to_json(const Hardware& hardware) {
               {"hand_mm", hardware.hand_mm}}}};
   if (hardware.block) json["block"] = law(*hardware.block);
   json["fingers"] = Json::array();
-  for (const FingerHardware& finger : hardware.fingers)
+  for (const FingerHardware& finger : hardware.fingers) {
     json["fingers"].push_back(finger_json(finger));
+  }
   json["contacts"] = Json::array();
   for (const ContactHardware& contact : hardware.contacts) {
     Json entry{{"between", {contact.segment, contact.other_segment}}};

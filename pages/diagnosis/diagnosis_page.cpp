@@ -9,6 +9,7 @@
 #include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/ranking/distribution_figure.hpp"
+#include "pages/ranking/distribution_notes.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"

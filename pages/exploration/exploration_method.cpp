@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pages/exploration/phrases.hpp"
+#include "reports/results/data_text.hpp"
 #include "reports/results/model_text.hpp"
 
 namespace reeve::pages {

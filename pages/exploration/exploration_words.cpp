@@ -11,6 +11,7 @@
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
 #include "reports/json.hpp"
+#include "reports/results/data_text.hpp"
 #include "reports/results/explore_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 

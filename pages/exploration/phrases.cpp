@@ -1,14 +1,8 @@
 #include "pages/exploration/phrases.hpp"
 
-#include <fmt/format.h>
-
 #include "pages/exploration/objective_title.hpp"
 
 namespace reeve::pages {
-
-std::string plural(std::uint64_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string enumeration(const std::vector<std::string>& items) {
   std::string text;

@@ -4,13 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
-#include "pages/shell/template.hpp"
 #include "reports/chart/chart_svg.hpp"
-#include "reports/results/data_text.hpp"
 #include "reports/sheet/text_table.hpp"
 
 namespace reeve::pages {
@@ -286,38 +283,6 @@ std::vector<Figure> distribution_figures(const TensionDistributions& distributio
                        caption(rows, distributions), chart_svg(chart)});
   }
   return figures;
-}
-
-std::string distribution_notes(const TensionDistributions& distributions) {
-  Json faults = Json::array();
-  Json sources = Json::array();
-  std::set<std::string> said;
-  for (const TensionDistribution& distribution : distributions.list) {
-    for (const RoutingShares& routing : distribution.routings) {
-      if (routing.published_source.empty() ||
-          !said.insert(routing.word + " " + routing.published_source).second) {
-        continue;
-      }
-      sources.push_back({{"text", routing.name + ": " + routing.published_source}});
-      for (const StrandShare& strand : routing.strands) {
-        if (!is_faulty(strand)) continue;
-        faults.push_back(
-            {{"where", routing.name + ", " + routing.published_source + ", " + strand.strand},
-             {"why", strand.published->fault}});
-      }
-    }
-  }
-  Json values{{"sources", sources}, {"faults", faults}, {"file", ""}, {"notes", Json::array()}};
-  values["has_sources"] = !sources.empty();
-  values["simulated"] = false;
-  if (distributions.data) {
-    values["file"] = distributions.data->file;
-    values["simulated"] = distributions.data->simulated;
-    for (const SheetLine& line : notes_section(distributions.data->notes).lines) {
-      values["notes"].push_back({{"text", line.text}});
-    }
-  }
-  return render("distribution_notes.mustache", values);
 }
 
 }  // namespace reeve::pages

@@ -14,7 +14,4 @@ namespace reeve::pages {
 // One for each grasp: the first is "figure-9", others say their grasp too.
 std::vector<Figure> distribution_figures(const TensionDistributions& distributions);
 
-// HTML: which published values the check finds at fault and why, what was left out of the data.
-std::string distribution_notes(const TensionDistributions& distributions);
-
 }  // namespace reeve::pages

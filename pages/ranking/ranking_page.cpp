@@ -7,6 +7,7 @@
 
 #include "pages/exploration/objective_title.hpp"
 #include "pages/ranking/distribution_figure.hpp"
+#include "pages/ranking/distribution_notes.hpp"
 #include "pages/ranking/ranking_answer.hpp"
 #include "pages/ranking/ranking_charts.hpp"
 #include "pages/routing/routing_parts.hpp"

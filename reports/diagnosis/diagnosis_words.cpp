@@ -12,7 +12,7 @@ namespace reeve::reports {
 namespace {
 
 bool at_the_least(double p_value, std::size_t replicates) {
-  return p_value * static_cast<double>(replicates + 1) < 1.5;
+  return p_value <= 1 / static_cast<double>(replicates + 1);
 }
 
 std::string grasp_text(Grasp grasp) {

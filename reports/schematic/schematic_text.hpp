@@ -13,7 +13,6 @@ double add_heading(const SchematicFrame& frame, SchematicLayout& layout);
 // Over the fingertip, or over what holds it.
 void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& layout);
 
-// Beside the arrow at the carriage: its place and size.
 // Beside the line at x.
 void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn);
 

@@ -49,6 +49,39 @@ TEST(PlantedNoise, NeverReadsBelowZero) {
   EXPECT_NEAR(zeros, 500, 60);
 }
 
+TEST(PlantedNoise, ReadsBelowZeroWhereItsSensorsDo) {
+  NoiseLevel noise = high_noise;
+  noise.below_zero = true;
+  NoiseSource source(noise, 1);
+  int below = 0;
+  for (int i = 0; i < 1000; ++i) below += source.reading(0) < 0;
+  EXPECT_NEAR(below, 500, 60);
+  EXPECT_DOUBLE_EQ(log_likelihood(noise, 0, -0.07), log_likelihood(noise, 0, 0.07));
+}
+
+// Student's t of 3 degrees has its quartile at 0.7649 and 5 % beyond 3.1824, in units in which its
+// variance is 3; its fourth moment is infinite, so that the deviation of a sample says little.
+TEST(PlantedNoise, HasTheTailsOfStudentsTAndTheStandardDeviationThatItPromises) {
+  constexpr int count = 200000;
+  NoiseLevel noise = low_noise;
+  noise.tail_degrees = 3;
+  noise.below_zero = true;
+  NoiseSource source(noise, 7);
+  int middle = 0;
+  int far = 0;
+  for (int i = 0; i < count; ++i) {
+    const double deviation =
+        std::abs(source.reading(20) - 20) / standard_deviation(noise, 20) * std::sqrt(3);
+    middle += deviation < 0.7649;
+    far += deviation > 3.1824;
+  }
+  EXPECT_NEAR(static_cast<double>(middle) / count, 0.5, 0.005);
+  EXPECT_NEAR(static_cast<double>(far) / count, 0.05, 0.002);
+  noise.tail_degrees = 8;
+  EXPECT_NEAR(moments(noise, 20).sd, 1, 0.01);
+  EXPECT_NEAR(moments(noise, 20).fourth, 4.5, 0.3);
+}
+
 TEST(PlantedNoise, LikelihoodsAddUpToOne) {
   for (const double mean_N : {0.0, 0.03, 2.0}) {
     const double step = 1e-4;

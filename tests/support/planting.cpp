@@ -116,17 +116,16 @@ double Planted::rms_to_truth_N() const {
 
 Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& effects,
                 const NoiseLevel& noise, std::uint64_t seed) {
+  const Truth truth = truth_without(effects, effects.size());
   const Readings nominal = expected_readings({}, experiment);
-  const Readings expected = expected_readings(truth_without(effects, effects.size()), experiment);
-  const Truth truth_of_all = truth_without(effects, effects.size());
-  const Readings readings =
-      with_noise(expected_readings(truth_of_all, mounted(experiment, noise, mounting_seed(seed))),
-                 noise, seed);
+  const Readings expected = expected_readings(truth, experiment);
+  const Readings readings = with_noise(
+      expected_readings(truth, mounted(experiment, noise, mounting_seed(seed))), noise, seed);
   const auto ratio_over = [&](const Readings& other) {
-    return noise.mounted_exponent == 0 && noise.mounted_gain == 0
-               ? log_likelihood_of(noise, expected, readings) -
-                     log_likelihood_of(noise, other, readings)
-               : mounted_log_likelihood_ratio(truth_of_all, experiment, noise, other, readings);
+    return differs_by_mounting(noise)
+               ? mounted_log_likelihood_ratio(truth, experiment, noise, other, readings)
+               : log_likelihood_of(noise, expected, readings) -
+                     log_likelihood_of(noise, other, readings);
   };
   Planted planted;
   planted.csv = to_csv(experiment, readings, "seed " + std::to_string(seed));

@@ -2,21 +2,25 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/support/planting_walk.hpp"
-#include "tests/support/random_routing.hpp"
 
 namespace reeve::testing {
 namespace {
 
-using ContactName = std::pair<std::string, std::string>;
 using MountingName = std::pair<std::string, std::string>;  // run and routing
+
+struct Mounting {
+  std::map<ContactName, double> exponent_factor;
+  std::map<std::string, double> gain;  // by segment
+};
 
 MountingName mounting_of(const ExperimentRow& row) { return {row.run, row.condition.word}; }
 
@@ -30,55 +34,85 @@ std::vector<ContactName> contacts_of(const std::string& word) {
   return contacts;
 }
 
-double normal_of(Dice& dice) {
-  double sum = 0;
-  for (int i = 0; i < 12; ++i) sum += dice.real(0, 1);
-  return sum - 6;
-}
-
-struct MountedSensors {
-  std::map<ContactName, double> exponent;
-  std::map<std::string, double> gain;
-};
-
-// The mounting with one exponent or gain moved by `step`.
-Readings moved(const Truth& truth, const Experiment& experiment, std::size_t which, double step) {
-  Experiment other = experiment;
-  for (ExperimentRow& row : other.rows) {
-    const auto contacts = contacts_of(row.condition.word);
-    if (which < contacts.size()) {
-      row.condition.exponent_factor[contacts[which]] = 1 + step;
-    }
-  }
-  return expected_readings(truth, other);
-}
-
-std::vector<double> flat(const Readings& readings) {
+Eigen::VectorXd flat(const Readings& readings) {
   std::vector<double> all;
   for (const auto& row : readings) all.insert(all.end(), row.begin(), row.end());
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+// How the expected readings change with what `set` makes of each row by a factor of 1 + step.
+Eigen::VectorXd change(const Truth& truth, const Experiment& experiment,
+                       const std::function<void(ExperimentRow&, double factor)>& set) {
+  constexpr double step = 1e-3;
+  Experiment moved = experiment;
+  for (ExperimentRow& row : moved.rows) set(row, 1 + step);
+  return (flat(expected_readings(truth, moved)) - flat(expected_readings(truth, experiment))) /
+         step;
+}
+
+// tau_k j_k, a column for each. One k stands for a contact of every routing, at that place of its
+// walk: mountings of different routings share no readings.
+Eigen::MatrixXd changes(const Truth& truth, const Experiment& experiment, const NoiseLevel& noise) {
+  std::vector<Eigen::VectorXd> columns;
+  std::size_t most_contacts = 0;
+  for (const ExperimentRow& row : experiment.rows) {
+    most_contacts = std::max(most_contacts, contacts_of(row.condition.word).size());
+  }
+  for (std::size_t k = 0; k < most_contacts; ++k) {
+    columns.push_back(noise.mounted_exponent *
+                      change(truth, experiment, [k](ExperimentRow& row, double factor) {
+                        const auto contacts = contacts_of(row.condition.word);
+                        if (k < contacts.size())
+                          row.condition.exponent_factor[contacts[k]] = factor;
+                      }));
+  }
+  for (const std::string& channel : experiment.channels) {
+    columns.push_back(noise.mounted_gain *
+                      change(truth, experiment, [&](ExperimentRow& row, double factor) {
+                        row.gain[channel] = factor;
+                      }));
+  }
+  Eigen::MatrixXd all(columns.front().size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    all.col(static_cast<Eigen::Index>(k)) = columns[k];
   return all;
+}
+
+std::map<MountingName, std::vector<Eigen::Index>> cells_by_mounting(const Experiment& experiment) {
+  std::map<MountingName, std::vector<Eigen::Index>> cells;
+  Eigen::Index next = 0;
+  for (const ExperimentRow& row : experiment.rows) {
+    for (std::size_t i = 0; i < row.measured.size(); ++i) cells[mounting_of(row)].push_back(next++);
+  }
+  return cells;
 }
 
 }  // namespace
 
+bool differs_by_mounting(const NoiseLevel& noise) {
+  return noise.mounted_exponent != 0 || noise.mounted_gain != 0;
+}
+
 Experiment mounted(const Experiment& experiment, const NoiseLevel& noise, std::uint64_t seed) {
-  if (noise.mounted_exponent == 0 && noise.mounted_gain == 0) return experiment;
-  Dice dice(seed);
-  std::map<MountingName, MountedSensors> drawn;
+  if (!differs_by_mounting(noise)) return experiment;
+  NoiseSource source({.relative = 0, .absolute_N = 1, .below_zero = true}, seed);
+  const auto standard_normal = [&] { return source.reading(0); };
+  std::map<MountingName, Mounting> drawn;
   Experiment result = experiment;
   for (ExperimentRow& row : result.rows) {
     const auto [found, is_new] = drawn.try_emplace(mounting_of(row));
-    MountedSensors& of = found->second;
+    Mounting& mounting = found->second;
     if (is_new) {
       for (const ContactName& name : contacts_of(row.condition.word)) {
-        of.exponent[name] = std::max(0.0, 1 + noise.mounted_exponent * normal_of(dice));
+        mounting.exponent_factor[name] =
+            std::max(0.0, 1 + noise.mounted_exponent * standard_normal());
       }
       for (const std::string& channel : experiment.channels) {
-        of.gain[channel] = 1 + noise.mounted_gain * normal_of(dice);
+        mounting.gain[channel] = 1 + noise.mounted_gain * standard_normal();
       }
     }
-    row.condition.exponent_factor = of.exponent;
-    row.gain = of.gain;
+    row.condition.exponent_factor = mounting.exponent_factor;
+    row.gain = mounting.gain;
   }
   return result;
 }
@@ -86,50 +120,24 @@ Experiment mounted(const Experiment& experiment, const NoiseLevel& noise, std::u
 double mounted_log_likelihood_ratio(const Truth& truth, const Experiment& experiment,
                                     const NoiseLevel& noise, const Readings& other,
                                     const Readings& readings) {
-  constexpr double step = 1e-3;
-  const Readings expected = expected_readings(truth, experiment);
-  const std::vector<double> mean = flat(expected);
-  const std::vector<double> wrong = flat(other);
-  const std::vector<double> read = flat(readings);
-  std::size_t most = 0;
-  for (const ExperimentRow& row : experiment.rows) {
-    most = std::max(most, contacts_of(row.condition.word).size());
-  }
-  std::vector<std::vector<double>> change;
-  for (std::size_t k = 0; k < most; ++k) {
-    change.push_back(flat(moved(truth, experiment, k, step)));
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-      change.back()[i] = noise.mounted_exponent * (change.back()[i] - mean[i]) / step;
-    }
-  }
-  std::map<MountingName, std::vector<std::size_t>> cells;
-  std::vector<std::string> channel;
-  for (const ExperimentRow& row : experiment.rows) {
-    for (const std::string& measured : row.measured) {
-      cells[mounting_of(row)].push_back(channel.size());
-      channel.push_back(measured);
-    }
-  }
+  const Eigen::VectorXd expected = flat(expected_readings(truth, experiment));
+  const Eigen::VectorXd right = flat(readings) - expected;
+  const Eigen::VectorXd wrong = flat(readings) - flat(other);
+  const Eigen::MatrixXd shared = changes(truth, experiment, noise);
   double ratio = 0;
-  for (const auto& [mounting, own] : cells) {
-    const auto n = static_cast<Eigen::Index>(own.size());
-    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-    Eigen::VectorXd right(n), off(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const std::size_t a = own[static_cast<std::size_t>(i)];
-      right[i] = read[a] - mean[a];
-      off[i] = read[a] - wrong[a];
-      covariance(i, i) += std::pow(standard_deviation(noise, mean[a]), 2);
-      for (Eigen::Index j = 0; j < n; ++j) {
-        const std::size_t b = own[static_cast<std::size_t>(j)];
-        for (const auto& of : change) covariance(i, j) += of[a] * of[b];
-        if (channel[a] == channel[b]) {
-          covariance(i, j) += std::pow(noise.mounted_gain, 2) * mean[a] * mean[b];
-        }
-      }
+  for (const auto& [mounting, cells] : cells_by_mounting(experiment)) {
+    const Eigen::MatrixXd own = shared(cells, Eigen::all);
+    Eigen::MatrixXd covariance = own * own.transpose();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      covariance(at, at) += std::pow(standard_deviation(noise, expected[cells[i]]), 2);
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    ratio += (off.dot(factor.solve(off)) - right.dot(factor.solve(right))) / 2;
+    const auto distance = [&](const Eigen::VectorXd& off) {
+      const Eigen::VectorXd here = off(cells);
+      return here.dot(factor.solve(here));
+    };
+    ratio += (distance(wrong) - distance(right)) / 2;
   }
   return ratio;
 }

@@ -13,6 +13,9 @@
 
 namespace reeve::testing {
 
+bool differs_by_mounting(const NoiseLevel& noise);
+
+// Rows of one mounting, which is a run and a routing, have the same factors.
 Experiment mounted(const Experiment& experiment, const NoiseLevel& noise, std::uint64_t seed);
 
 // ln N(readings | expected) - ln N(readings | other), both with that covariance.

@@ -18,7 +18,6 @@ constexpr double slack_phi = 18;
 constexpr double locked_phi = 60;
 constexpr double stand_in_length = 1e-12;
 
-using ContactName = std::pair<std::string, std::string>;
 using Exponents = std::map<ContactName, double>;
 
 double factor(double value) { return std::max(0.0, value); }

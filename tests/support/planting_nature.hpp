@@ -24,6 +24,9 @@
 
 namespace reeve::testing {
 
+// Its two segments, in walk order.
+using ContactName = std::pair<std::string, std::string>;
+
 // Of one reading. What is not known does not act.
 struct Condition {
   std::string word;
@@ -31,8 +34,7 @@ struct Condition {
   ReferenceDirection direction = ReferenceDirection::pull;
   double motor_tension_N = 0;
   std::optional<double> speed_mm_s, cycle, temperature_C;
-  // What mounting did to the exponents of contacts, named by their segments in walk order.
-  std::map<std::pair<std::string, std::string>, double> exponent_factor;
+  std::map<ContactName, double> exponent_factor;  // what mounting did to the contacts
 };
 
 // Rows of that routing that are recorded in one grasp are measured in another.

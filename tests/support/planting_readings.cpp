@@ -48,9 +48,9 @@ class TensionTable {
   }
 
  private:
-  using Key = std::tuple<std::string, std::set<int>, ReferenceDirection, double,
-                         std::optional<double>, std::optional<double>, std::optional<double>,
-                         std::map<std::pair<std::string, std::string>, double>>;
+  using Key =
+      std::tuple<std::string, std::set<int>, ReferenceDirection, double, std::optional<double>,
+                 std::optional<double>, std::optional<double>, std::map<ContactName, double>>;
   const Nature& nature_;
   std::map<Key, Tensions> solved_;
 };
