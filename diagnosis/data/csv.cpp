@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "diagnosis/data/intake/words.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -56,6 +57,10 @@ bool is_blank(const std::string& field) { return trimmed(field).empty(); }
 
 }  // namespace
 
+bool says_simulated(std::string_view text) {
+  return lower(text).find("simulated") != std::string::npos;
+}
+
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
@@ -69,6 +74,15 @@ std::string for_message(std::string_view text) {
   while (end < text.size() && end > 0 && (text[end] & '\xC0') == '\x80') --end;
   const std::string shown = one_line(std::string(text.substr(0, end)));
   return end < text.size() ? shown + "…" : shown;
+}
+
+InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
+                      std::string_view column, std::string_view text) {
+  return InputError(changed(error.fault(), one_line))
+      .at(InputFault{.where = fmt::format("{}:{}", file, line),
+                     .what = fmt::format("column '{}'", for_message(column)),
+                     .value = for_message(text),
+                     .form = InputForm::cell});
 }
 
 CsvReader::CsvReader(std::string text, std::string name)

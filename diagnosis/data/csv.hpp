@@ -93,9 +93,15 @@ class CsvReader {
   std::vector<CsvComment> comments_;
 };
 
+// Whether a comment marks the data as simulated: it has the word, in any case.
+bool says_simulated(std::string_view text);
+
 // The text with what would break a message of one line replaced.
 std::string one_line(std::string text);
 // The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);
+// What is wrong with a cell, behind its place, its column and its text; on one line.
+InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
+                      std::string_view column, std::string_view text);
 
 }  // namespace reeve::diagnosis

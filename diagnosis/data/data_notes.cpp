@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "diagnosis/data/checks/below_zero.hpp"
 #include "diagnosis/data/checks/copies.hpp"
 #include "diagnosis/data/checks/directions.hpp"
+#include "diagnosis/data/intake/column_name.hpp"
 #include "diagnosis/series/recognise_series.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -33,17 +36,9 @@ void add_motor_side(const MeasuredData& data, std::vector<DataNote>& notes) {
   notes.push_back(std::move(note));
 }
 
-// 0 if there are none.
-double upper_median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void add_units(const std::string& what, double median, double low, double high,
                const std::string& unit, std::vector<DataNote>& notes) {
-  if (median == 0 || (median >= low && median <= high)) return;
+  if (std::isnan(median) || (median >= low && median <= high)) return;
   notes.push_back(
       {NoteKind::units,
        fmt::format("the median of {} is {:.3g}{}, and from {} to {} is plausible: is it "
@@ -55,7 +50,7 @@ void add_units(const std::string& what, double median, double low, double high,
 // Zeros are left out: a slack strand says nothing about units.
 void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   const auto add_tension = [&](const std::string& what, const std::vector<double>& tensions) {
-    add_units(what, upper_median(tensions), least_plausible_tension_N, greatest_plausible_tension_N,
+    add_units(what, middle_of(tensions), least_plausible_tension_N, greatest_plausible_tension_N,
               " N", notes);
   };
   std::vector<double> motor;
@@ -64,8 +59,8 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   }
   add_tension("motor_tension_N", motor);
   for (std::size_t i = 0; i < data.channels.size(); ++i) {
-    const std::string column = (data.channels[i].segment.kind == SegmentKind::strand ? "" : "T") +
-                               data.channels[i].name + "_N";
+    const std::string column =
+        plain_name({DataRole::tension, {data.channels[i].segment, false}, {}, false});
     std::vector<double> tensions, ratios;
     for (const Reading& reading : data.readings) {
       const double tension = reading.tension_N[i].value_or(0);
@@ -75,7 +70,7 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
       }
     }
     add_tension(column, tensions);
-    add_units(column + " over motor_tension_N", upper_median(ratios), least_plausible_ratio,
+    add_units(column + " over motor_tension_N", middle_of(ratios), least_plausible_ratio,
               greatest_plausible_ratio, "", notes);
   }
 }

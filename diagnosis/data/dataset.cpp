@@ -55,16 +55,6 @@ bool is_wide(const MeasuredData& data, std::size_t channel) {
 
 }  // namespace
 
-std::vector<bool> reads_below_zero(const MeasuredData& data) {
-  std::vector<bool> result(data.channels.size(), false);
-  for (const Reading& reading : data.readings) {
-    for (std::size_t c = 0; c < result.size(); ++c) {
-      if (reading.tension_N[c].value_or(0) < 0) result[c] = true;
-    }
-  }
-  return result;
-}
-
 double Dataset::degrees_of_freedom() const {
   const auto free = std::count_if(rows.begin(), rows.end(),
                                   [](const DatasetRow& row) { return !row.has_motor_tension; });
@@ -134,11 +124,8 @@ Survey survey(const MeasuredData& data) {
   result.has_motor_tension = any_given(data, &Reading::motor_tension_N);
   result.has_both_directions = varies(data, &Reading::direction);
   result.sheath_angle_varies = varies(data, &Reading::sheath_angle_rad);
-  result.reads_below_zero =
-      std::any_of(data.readings.begin(), data.readings.end(), [](const Reading& reading) {
-        return std::any_of(reading.tension_N.begin(), reading.tension_N.end(),
-                           [](const auto& tension) { return tension && *tension < 0; });
-      });
+  const std::vector<bool> below = reads_below_zero(data);
+  result.reads_below_zero = std::find(below.begin(), below.end(), true) != below.end();
   return result;
 }
 

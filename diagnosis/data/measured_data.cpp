@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <utility>
 
@@ -21,17 +20,11 @@
 namespace reeve::diagnosis {
 namespace {
 
-bool says_simulated(const std::string& comment) {
-  constexpr std::string_view word = "simulated";
-  return std::search(comment.begin(), comment.end(), word.begin(), word.end(), [](char a, char b) {
-           return std::tolower(static_cast<unsigned char>(a)) == b;
-         }) != comment.end();
-}
-
 // The row below the header is one of units, or the first reading.
 struct Beginning {
   std::optional<CsvRow> units;
   std::optional<CsvRow> first;
+  bool is_broken = false;  // neither it nor what follows can be read
 };
 
 Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults) {
@@ -41,6 +34,7 @@ Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultLis
     if (!csv.next(row)) return result;
     (is_units_row(csv.header(), row, options) ? result.units : result.first) = std::move(row);
   } catch (const InputError& error) {
+    result.is_broken = true;
     faults.add(csv.header().line + 1, "where the rest cannot be read", error.fault());
   }
   return result;
@@ -96,7 +90,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   const Beginning beginning = read_beginning(csv, options, faults);
   DataColumns columns = read_columns(csv, beginning.units, options, faults);
   RowReader rows(csv, columns.columns, resolve, faults);
-  read_rows(csv, beginning.first, rows, faults);
+  if (!beginning.is_broken) read_rows(csv, beginning.first, rows, faults);
   MeasuredData data = rows.finish();
   faults.throw_any(csv.name());
   if (data.readings.empty()) {
@@ -114,6 +108,16 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
 }
 
 }  // namespace
+
+std::vector<bool> reads_below_zero(const MeasuredData& data) {
+  std::vector<bool> result(data.channels.size(), false);
+  for (const Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      if (reading.tension_N[c].value_or(0) < 0) result[c] = true;
+    }
+  }
+  return result;
+}
 
 MeasuredData read_measured_data(const std::filesystem::path& path, const RoutingResolver& resolve,
                                 const ReadingOptions& options) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -105,19 +105,17 @@ class LevelSearch {
 }  // namespace
 
 std::vector<double> block_noise(const std::vector<std::vector<SeriesBlock>>& recordings) {
-  constexpr double of_second_differences = 2.449489742783178;  // of independent numbers, √6
   std::vector<double> noise;
   const std::size_t tensions =
       recordings.empty() || recordings[0].empty() ? 0 : recordings[0][0].tensions_N.size();
   for (std::size_t k = 0; k <= tensions; ++k) {
-    std::vector<double> differences;
-    for (const std::vector<SeriesBlock>& blocks : recordings) {
-      for (std::size_t i = 2; i < blocks.size(); ++i) {
-        differences.push_back(level_signal(blocks[i], k) - 2 * level_signal(blocks[i - 1], k) +
-                              level_signal(blocks[i - 2], k));
+    std::vector<std::vector<double>> signals(recordings.size());
+    for (std::size_t part = 0; part < recordings.size(); ++part) {
+      for (const SeriesBlock& block : recordings[part]) {
+        signals[part].push_back(level_signal(block, k));
       }
     }
-    noise.push_back(deviation_about_zero(std::move(differences)) / of_second_differences);
+    noise.push_back(deviation_about_trend(signals));
   }
   return noise;
 }

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/network.hpp"
 #include "core/text.hpp"
+#include "diagnosis/data/intake/column_name.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -33,12 +33,11 @@ constexpr std::array known_log_columns{KnownLogColumn{"position_mm", LogRole::po
                                        KnownLogColumn{"held", LogRole::held},
                                        KnownLogColumn{"direction", LogRole::direction}};
 
-// T1_N, Ta_N, Th1_N.
+// T1_N, Ta_N, Th1_N, in no other spelling.
 bool names_a_tension(const std::string& name) {
-  if (name.size() < 4 || !name.starts_with('T') || !name.ends_with("_N")) return false;
-  const bool strand = name[1] >= '0' && name[1] <= '9';
-  const std::size_t begin = strand ? 0 : 1;
-  return segment_named(std::string_view(name).substr(begin, name.size() - 2 - begin)).has_value();
+  const auto named = column_named(name);
+  return named && named->role == DataRole::tension && !named->place.beside &&
+         plain_name(*named) == name;
 }
 
 LogColumn log_column(const std::string& name) {

@@ -1,11 +1,12 @@
 // What the header of a logger's file says: which column holds what.
 //
-//   time_s, t_s, t, time, timestamp    the clock in seconds; time_ms, t_ms in milliseconds;
-//   required position_mm, speed_mm_s            how the carriage moves motor_tension_N, T1_N, Ta_N,
-//   …     tensions, as in a file of readings (data_columns.hpp) run, routing, held, direction
-//   labels: text that stays for a while anything else                      numbers, which are
-//   averaged, or further labels, by the first
-//                                      cell that is not empty
+//   time_s, t_s, t, time, timestamp    the clock in seconds, required; time_ms, t_ms in
+//                                      milliseconds
+//   position_mm, speed_mm_s            how the carriage moves
+//   motor_tension_N, T1_N, Ta_N, …     tensions, as in a file of readings (data_columns.hpp)
+//   run, routing, held, direction      labels: text that stays for a while
+//   anything else                      numbers, which are averaged, or further labels, by the
+//                                      first cell that is not empty
 #pragma once
 
 #include <cstddef>

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -21,22 +18,6 @@ namespace {
 // Far above any rig, and squares of them stay numbers.
 constexpr double greatest_logged = 1e9;
 constexpr double greatest_clock = 1e15;  // a date in microseconds
-
-std::string small_letters(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-bool is_missing(std::string_view cell) {
-  if (cell.size() > 3) return false;
-  const std::string text = small_letters(cell);
-  return text.empty() || text == "nan" || text == "na" || text == "n/a";
-}
-
-bool mentions_simulated(const std::string& comment) {
-  return small_letters(comment).find("simulated") != std::string::npos;
-}
 
 class LogReader {
  public:
@@ -56,7 +37,7 @@ class LogReader {
                         .expected = "rows below the header, and there are none"});
     }
     for (const CsvComment& comment : csv_.comments()) {
-      series_.simulated |= mentions_simulated(comment.text);
+      series_.simulated |= says_simulated(comment.text);
       if (comment.line < csv_.header().line) series_.comments.push_back(comment.text);
     }
     take_columns();
@@ -125,11 +106,7 @@ class LogReader {
       if (is_missing(cell)) throw InputError({.expected = "the time of the sample, a number"});
       return log_column.scale * numbers_.read(cell, row.line, -greatest, greatest);
     } catch (const InputError& error) {
-      throw InputError(changed(error.fault(), one_line))
-          .at(InputFault{.where = fmt::format("{}:{}", csv_.name(), row.line),
-                         .what = fmt::format("column '{}'", for_message(log_column.name)),
-                         .value = for_message(cell),
-                         .form = InputForm::cell});
+      throw cell_error(error, csv_.name(), row.line, log_column.name, cell);
     }
   }
 

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "diagnosis/series/log_columns.hpp"
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {

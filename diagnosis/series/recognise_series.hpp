@@ -3,13 +3,12 @@
 //
 // It is one if
 //   - it has a clock (log_columns.hpp) and 200 rows or more, and within the runs 97 % of the
-//   clock's
-//     steps are within a fifth of their median; or 100 rows or more, every 0.05 s or faster;
+//     steps of the clock are within a fifth of their median; or 100 rows or more, every 0.05 s or
+//     faster;
 //   - or it has no clock and 1000 rows or more, and of half of its channels or more the share of
-//   the
-//     load goes on from row to row: lag-1 autocorrelation above 0.7, and that of its differences
-//     above -0.3. Independent noise gives -1/2 there whatever lies below it, so that readings in
-//     the order of their load are no series.
+//     the load goes on from row to row: lag-1 autocorrelation above 0.7, and that of its
+//     differences above -0.3. Independent noise gives -1/2 there whatever lies below it, so that
+//     readings in the order of their load are no series.
 #pragma once
 
 #include <optional>

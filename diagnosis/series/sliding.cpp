@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -108,17 +108,12 @@ std::vector<double> block_speeds(const std::vector<SeriesBlock>& blocks, MotionS
 }
 
 SpeedScale speed_scale(const std::vector<std::vector<double>>& speeds) {
-  constexpr double of_second_differences = 2.449489742783178;  // of independent numbers, √6
   std::vector<double> sizes;
-  std::vector<double> differences;
   for (const std::vector<double>& part : speeds) {
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      sizes.push_back(std::abs(part[i]));
-      if (i >= 2) differences.push_back(part[i] - 2 * part[i - 1] + part[i - 2]);
-    }
+    for (const double speed : part) sizes.push_back(std::abs(speed));
   }
   SpeedScale scale;
-  scale.noise = deviation_about_zero(std::move(differences)) / of_second_differences;
+  scale.noise = deviation_about_trend(speeds);
   const double fast = quantile_of(std::move(sizes), fast_share);
   scale.standstill = std::max(std::isnan(fast) ? 0 : slow * fast, 4 * scale.noise);
   for (const std::vector<double>& part : speeds) {

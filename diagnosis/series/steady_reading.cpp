@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/series/effective_readings.hpp"
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/data/intake/text_cells.hpp"
 #include "diagnosis/series/levels.hpp"
 #include "diagnosis/series/recordings.hpp"
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 #include "diagnosis/series/series_blocks.hpp"
 #include "diagnosis/series/settling.hpp"
 
@@ -102,8 +103,7 @@ class SteadySearch {
   // By the log's own column, the motion, the load where that has no sign, or what the caller says.
   std::optional<Direction> direction(std::size_t part, const BlockStretch& stretch) const {
     const std::string& label = series_.labels[parts_.parts[part].label].direction;
-    if (label == "pull") return Direction::pull;
-    if (label == "release") return Direction::release;
+    if (const auto said = read_direction(label)) return said;
     if (stretch.direction) return stretch.direction;
     if (result_.motion == MotionSource::speed) {
       const double change = change_of_load(blocks_[part], stretch);

@@ -96,8 +96,7 @@ Json reading_json(const ImportReport& report, const SteadyReading& reading) {
             {"motor_tension", tension_json(reading.motor_tension_N)}};
   json["tensions"] = Json::object();
   for (std::size_t i = 0; i < series.tensions_N.size(); ++i) {
-    const std::string& column = series.tensions_N[i].name;
-    json["tensions"][column.substr(0, column.size() - 2)] = tension_json(reading.tensions_N[i]);
+    json["tensions"][tension_words(series.tensions_N[i])] = tension_json(reading.tensions_N[i]);
   }
   json["others"] = Json::object();
   for (std::size_t i = 0; i < series.others.size(); ++i) {

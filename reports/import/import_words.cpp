@@ -30,6 +30,10 @@ const char* sample_use_words(SampleUse use) {
   return "";
 }
 
+std::string tension_words(const LoggedSignal& tension) {
+  return tension.name.substr(0, tension.name.size() - 2);  // _N
+}
+
 std::vector<std::size_t> count_uses(const std::vector<SampleUse>& uses) {
   std::vector<std::size_t> counts(all_sample_uses.size(), 0);
   for (const SampleUse use : uses) ++counts[static_cast<std::size_t>(use)];

@@ -6,6 +6,7 @@
 #include "diagnosis/data/csv.hpp"
 #include "reports/csv_field.hpp"
 #include "reports/import/import_report.hpp"
+#include "reports/import/import_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -35,11 +36,11 @@ class ImportedCsv {
     bool said = false;
     for (const std::string& comment : series_.comments) {
       put("#{}\n", one_line(comment));
-      said |= comment.find("imulated") != std::string::npos;
+      said |= says_simulated(comment);
     }
     if (series_.simulated && !said) put("# {}\n", simulated_text);
     const std::string line = one_line(command);
-    if (series_.simulated || line.find("simulated") == std::string::npos) {
+    if (series_.simulated || !says_simulated(line)) {
       put("# command: {}\n", line);
     }
   }
@@ -52,7 +53,7 @@ class ImportedCsv {
     for (const LoggedSignal& other : series_.others) put(",{}", csv_field(other.name));
     put(",readings");
     for (const LoggedSignal& tension : series_.tensions_N) {
-      put(",{}_sd_N", tension.name.substr(0, tension.name.size() - 2));
+      put(",{}_sd_N", tension_words(tension));
     }
     put(",time_s\n");
   }

@@ -75,8 +75,7 @@ class LogChart {
   // The only signal of its panel is what the axis says.
   std::string named(const LoggedSignal& signal) const {
     if (&signal == &series_.position_mm || &signal == &series_.speed_mm_s) return "";
-    return signal.name == "motor_tension_N" ? "motor tension"
-                                            : signal.name.substr(0, signal.name.size() - 2);
+    return &signal == &series_.motor_tension_N ? "motor tension" : tension_words(signal);
   }
 
   chart::Layer taken(Direction direction) const {

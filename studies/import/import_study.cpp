@@ -3,21 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/network.hpp"
 #include "diagnosis/data/csv.hpp"
+#include "diagnosis/data/intake/column_name.hpp"
+#include "diagnosis/data/intake/text_cells.hpp"
 
 namespace reeve::studies {
 namespace {
 
 // The first sample that bears it.
-std::string where_label(const LoggedSeries& series, std::size_t label) {
+std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
   const auto first = std::find(series.label.begin(), series.label.end(), label);
-  const auto sample = static_cast<std::size_t>(first - series.label.begin());
-  return fmt::format("{}:{}", series.file, series.lines[sample]);
+  return series.lines[static_cast<std::size_t>(first - series.label.begin())];
 }
 
 // Puts the place of a label before the input errors of `action`: the cell, or what was given.
@@ -27,14 +29,11 @@ auto for_label(const LoggedSeries& series, std::size_t label, const std::string&
   try {
     return action();
   } catch (const InputError& error) {
-    const InputError on_one_line(changed(error.fault(), one_line));
-    if (!is_logged) {
-      throw on_one_line.at(InputFault{.what = column, .value = for_message(value)});
+    if (is_logged) {
+      throw cell_error(error, series.file, line_of_label(series, label), column, value);
     }
-    throw on_one_line.at(InputFault{.where = where_label(series, label),
-                                    .what = fmt::format("column '{}'", column),
-                                    .value = for_message(value),
-                                    .form = InputForm::cell});
+    throw InputError(changed(error.fault(), one_line))
+        .at(InputFault{.what = column, .value = for_message(value)});
   }
 }
 
@@ -69,21 +68,6 @@ Network network_of(const std::string& routing, const RoutingResolver& resolve) {
   return network;
 }
 
-void require_held(const std::string& text, int fingers) {
-  std::string held = text;
-  std::replace(held.begin(), held.end(), ';', ',');
-  std::erase(held, ' ');
-  if (held.empty() || held == "none" || grasp_named(held, fingers)) return;
-  throw InputError({.expected = fmt::format("nothing (none held), or finger numbers from 1 to {}, "
-                                            "such as 1",
-                                            fingers)});
-}
-
-void require_direction(const std::string& text) {
-  if (text.empty() || text == "pull" || text == "release") return;
-  throw InputError({.expected = "pull, release, or an empty cell (by the motion)"});
-}
-
 void require_run(const std::string& text) {
   if (text.empty()) throw InputError({.expected = "a name or number for the run"});
 }
@@ -92,16 +76,14 @@ void require_run(const std::string& text) {
 void require_segments(const LoggedSeries& series, std::size_t label, const std::string& routing,
                       const Network& network) {
   for (const LoggedSignal& tension : series.tensions_N) {
-    const std::string name = tension.name.substr(0, tension.name.size() - 2);
-    const bool strand = name[1] >= '0' && name[1] <= '9';
-    const std::optional<Segment> segment = segment_named(strand ? name : name.substr(1));
-    if (segment && find_segment(network, *segment)) continue;
+    const Segment segment = column_named(tension.name)->place.segment;
+    if (find_segment(network, segment)) continue;
     for (std::size_t i = 0; i < series.size(); ++i) {
-      if (series.label[i] != label || !(tension.values[i] == tension.values[i])) continue;
+      if (series.label[i] != label || std::isnan(tension.values[i])) continue;
       throw InputError(
           {.where = fmt::format("{}:{}", series.file, series.lines[i]),
            .what = fmt::format("column '{}': the routing '{}' has no segment {}", tension.name,
-                               for_message(routing), strand ? name : name.substr(1)),
+                               for_message(routing), segment_name(segment)),
            .expected = "an empty cell"});
     }
   }
@@ -115,9 +97,9 @@ void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& l
     const Network network = for_label(series, i, "routing", series.has_routings, label.routing,
                                       [&] { return network_of(label.routing, resolve); });
     for_label(series, i, "held", series.has_held, label.held,
-              [&] { require_held(label.held, network.fingers); });
+              [&] { read_held(label.held, network.fingers); });
     for_label(series, i, "direction", true, label.direction,
-              [&] { require_direction(label.direction); });
+              [&] { read_direction(label.direction); });
     require_segments(series, i, label.routing, network);
   }
 }

@@ -52,7 +52,8 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "given");
   expect_refused(
       plain, {"--routing", "TR1", "--held", "3"},
-      "held '3': expected nothing (none held), or finger numbers from 1 to 2, such as 1");
+      "held '3': expected nothing (none held), or finger numbers from 1 to 2, each once, such as "
+      "1;2");
   expect_refused(plain, {"--routing", "TR1", "--run", ""},
                  "run '': expected a name or number for the run");
   expect_refused("t,routing,motor_tension_N,T1_N\n0,TR1,20,6\n1,TR,20,6\n", {"--routing", "TR1"},
@@ -62,8 +63,7 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "log.csv:3: column 'routing' = '': expected a routing such as M-1-T-2-F, in a "
                  "column of the log or given");
   expect_refused("t,direction,motor_tension_N,T1_N\n0,,20,6\n1,up,20,6\n", {"--routing", "TR1"},
-                 "log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell "
-                 "(by the motion)");
+                 "log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell");
   expect_refused("t,motor_tension_N,T5_N\n0,20,\n1,20,6\n", {"--routing", "TR1"},
                  "log.csv:3: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty "
                  "cell");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "core/notation.hpp"
@@ -21,14 +22,15 @@ std::string sides_of(const std::string& word) {
 }
 
 TEST(MotorSides, AreBesideTheSegmentBehindTheirSheath) {
-  EXPECT_EQ(sides_of("M-1-T-2-F"), "a-T1");
-  EXPECT_EQ(sides_of("M-1-T-2-M"), "a-T1 b-T4");
-  EXPECT_EQ(sides_of("F-1-P-2-F"), "a-T2 b-T3");
-  EXPECT_EQ(sides_of("M-1-P-2-M"), "a-T1 b-T2 c-T3 d-T4");
-  EXPECT_EQ(sides_of("1-T-2-P-1"), "a-T4 b-T1");
-  EXPECT_EQ(sides_of("1-P-2-P-1"), "a-T2 b-T3 c-T4 d-T1");
-  EXPECT_EQ(sides_of("M-F"), "a-h1");
-  EXPECT_EQ(sides_of("M-1-F+M-2-F"), "a-T1 b-T3");
+  const std::map<std::string, std::string> sides{{"M-1-T-2-F", "a-T1"},
+                                                 {"M-1-T-2-M", "a-T1 b-T4"},
+                                                 {"F-1-P-2-F", "a-T2 b-T3"},
+                                                 {"M-1-P-2-M", "a-T1 b-T2 c-T3 d-T4"},
+                                                 {"1-T-2-P-1", "a-T4 b-T1"},
+                                                 {"1-P-2-P-1", "a-T2 b-T3 c-T4 d-T1"},
+                                                 {"M-F", "a-h1"},
+                                                 {"M-1-F+M-2-F", "a-T1 b-T3"}};
+  for (const auto& [word, expected] : sides) EXPECT_EQ(sides_of(word), expected) << word;
 }
 
 TEST(MotorSides, AreFoundByTheirStrand) {

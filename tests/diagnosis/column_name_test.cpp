@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "tests/support/input_error.hpp"
@@ -9,12 +10,16 @@
 namespace reeve::testing {
 namespace {
 
-// "motor_tension_N in lbf"; what is no known name is "-".
+// "motor_tension_N in lbf"; a star needs a unit, and what is no known name is "-".
 std::string read_as(const std::string& name) {
   const auto found = column_named(name);
   if (!found) return "-";
   return plain_name(*found) + (found->unit ? std::string(" in ") + found->unit->name : "") +
          (found->needs_unit ? " *" : "");
+}
+
+void expect_read(const std::map<std::string, std::string>& meanings) {
+  for (const auto& [name, meaning] : meanings) EXPECT_EQ(read_as(name), meaning) << name;
 }
 
 TEST(ColumnName, IsReadInAnySpelling) {
@@ -26,20 +31,20 @@ TEST(ColumnName, IsReadInAnySpelling) {
   for (const char* name : {"T1_N", "t1_n", "T1 [N]", "T1 (N)", "T_1_N", "T01_N"}) {
     EXPECT_EQ(read_as(name), "T1_N in N") << name;
   }
-  EXPECT_EQ(read_as("T1"), "T1_N");
-  EXPECT_EQ(read_as("Run"), "run");
-  EXPECT_EQ(read_as("HELD [-]"), "held");
-  EXPECT_EQ(read_as("Sheath angle (deg)"), "sheath_angle_rad in deg");
-  EXPECT_EQ(read_as("speed_m_s"), "speed_mm_s in m/s");
-  EXPECT_EQ(read_as("Speed [mm/s]"), "speed_mm_s in mm/s");
-  EXPECT_EQ(read_as("temperature_F"), "temperature_C in °F");
+  expect_read({{"T1", "T1_N"},
+               {"Run", "run"},
+               {"HELD [-]", "held"},
+               {"Sheath angle (deg)", "sheath_angle_rad in deg"},
+               {"speed_m_s", "speed_mm_s in m/s"},
+               {"Speed [mm/s]", "speed_mm_s in mm/s"},
+               {"temperature_F", "temperature_C in °F"}});
 }
 
 TEST(ColumnName, OfALetterNeedsAUnitToBeATension) {
-  EXPECT_EQ(read_as("Ta_N"), "Ta_N in N *");
-  EXPECT_EQ(read_as("TA [lbf]"), "Ta_N in lbf *");
-  EXPECT_EQ(read_as("Th1_kgf"), "Th1_N in kgf *");
-  EXPECT_EQ(read_as("Ta"), "Ta_N *");
+  expect_read({{"Ta_N", "Ta_N in N *"},
+               {"TA [lbf]", "Ta_N in lbf *"},
+               {"Th1_kgf", "Th1_N in kgf *"},
+               {"Ta", "Ta_N *"}});
 }
 
 TEST(ColumnName, IsNoTensionWithAUnitOfSomethingElse) {
@@ -50,13 +55,13 @@ TEST(ColumnName, IsNoTensionWithAUnitOfSomethingElse) {
 }
 
 TEST(ColumnName, OfAPlaceOrADeviation) {
-  EXPECT_EQ(read_as("at_T1_N"), "at_T1_N in N");
-  EXPECT_EQ(read_as("At T12 [lbf]"), "at_T12_N in lbf");
-  EXPECT_EQ(read_as("T1_sd_N"), "T1_sd_N in N");
-  EXPECT_EQ(read_as("T1 SD"), "T1_sd_N");
-  EXPECT_EQ(read_as("Ta_sd_N"), "Ta_sd_N in N *");
-  EXPECT_EQ(read_as("at_T1_sd_N"), "at_T1_sd_N in N");
-  EXPECT_EQ(read_as("readings"), "readings");
+  expect_read({{"at_T1_N", "at_T1_N in N"},
+               {"At T12 [lbf]", "at_T12_N in lbf"},
+               {"T1_sd_N", "T1_sd_N in N"},
+               {"T1 SD", "T1_sd_N"},
+               {"Ta_sd_N", "Ta_sd_N in N *"},
+               {"at_T1_sd_N", "at_T1_sd_N in N"},
+               {"readings", "readings"}});
 }
 
 TEST(Unit, IsConvertedAsTheStandardsSay) {

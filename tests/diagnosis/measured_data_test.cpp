@@ -110,9 +110,9 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
   expect("speed_mm_s", "-1", "expected a number from 0 to 1000000000, or an empty cell");
   expect("temperature_C", "-300", "expected a number from -273.15 to 10000, or an empty cell");
   expect("sheath_angle_rad", "360", "expected a number from 0 to 100, or an empty cell");
-  expect("direction", "push", "expected pull, release, or an empty cell (pull)");
+  expect("direction", "push", "expected pull, release, or an empty cell");
   const std::string held =
-      "expected an empty cell (none held), or finger numbers from 1 to 2, each once, such as 1;2";
+      "expected nothing (none held), or finger numbers from 1 to 2, each once, such as 1;2";
   for (const char* cell : {"3", "0", "1;1", "1;", "one"}) expect("held", cell, held);
 }
 
@@ -148,7 +148,7 @@ TEST(BadRow, NamesTheStrandThatTheRoutingDoesNotHave) {
             "d.csv:3: column 'T5_N' = '2': the routing 'M-1-P-2-M' has no segment T5: expected an "
             "empty cell; its segments are a, T1, T2, b, c, T3, T4, d");
   EXPECT_EQ(data_error("run,routing,held,Th1_N\nA,M-F,1,2\n"),
-            "d.csv:2: column 'held' = '1': expected an empty cell: the routing has no fingers");
+            "d.csv:2: column 'held' = '1': expected nothing: the routing has no fingers");
 }
 
 TEST(BadRow, MayHaveNoTension) {
@@ -167,7 +167,7 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
       parts("run,routing,T1_N\nA,TR5,1\nA,TR5,x\n"),
       "d.csv:3 | column 'T1_N' | x | a number from -1000000000 to 1000000000, or an empty cell");
   EXPECT_EQ(parts("run,routing,held,T1_N\nA,TR5,3,1\n"),
-            "d.csv:2 | column 'held' | 3 | an empty cell (none held), or finger numbers from 1 to "
+            "d.csv:2 | column 'held' | 3 | nothing (none held), or finger numbers from 1 to "
             "2, each once, such as 1;2");
   EXPECT_EQ(
       parts("run,routing,T1_N\nA,M-1-Q,1\n"),

@@ -1,77 +1,19 @@
-// Logs of a simulated rig, whose truth is known at every sample.
-#include "diagnosis/series/steady_readings.hpp"
-
+// What is steady in the strokes of a rig.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "tests/support/rig_log.hpp"
+#include "tests/diagnosis/rig_readings.hpp"
 
 namespace reeve::testing {
 namespace {
-
-const std::vector<RigRun> one_run{
-    {"1", "M-1-T-2-F", "", {{0.7, 1.2}, {0.55, 1.5}, {0.45, 1.8}, {0.35, 2.2}}}};
-
-LoggedSeries series_of(const std::vector<RigSample>& samples, const RigColumns& columns = {}) {
-  return parse_logged_series(rig_csv(samples, one_run, columns), "log.csv");
-}
-
-std::size_t count(const SteadyReadings& found, SampleUse use) {
-  return static_cast<std::size_t>(std::count(found.uses.begin(), found.uses.end(), use));
-}
-
-// Mean of the true tensions over the samples that were taken into the reading.
-double true_mean(const std::vector<RigSample>& samples, const SteadyReadings& found,
-                 const SteadyReading& reading, std::size_t strand) {
-  double sum = 0;
-  for (std::size_t i = reading.begin; i < reading.end; ++i) {
-    if (found.uses[i] == SampleUse::taken) sum += samples[i].strands_N[strand];
-  }
-  return sum / static_cast<double>(reading.samples);
-}
-
-std::vector<double> deviations_from_truth(const std::vector<RigSample>& samples,
-                                          const SteadyReadings& found) {
-  std::vector<double> deviations;
-  for (const SteadyReading& reading : found.readings) {
-    for (std::size_t strand = 0; strand < 4; ++strand) {
-      const AveragedTension& tension = *reading.tensions_N[strand];
-      const double error_N = tension.deviation_N / std::sqrt(static_cast<double>(reading.readings));
-      deviations.push_back((tension.mean_N - true_mean(samples, found, reading, strand)) / error_N);
-    }
-  }
-  return deviations;
-}
-
-double share_within(const std::vector<double>& values, double limit) {
-  const auto within = std::count_if(values.begin(), values.end(),
-                                    [&](double value) { return std::abs(value) <= limit; });
-  return static_cast<double>(within) / static_cast<double>(values.size());
-}
-
-void expect_sound(const std::vector<RigSample>& samples, const SteadyReadings& found) {
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (found.uses[i] != SampleUse::taken) continue;
-    EXPECT_TRUE(samples[i].slides) << "at " << samples[i].time_s << " s";
-  }
-  for (const SteadyReading& reading : found.readings) {
-    const RigSample& middle = samples[(reading.begin + reading.end) / 2];
-    EXPECT_EQ(reading.direction == Direction::pull, middle.speed_mm_s > 0) << reading.time_s;
-    EXPECT_NEAR(*reading.speed_mm_s, std::abs(middle.speed_mm_s), 0.3);
-  }
-}
 
 TEST(SteadyReadings, AreTakenFromEveryStrokeAndNeverWhereAContactSticks) {
   for (const double correlation : {0.0, 0.9}) {
     RigPlan plan;
     plan.correlation = correlation;
-    const std::vector<RigSample> samples = rig_log(plan, one_run);
-    const SteadyReadings found = steady_readings(series_of(samples), {});
+    const auto [samples, found] = readings_on(plan);
     EXPECT_EQ(found.motion, MotionSource::position);
     EXPECT_EQ(found.readings.size(), 40U);
     expect_sound(samples, found);
@@ -86,8 +28,7 @@ TEST(SteadyReadings, HaveMeansWithinTheirStandardErrors) {
   RigPlan plan;
   plan.strokes = 8;
   plan.correlation = 0.7;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   const std::vector<double> deviations = deviations_from_truth(samples, found);
   ASSERT_EQ(deviations.size(), 320U);
   EXPECT_NEAR(share_within(deviations, 1.96), 0.95, 0.035);
@@ -97,8 +38,7 @@ TEST(SteadyReadings, HaveMeansWithinTheirStandardErrors) {
 TEST(SteadyReadings, OfAnEvenLoadAreOneForEachStroke) {
   RigPlan plan;
   plan.greatest_load_N = plan.least_load_N = 20;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   EXPECT_EQ(found.readings.size(), 8U);
   expect_sound(samples, found);
 }
@@ -119,8 +59,7 @@ TEST(SteadyReadings, OfASweepStandForLoadsOfTheirOwn) {
 TEST(SteadyReadings, LeaveOutALongTakeUp) {
   RigPlan plan;
   plan.stiffness_N_mm = 2.5;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   EXPECT_GE(found.readings.size(), 16U);
   EXPECT_GT(count(found, SampleUse::settling), 800U);
   expect_sound(samples, found);
@@ -135,8 +74,7 @@ TEST(SteadyReadings, LeaveOutASlowTakeUp) {
   plan.even_s = 60;
   plan.stiffness_N_mm = 2.5;
   plan.noise = plan.noise_N = 0.002;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   EXPECT_GE(found.readings.size(), 5U);
   expect_sound(samples, found);
 }
@@ -154,8 +92,7 @@ TEST(SteadyReadings, LeaveOutASlightTakeUpHoweverSlowTheCarriageIs) {
     plan.stiffness_N_mm = 0.4;
     plan.greatest_load_N = plan.least_load_N = 20;
     plan.noise = plan.noise_N = 0.001;
-    const std::vector<RigSample> samples = rig_log(plan, smooth);
-    const SteadyReadings found = steady_readings(series_of(samples), {});
+    const auto [samples, found] = readings_on(plan, smooth);
     EXPECT_EQ(found.readings.size(), 4U);
     expect_sound(samples, found);
   }
@@ -166,137 +103,9 @@ TEST(SteadyReadings, DoNotComeFromStrokesTooShortForTheContactsToSlide) {
   plan.even_s = 1.5;
   plan.stiffness_N_mm = 0.5;
   plan.greatest_load_N = plan.least_load_N = 30;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   EXPECT_GT(count(found, SampleUse::settling), 800U);
   EXPECT_TRUE(found.readings.empty());
-}
-
-TEST(SteadyReadings, GoByASignedSpeedWhereThereIsNoPosition) {
-  const std::vector<RigSample> samples = rig_log({}, one_run);
-  const SteadyReadings found =
-      steady_readings(series_of(samples, {.position = false, .speed = true, .labels = false}), {});
-  EXPECT_EQ(found.motion, MotionSource::speed);
-  EXPECT_EQ(found.readings.size(), 40U);
-  expect_sound(samples, found);
-}
-
-TEST(SteadyReadings, GoByTheLoadWhereTheSpeedHasNoSign) {
-  const std::vector<RigSample> samples = rig_log({}, one_run);
-  LoggedSeries series = series_of(samples, {.position = false, .speed = true, .labels = false});
-  for (double& speed : series.speed_mm_s.values) speed = std::abs(speed);
-  const SteadyReadings found = steady_readings(series, {});
-  EXPECT_EQ(found.readings.size(), 40U);
-  expect_sound(samples, found);
-}
-
-TEST(SteadyReadings, OfAnEvenLoadNeedToBeToldTheDirectionWhereTheSpeedHasNoSign) {
-  RigPlan plan;
-  plan.greatest_load_N = plan.least_load_N = 20;
-  LoggedSeries series =
-      series_of(rig_log(plan, one_run), {.position = false, .speed = true, .labels = false});
-  for (double& speed : series.speed_mm_s.values) speed = std::abs(speed);
-  const SteadyReadings silent = steady_readings(series, {});
-  EXPECT_TRUE(silent.readings.empty());
-  EXPECT_GT(count(silent, SampleUse::no_direction), 1500U);
-  SteadyOptions options;
-  options.direction = Direction::release;
-  const SteadyReadings told = steady_readings(series, options);
-  ASSERT_EQ(told.readings.size(), 8U);
-  EXPECT_EQ(told.readings[0].direction, Direction::release);
-}
-
-TEST(SteadyReadings, NoteAPositionThatCountsTheOtherWayAndTurnIt) {
-  LoggedSeries series = series_of(rig_log({}, one_run));
-  for (double& position : series.position_mm.values) position = -position;
-  const SteadyReadings wrong = steady_readings(series, {});
-  ASSERT_EQ(wrong.notes.size(), 1U);
-  EXPECT_EQ(wrong.notes[0].kind, NoteKind::reversed);
-  SteadyOptions options;
-  options.reverse = true;
-  const SteadyReadings right = steady_readings(series, options);
-  EXPECT_TRUE(right.notes.empty());
-  EXPECT_EQ(right.readings[0].direction, Direction::pull);
-}
-
-TEST(SteadyReadings, TakeTheDirectionThatTheLogNames) {
-  LoggedSeries series = series_of(rig_log({}, one_run));
-  series.labels[0].direction = "release";
-  for (const SteadyReading& reading : steady_readings(series, {}).readings) {
-    EXPECT_EQ(reading.direction, Direction::release);
-  }
-}
-
-TEST(SteadyReadings, DoNotFollowSpikes) {
-  const std::vector<RigSample> samples = rig_log({}, one_run);
-  LoggedSeries series = series_of(samples);
-  for (std::size_t i = 50; i < series.size(); i += 97) series.tensions_N[i % 4].values[i] = 1e9;
-  for (std::size_t i = 20; i < series.size(); i += 89) series.position_mm.values[i] = -1e6;
-  const SteadyReadings found = steady_readings(series, {});
-  EXPECT_EQ(found.readings.size(), 40U);
-  EXPECT_GT(count(found, SampleUse::spike), 15U);
-  EXPECT_GT(share_within(deviations_from_truth(samples, found), 3), 0.97);
-}
-
-TEST(SteadyReadings, LeaveOutSamplesThatLackAValue) {
-  const std::vector<RigSample> samples = rig_log({}, one_run);
-  LoggedSeries series = series_of(samples);
-  for (std::size_t i = 0; i < series.size(); i += 10) {
-    series.tensions_N[1].values[i] = std::numeric_limits<double>::quiet_NaN();
-  }
-  const SteadyReadings found = steady_readings(series, {});
-  EXPECT_EQ(found.readings.size(), 40U);
-  EXPECT_GT(count(found, SampleUse::incomplete), 250U);
-  expect_sound(samples, found);
-}
-
-TEST(SteadyReadings, HaveNoTensionOfASensorThatIsOff) {
-  LoggedSeries series = series_of(rig_log({}, one_run));
-  for (double& tension : series.tensions_N[2].values) {
-    tension = std::numeric_limits<double>::quiet_NaN();
-  }
-  const SteadyReadings found = steady_readings(series, {});
-  ASSERT_EQ(found.readings.size(), 40U);
-  EXPECT_FALSE(found.readings[7].tensions_N[2]);
-  EXPECT_TRUE(found.readings[7].tensions_N[3]);
-  EXPECT_EQ(count(found, SampleUse::incomplete), 0U);
-}
-
-// A logger that writes four rows for each that it measures.
-TEST(SteadyReadings, CountCopiesOnce) {
-  RigPlan plan;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings plain = steady_readings(series_of(samples), {});
-  std::vector<RigSample> copied;
-  for (const RigSample& sample : samples) {
-    for (int i = 0; i < 4; ++i) {
-      copied.push_back(sample);
-      copied.back().time_s += i * 0.0025;
-    }
-  }
-  const SteadyReadings found = steady_readings(series_of(copied), {});
-  EXPECT_EQ(found.readings.size(), 40U);
-  EXPECT_GT(count(found, SampleUse::copy), 2 * count(found, SampleUse::taken));
-  std::size_t worth = 0;
-  std::size_t worth_before = 0;
-  for (const SteadyReading& reading : found.readings) worth += reading.readings;
-  for (const SteadyReading& reading : plain.readings) worth_before += reading.readings;
-  EXPECT_NEAR(static_cast<double>(worth) / static_cast<double>(worth_before), 1, 0.1);
-}
-
-TEST(SteadyReadings, DoNotReachOverAGapOrAClockThatIsSetBack) {
-  std::vector<RigSample> samples = rig_log({}, one_run);
-  samples.erase(samples.begin() + 270, samples.begin() + 350);
-  for (std::size_t i = 2000; i < samples.size(); ++i) samples[i].time_s -= 15;
-  const SteadyReadings found = steady_readings(series_of(samples), {});
-  for (const SteadyReading& reading : found.readings) {
-    EXPECT_FALSE(reading.begin < 270 && reading.end > 270);
-    EXPECT_FALSE(reading.begin < 2000 && reading.end > 2000);
-  }
-  ASSERT_EQ(found.notes.size(), 1U);
-  EXPECT_EQ(found.notes[0].kind, NoteKind::clock);
-  EXPECT_EQ(found.notes[0].lines, std::vector<std::size_t>{2002});
-  expect_sound(samples, found);
 }
 
 TEST(SteadyReadings, OfASlowLoggerAreTheSame) {
@@ -304,8 +113,7 @@ TEST(SteadyReadings, OfASlowLoggerAreTheSame) {
   plan.rate_hz = 10;
   plan.even_s = 20;
   plan.speed_mm_s = 2;
-  const std::vector<RigSample> samples = rig_log(plan, one_run);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
+  const auto [samples, found] = readings_on(plan);
   EXPECT_EQ(found.readings.size(), 40U);
   expect_sound(samples, found);
 }
@@ -319,23 +127,6 @@ TEST(SteadyReadings, DoNotComeFromARigThatStands) {
   const SteadyReadings found = steady_readings(series_of(samples), {});
   EXPECT_TRUE(found.readings.empty());
   EXPECT_EQ(count(found, SampleUse::standstill), 3000U);
-}
-
-TEST(SteadyReadings, DoNotComeFromAPositionThatIsNothingButNoise) {
-  std::vector<RigSample> samples = rig_log({}, one_run);
-  LoggedSeries series = series_of(samples);
-  series.position_mm.values = correlated_noise(series.size(), 0.9, 2, 9);
-  const SteadyReadings found = steady_readings(series, {});
-  EXPECT_TRUE(found.readings.empty());
-  EXPECT_GT(count(found, SampleUse::standstill), 9 * series.size() / 10);
-}
-
-TEST(SteadyReadings, DoNotComeFromASingleSample) {
-  std::vector<RigSample> samples = rig_log({}, one_run);
-  samples.resize(1);
-  const SteadyReadings found = steady_readings(series_of(samples), {});
-  EXPECT_TRUE(found.readings.empty());
-  EXPECT_EQ(found.uses.size(), 1U);
 }
 
 }  // namespace

@@ -1,42 +1,19 @@
 // The keys of the JSON interface, which docs/json.md promises to keep: names and order.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "tests/support/process.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/golden/json_keys.hpp"
 
 namespace reeve::testing {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction "
     "adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity";
 const std::string common_settings = "objectives score grasps hardware model uncertainty";
-
-Json json_of(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--format", "json"});
-  return Json::parse(reeve(arguments).out);
-}
-
-Json summary(std::vector<std::string> options = {}) {
-  const TemporaryFolder folder;
-  options.insert(options.begin(), {"explore", "--out", folder.path().string()});
-  return json_of(options);
-}
-
-std::string keys(const Json& json) {
-  std::string text;
-  for (const auto& [key, value] : json.items()) text += (text.empty() ? "" : " ") + key;
-  return text;
-}
 
 void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");
@@ -83,9 +60,6 @@ TEST(KeysOfRank, AreThePromisedOnes) {
   expect_settings(json["settings"]);
 }
 
-const std::string example_model =
-    (std::filesystem::path(REEVE_CATALOG_DIR) / "model" / "example.toml").string();
-
 void expect_model(const Json& model) {
   EXPECT_EQ(keys(model), "effects conditions unconverged");
   EXPECT_EQ(keys(model["effects"][0]), "cause subject values in_designs");
@@ -120,14 +94,6 @@ TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
   EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
   EXPECT_EQ(keys(json["margins"][0]["at"]), "tube_mu sheath_mu bearing_mu sheath_angle_rad");
 }
-
-Json with_page(std::vector<std::string> arguments) {
-  const TemporaryFolder folder;
-  arguments.insert(arguments.end(), {"--out", folder.path().string()});
-  return json_of(arguments);
-}
-
-const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
@@ -229,10 +195,6 @@ TEST(KeysOfCompare, HaveNullWhereThereIsNothingToSummarise) {
   EXPECT_TRUE(json["notes"].empty());
 }
 
-const std::vector<std::string> power{"simulate", "--routings",      "TR5",   "--rows",   "6",
-                                     "--cause",  "sensor_gain[T3]", "--set", "gain=1.3", "--runs",
-                                     "4",        "--power",         "1"};
-
 TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
   const Json json = json_of(power);
   EXPECT_EQ(keys(json), "simulated experiments hidden findings trials settings version");
@@ -243,7 +205,6 @@ TEST(KeysOfSimulateWithPower, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]), "command noise_relative noise_absolute_N hardware");
 }
 
-const std::string diagnosed = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_";
 const std::string held_out_keys =
     "rms_before rms_after reduction low high log_likelihood_gain gain_low gain_high expected_gain";
 const std::string measurement_keys =
@@ -281,8 +242,6 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware");
 }
 
-const std::string seeds_readings = std::string(REEVE_CATALOG_DIR) + "/measured/exo_glove_ii.csv";
-
 TEST(KeysOfDiagnose, OfReadingsThatArePublishedAreThePromisedOnes) {
   const Json json = json_of({"diagnose", seeds_readings});
   EXPECT_EQ(keys(json["share_errors"]), "before after left_out routings");
@@ -311,73 +270,6 @@ TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
   const Json several = json_of({"diagnose", diagnosed + "indistinguishable.csv"});
   EXPECT_EQ(keys(several["separating_measurement"]), measurement_keys);
   EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());
-}
-
-const std::string logged = std::string(REEVE_SOURCE_DIR) + "/tests/golden/log.csv";
-
-TEST(KeysOfImport, AreThePromisedOnes) {
-  const Json json = json_of({"import", logged});
-  EXPECT_EQ(keys(json), "data readings samples notes settings version");
-  EXPECT_EQ(keys(json["data"]), "file simulated samples seconds_logged usual_step_s motion");
-  EXPECT_EQ(keys(json["readings"][0]),
-            "run routing held direction time_s lines samples readings speed_mm_s motor_tension "
-            "tensions others");
-  EXPECT_EQ(keys(json["readings"][0]["tensions"]), "T1 T2 T3 T4");
-  EXPECT_EQ(keys(json["readings"][0]["motor_tension"]), "mean_N deviation_N");
-  EXPECT_EQ(keys(json["samples"]),
-            "taken standstill speed_varies load_varies settling slack no_direction incomplete copy "
-            "spike too_few");
-  EXPECT_EQ(keys(json["settings"]),
-            "least_time_s tolerance per_sweep reverse direction run routing held");
-}
-
-// All keys that do not depend on the input.
-void collect(const Json& json, std::set<std::string>& keys) {
-  for (const auto& [key, value] : json.items()) {
-    if (json.is_object()) keys.insert(key);
-    if (value.is_structured() && key != "tensions" && key != "shares" && key != "rejected") {
-      collect(value, keys);
-    }
-  }
-}
-
-TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
-  const std::string document =
-      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "json.md");
-  const TemporaryFolder folder;
-  const std::string hardware =
-      (std::filesystem::path(REEVE_CATALOG_DIR) / "hardware" / "example.toml").string();
-  std::set<std::string> names;
-  collect(json_of({"show", "TR1"}), names);
-  collect(json_of({"show", "LuffTackle"}), names);
-  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
-  collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
-  collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
-  collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
-  collect(json_of({"rank", "TR5", "--model", example_model}), names);
-  collect(summary(), names);
-  collect(json_of({"count"}), names);
-  collect(json_of({"check"}), names);
-  collect(json_of({"compare", readings}), names);
-  collect(json_of(power), names);
-  collect(json_of({"import", logged}), names);
-  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
-  collect(json_of({"diagnose", seeds_readings}), names);
-  const std::string csv =
-      reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
-  reeve({"compare", readings, "--out", folder.path().string()});
-  const std::string residuals = read_text(folder.path() / "residuals.csv");
-  const std::size_t second = residuals.find('\n') + 1;  // below a comment
-  for (const std::string& header :
-       {csv.substr(0, csv.find('\n')),
-        residuals.substr(second, residuals.find('\n', second) - second)}) {
-    std::istringstream columns(header);
-    for (std::string column; std::getline(columns, column, ',');) names.insert(column);
-  }
-  EXPECT_GT(names.size(), 60U);
-  for (const std::string& name : names) {
-    EXPECT_NE(document.find('`' + name + '`'), std::string::npos) << name;
-  }
 }
 
 }  // namespace

@@ -104,6 +104,20 @@ TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
   EXPECT_EQ(reeve({"compare", readings}).exit_code, 0);
 }
 
+// The command goes into the readings, and with it the name of the log.
+TEST(Import, OfAMeasuredLogDoesNotSayThatItIsSimulated) {
+  const TemporaryFolder folder;
+  const std::string text = read_text(golden_log);
+  const std::string measured = text.substr(text.find('\n') + 1);  // without the comment
+  const std::string readings = (folder.path() / "readings.csv").string();
+  for (const char* name : {"simulated.csv", "As_Simulated.csv"}) {
+    const std::string log = folder.write(name, measured).string();
+    ASSERT_EQ(reeve({"import", log, "-o", readings}).exit_code, 0);
+    const Json compared = Json::parse(reeve({"compare", readings, "--format", "json"}).out);
+    EXPECT_EQ(compared["data"]["simulated"], false) << name;
+  }
+}
+
 TEST(Import, PlotsWhatItTookAndWhyItLeftOutTheRest) {
   const TemporaryFolder folder;
   const std::string plot = (folder.path() / "log.svg").string();

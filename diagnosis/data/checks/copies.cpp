@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "diagnosis/data/checks/levels.hpp"
-#include "diagnosis/data/checks/medians.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -69,7 +69,7 @@ std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLeve
   }
   std::map<std::size_t, Sensor> result;
   for (const auto& [channel, list] : values) {
-    result[channel] = {step_of(list), std::max(scatter_per_quartile * upper_quartile(left[channel]),
+    result[channel] = {step_of(list), std::max(scatter_per_quartile * quantile_of(left[channel], 0.75),
                                                least_scatter)};
   }
   return result;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/motor_sides.hpp"
-#include "diagnosis/data/checks/medians.hpp"
+#include "numerics/robust.hpp"
 #include "diagnosis/data/intake/units.hpp"
 
 namespace reeve::diagnosis {
@@ -95,7 +95,7 @@ bool unit_mends(const std::vector<PulledRow>& rows, double factor) {
   constexpr double least_share = 0.2;
   std::vector<double> ratios;
   for (const PulledRow& row : rows) ratios.push_back(greatest(row) / (factor * row.motor_N));
-  return median(std::move(ratios)) >= least_share && mended(rows, [&](PulledRow row) {
+  return middle_of(std::move(ratios)) >= least_share && mended(rows, [&](PulledRow row) {
            row.motor_N *= factor;
            return breaks_pull(row);
          });

@@ -4,8 +4,7 @@
 //   motor_tension, speed, cycle, temperature, sheath_angle, readings
 //   T1, T2, …                         tensions of strands
 //   Ta, Tb, … and Th1, …              of motor-side segments and of stretches at the hand; only
-//   with
-//                                     a unit of force, since Ta may be a temperature
+//                                     with a unit of force, since Ta may be a temperature
 //   at_T1, …                          of the motor-side segment at that strand's sheath
 //   T1_sd, Ta_sd, at_T1_sd, …         standard deviations of those
 //

@@ -103,11 +103,8 @@ auto RowReader::at(const CsvRow& row, std::size_t column, Action action)
 
 InputFault RowReader::cell_fault(const CsvRow& row, std::size_t column,
                                  const InputError& error) const {
-  return InputError(changed(error.fault(), one_line))
-      .at(InputFault{.where = fmt::format("{}:{}", csv_.name(), row.line),
-                     .what = column_name(columns_[column]),
-                     .value = for_message(trimmed(row.fields[column])),
-                     .form = InputForm::cell})
+  return cell_error(error, csv_.name(), row.line, columns_[column].name,
+                    trimmed(row.fields[column]))
       .fault();
 }
 

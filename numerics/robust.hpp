@@ -5,9 +5,9 @@
 
 #include "numerics/floors.hpp"
 
-namespace reeve::diagnosis {
+namespace reeve::numerics {
 
-// NaN of none.
+// The mean of the two in the middle of an even number; NaN of none.
 double middle_of(std::vector<double> values);
 
 // The value below which this share of them lies; NaN of none.
@@ -16,4 +16,8 @@ double quantile_of(std::vector<double> values, double share);
 // Of normal numbers about 0, their standard deviation: median |v| / 0.6745. 0 of none.
 double deviation_about_zero(std::vector<double> values);
 
-}  // namespace reeve::diagnosis
+// Of independent normal noise upon series that bend slowly, its standard deviation, by their second
+// differences: those of noise deviate √6 times as far. 0 of none.
+double deviation_about_trend(const std::vector<std::vector<double>>& series);
+
+}  // namespace reeve::numerics

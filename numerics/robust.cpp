@@ -1,11 +1,12 @@
-#include "diagnosis/series/robust.hpp"
+#include "numerics/robust.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
-namespace reeve::diagnosis {
+namespace reeve::numerics {
 
 double quantile_of(std::vector<double> values, double share) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
@@ -29,4 +30,15 @@ double deviation_about_zero(std::vector<double> values) {
   return std::isnan(middle) ? 0 : middle / of_normal;
 }
 
-}  // namespace reeve::diagnosis
+double deviation_about_trend(const std::vector<std::vector<double>>& series) {
+  constexpr double of_second_differences = 2.449489742783178;  // √6
+  std::vector<double> differences;
+  for (const std::vector<double>& values : series) {
+    for (std::size_t i = 2; i < values.size(); ++i) {
+      differences.push_back(values[i] - 2 * values[i - 1] + values[i - 2]);
+    }
+  }
+  return deviation_about_zero(std::move(differences)) / of_second_differences;
+}
+
+}  // namespace reeve::numerics

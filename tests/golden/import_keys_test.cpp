@@ -1,0 +1,26 @@
+// The keys of the JSON of `import`, which docs/json.md promises to keep.
+#include <gtest/gtest.h>
+
+#include "tests/golden/json_keys.hpp"
+
+namespace reeve::testing {
+namespace {
+
+TEST(KeysOfImport, AreThePromisedOnes) {
+  const Json json = json_of({"import", logged});
+  EXPECT_EQ(keys(json), "data readings samples notes settings version");
+  EXPECT_EQ(keys(json["data"]), "file simulated samples seconds_logged usual_step_s motion");
+  EXPECT_EQ(keys(json["readings"][0]),
+            "run routing held direction time_s lines samples readings speed_mm_s motor_tension "
+            "tensions others");
+  EXPECT_EQ(keys(json["readings"][0]["tensions"]), "T1 T2 T3 T4");
+  EXPECT_EQ(keys(json["readings"][0]["motor_tension"]), "mean_N deviation_N");
+  EXPECT_EQ(keys(json["samples"]),
+            "taken standstill speed_varies load_varies settling slack no_direction incomplete copy "
+            "spike too_few");
+  EXPECT_EQ(keys(json["settings"]),
+            "least_time_s tolerance per_sweep reverse direction run routing held");
+}
+
+}  // namespace
+}  // namespace reeve::testing

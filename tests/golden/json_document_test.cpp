@@ -1,0 +1,62 @@
+// docs/json.md has every key and every column.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "tests/golden/json_keys.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// All keys that do not depend on the input.
+void collect(const Json& json, std::set<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (value.is_structured() && key != "tensions" && key != "shares" && key != "rejected") {
+      collect(value, keys);
+    }
+  }
+}
+
+TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "json.md");
+  const TemporaryFolder folder;
+  const std::string hardware =
+      (std::filesystem::path(REEVE_CATALOG_DIR) / "hardware" / "example.toml").string();
+  std::set<std::string> names;
+  collect(json_of({"show", "TR1"}), names);
+  collect(json_of({"show", "LuffTackle"}), names);
+  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
+  collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
+  collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
+  collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
+  collect(json_of({"rank", "TR5", "--model", example_model}), names);
+  collect(summary(), names);
+  collect(json_of({"count"}), names);
+  collect(json_of({"check"}), names);
+  collect(json_of({"compare", readings}), names);
+  collect(json_of(power), names);
+  collect(json_of({"import", logged}), names);
+  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
+  collect(json_of({"diagnose", seeds_readings}), names);
+  const std::string csv =
+      reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
+  reeve({"compare", readings, "--out", folder.path().string()});
+  const std::string residuals = read_text(folder.path() / "residuals.csv");
+  const std::size_t second = residuals.find('\n') + 1;  // below a comment
+  for (const std::string& header :
+       {csv.substr(0, csv.find('\n')),
+        residuals.substr(second, residuals.find('\n', second) - second)}) {
+    std::istringstream columns(header);
+    for (std::string column; std::getline(columns, column, ',');) names.insert(column);
+  }
+  EXPECT_GT(names.size(), 60U);
+  for (const std::string& name : names) {
+    EXPECT_NE(document.find('`' + name + '`'), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
