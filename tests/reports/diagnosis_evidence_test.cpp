@@ -10,6 +10,7 @@
 
 #include "causes/library.hpp"
 #include "core/notation.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/sheet/sheet_text.hpp"
 
 namespace reeve {
@@ -151,10 +152,10 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
 
 // Of 1000 replicates. Chances of coefficients do not come from them and may lie just above.
 TEST(DiagnosisEvidence, GivesAChanceAsABoundOnlyWhereReplicatesShowNoSmallerOne) {
-  EXPECT_EQ(p_number(1.0 / 1001, 1000), "< 0.001");
+  EXPECT_EQ(reports::p_number(1.0 / 1001, 1000), "< 0.001");
   EXPECT_EQ(p_text(1.0 / 1001, 1000), "p < 0.001");
   EXPECT_EQ(chance_text(1.0 / 1001, 1000), "in fewer than 0.1 % of data sets");
-  EXPECT_EQ(p_number(0.0011, 1000), "0.0011");
+  EXPECT_EQ(reports::p_number(0.0011, 1000), "0.0011");
   EXPECT_EQ(p_text(0.0011, 1000), "p = 0.0011");
   EXPECT_EQ(chance_text(0.0011, 1000), "in about 0.11 % of data sets");
 }
