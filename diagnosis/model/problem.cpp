@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -138,6 +139,27 @@ void share_scatter(Problem& problem, const MountingModes& modes, const MountedSc
     const Eigen::MatrixXd own_seen = seen(mounting.cells, Eigen::all);
     problem.shared.push_back(shared_scatter(std::move(mounting.cells), own, own_seen));
   }
+}
+
+Problem part_of(const Problem& whole, const Dataset& dataset) {
+  std::map<std::pair<std::size_t, std::size_t>, Index> place;  // of reading and channel
+  for (std::size_t k = 0; k < dataset.cells.size(); ++k) {
+    place[{dataset.cells[k].reading, dataset.cells[k].channel}] = static_cast<Index>(k);
+  }
+  Problem part = problem(dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())));
+  std::vector<std::optional<Index>> places;  // parallel to the cells of the whole
+  for (std::size_t k = 0; k < whole.dataset->cells.size(); ++k) {
+    const Cell& cell = whole.dataset->cells[k];
+    const auto found = place.find({cell.reading, cell.channel});
+    places.push_back(found == place.end() ? std::nullopt : std::optional(found->second));
+    if (places[k]) part.deviation_N[*places[k]] = whole.deviation_N[static_cast<Index>(k)];
+  }
+  for (SharedScatter shared : whole.shared) {
+    if (!places[static_cast<std::size_t>(shared.cells.front())]) continue;
+    for (Index& cell : shared.cells) cell = *places[static_cast<std::size_t>(cell)];
+    part.shared.push_back(std::move(shared));
+  }
+  return part;
 }
 
 Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast) {

@@ -44,6 +44,9 @@ Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
 void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
                    const Forecast& at);
 
+// The same problem of some of its mountings: of each, `dataset` has all readings or none.
+Problem part_of(const Problem& whole, const Dataset& dataset);
+
 // m of each cell, N.
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);
 

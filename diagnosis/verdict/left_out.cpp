@@ -27,12 +27,14 @@ Model fitted(const Problem& problem, const Model& model) {
                                                                 : std::move(from_nominal.model);
 }
 
-LeftOutRun left_out(const MeasuredData& data, const std::vector<std::size_t>& readings,
-                    std::size_t run, const Model& model, const Scatter& scatter) {
+LeftOutRun left_out(const Problem& all, std::size_t run, const Model& model) {
+  const MeasuredData& data = *all.dataset->data;
   std::vector<std::size_t> own, others;
-  for (const std::size_t i : readings) (data.readings[i].run == run ? own : others).push_back(i);
+  for (const DatasetRow& row : all.dataset->rows) {
+    (data.readings[row.reading].run == run ? own : others).push_back(row.reading);
+  }
   const Dataset rest = dataset(data, others);
-  const Problem known = problem(rest, scatter, model);
+  const Problem known = part_of(all, rest);
   LeftOutRun result{run, fitted(known, model), {}, {}};
   const Dataset unseen = dataset(data, own);
   // Fitted to the others, the model may have no tensions here.
@@ -55,9 +57,11 @@ std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
     return {};
   }
   const std::vector<std::size_t> runs(seen.begin(), seen.end());
+  const Dataset together = dataset(data, readings);
+  const Problem all = problem(together, scatter, model);
   std::vector<LeftOutRun> result(runs.size());
   workers.for_each_block(runs.size(), 1, [&](const IndexBlock& block) {
-    result[block.begin] = left_out(data, readings, runs[block.begin], model, scatter);
+    result[block.begin] = left_out(all, runs[block.begin], model);
   });
   return result;
 }

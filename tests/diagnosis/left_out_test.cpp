@@ -85,6 +85,26 @@ TEST(LeftOutRuns, SayNothingOfAParameterThatOnlyTheRunLeftOutKnows) {
   EXPECT_NEAR(runs[3].model.effects.front().values.front(), 1, 1e-9);
 }
 
+// Run b was mounted with two routings, and its readings stand between those of the others.
+TEST(LeftOutRuns, LeaveTheOthersAProblemAsIfTheyWereAlone) {
+  const MeasuredData data = read_data(
+      "run,routing,motor_tension_N,T1_N,T2_N\na,1-P-2-P-1,10,2.2,4.1\nb,1-P-2-P-1,12,2.4,5\n"
+      "b,1-T-2-P-1,20,9,8\na,1-P-2-P-1,30,6.5,12\nc,1-T-2-P-1,20,9.1,8.2\n");
+  const Scatter scatter{noise_of_bench, {{0.04, 0.04, 0.1, 0.02}, {}}};
+  const Model model{Hardware{}};
+  const Dataset all = dataset(data, all_readings(data));
+  const Dataset rest = dataset(data, {0, 3, 4});
+  const Problem part = part_of(problem(all, scatter, model), rest);
+  const Problem alone = problem(rest, scatter, model);
+  EXPECT_EQ(part.dataset, &rest);
+  EXPECT_EQ(part.measured_N, alone.measured_N);
+  EXPECT_EQ(part.deviation_N, alone.deviation_N);
+  EXPECT_EQ(part.shared.size(), 2U);
+  const Forecast at = forecast(rest, model);
+  EXPECT_LT((residuals(part, at) - residuals(alone, at)).norm(), 1e-9);
+  EXPECT_GT((residuals(part, at) - own_residuals(alone, at)).norm(), 0.1);
+}
+
 TEST(LeftOutRuns, NeedAParameterAndThreeRuns) {
   const std::vector<BenchReading> readings{{"a", 10, 11.1}, {"b", 15, 16.4}};
   EXPECT_TRUE(left_out(bench_data(readings), with_gain(1.1)).empty());
