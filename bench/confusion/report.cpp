@@ -20,13 +20,15 @@ bool is_visible(const Outcome& outcome, double visible) {
 // ---- the confusion matrix ----
 
 struct Tally {
-  std::size_t right = 0, wrong = 0, abstained = 0, invisible = 0;
+  std::size_t right = 0, among = 0, wrong = 0, abstained = 0, invisible = 0;
 
   void count(const Outcome& outcome, double visible) {
     if (!is_visible(outcome, visible)) {
       ++invisible;
     } else if (as_it_should_be(outcome)) {
       ++right;
+    } else if (names_among_others(outcome)) {
+      ++among;
     } else if (names_wrong(outcome, outcome.finding)) {
       ++wrong;
     } else {
@@ -36,7 +38,7 @@ struct Tally {
 };
 
 std::string text(const Tally& tally) {
-  const std::string visible = fmt::format("{}/{}/{}", tally.right, tally.wrong, tally.abstained);
+  const std::string visible = fmt::format("{}/{}/{}/{}", tally.right, tally.among, tally.wrong, tally.abstained);
   return tally.invisible == 0 ? visible : visible + fmt::format(" ({})", tally.invisible);
 }
 
@@ -94,6 +96,11 @@ std::string at_least(const std::string& what, const Rate& rate, double percent) 
 
 std::string at_most(const std::string& what, const Rate& rate, double percent) {
   return required(what, rate, fmt::format("at most {} %", percent), 100 * rate.share() <= percent);
+}
+
+// Named, or among the few that the data cannot tell apart and are said to be so.
+bool right_or_among(const Outcome& outcome) {
+  return as_it_should_be(outcome) || names_among_others(outcome);
 }
 
 bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding); }
@@ -169,6 +176,9 @@ std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
     (outcome->planted.empty() ? calm : hidden).push_back(outcome);
   }
   return at_least("named right", rate(hidden, as_it_should_be), 95) +
+         plain("named right, or among those that cannot be told apart",
+               rate(hidden, right_or_among)) +
+         "\n" +
          at_most("named wrong", rate(hidden, wrong), 2) +
          at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
          plain("any verdict but none where none is hidden",
@@ -180,6 +190,9 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
   switch (part) {
     case Part::single:
       return at_least("named right", rate(seen, as_it_should_be), 95) +
+             plain("named right, or among those that cannot be told apart",
+                   rate(seen, right_or_among)) +
+             "\n" +
              at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
     case Part::coverage:
       return coverage(seen) + gains(seen);
@@ -191,6 +204,9 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
              "\n";
     case Part::pairs:
       return at_least("both named and nothing else", rate(seen, as_it_should_be), 85) +
+             plain("both named, or among those that cannot be told apart",
+                   rate(seen, right_or_among)) +
+             "\n" +
              plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
              gains(seen);
     case Part::unknown:
@@ -258,7 +274,8 @@ std::string report(Part part, const std::vector<Outcome>& outcomes, double visib
   }
   return fmt::format(
              "## {}\n\n{} data sets, {} with a visible effect (log-likelihood ratio of the truth "
-             "above {}). Right/wrong/abstained (invisible):\n\n",
+             "above {}). Right/right among others that cannot be told apart/wrong/abstained (invisible):"
+             "\n\n",
              part_name(part), outcomes.size(), seen.size(), visible) +
          matrix(outcomes, visible) + rates(part, seen) + verdicts(seen) + "\n";
 }

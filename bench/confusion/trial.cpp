@@ -201,6 +201,14 @@ void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Out
       result.dropped_duplicates == copied.readings.size() - planted.experiment.rows.size();
 }
 
+// The name, or the group of those that explain the data as it does.
+std::vector<std::string> said_alike(const Finding& finding, const std::string& name) {
+  for (const auto& group : finding.indistinguishable) {
+    if (group.front() == name) return group;
+  }
+  return {name};
+}
+
 }  // namespace
 
 const char* part_name(Part part) {
@@ -251,9 +259,25 @@ bool names_all(const Outcome& outcome, const Finding& finding) {
          hidden == std::set<std::string>(finding.named.begin(), finding.named.end());
 }
 
+bool names_among_others(const Outcome& outcome) {
+  const Finding& finding = outcome.finding;
+  if (finding.verdict != Verdict::indistinguishable || names_wrong(outcome, finding)) return false;
+  std::set<std::string> said;
+  for (const std::string& name : finding.named) {
+    for (const std::string& one : said_alike(finding, name)) said.insert(one);
+  }
+  return outcome.planted.size() <= finding.named.size() &&
+         std::all_of(outcome.planted.begin(), outcome.planted.end(),
+                     [&](const std::string& hidden) { return said.contains(hidden); });
+}
+
 bool names_wrong(const Outcome& outcome, const Finding& finding) {
+  const auto is_hidden = [&](const std::string& name) {
+    return std::find(outcome.planted.begin(), outcome.planted.end(), name) != outcome.planted.end();
+  };
   return std::any_of(finding.named.begin(), finding.named.end(), [&](const std::string& name) {
-    return std::find(outcome.planted.begin(), outcome.planted.end(), name) == outcome.planted.end();
+    const std::vector<std::string> alike = said_alike(finding, name);
+    return std::none_of(alike.begin(), alike.end(), is_hidden);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "diagnosis/search/rivals.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/search/outlook.hpp"
 
@@ -20,11 +21,14 @@ std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_
   const std::vector<Fit> fits = outlook.fit_each(which);
   const double now = misfit(problem, model);
   const double degrees = problem.dataset->degrees_of_freedom();
+  const auto merit = [&](double left, const Model& by) {
+    return gain_from_misfits(base.misfit, left, degrees) -
+           static_cast<double>(parameter_count(by)) * std::log(degrees) / 2;
+  };
   std::vector<Rival> result;
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (!has_tensions(fits[i])) continue;
-    const double deficit = gain_from_misfits(base.misfit, now, degrees) -
-                           gain_from_misfits(base.misfit, fits[i].misfit, degrees);
+    const double deficit = merit(now, model) - merit(fits[i].misfit, fits[i].model);
     result.push_back({outlook.candidates()[which[i]].name, fits[i], deficit});
   }
   std::stable_sort(result.begin(), result.end(),

@@ -1,7 +1,9 @@
 // What else could stand in the place of a cause that was accepted.
 //
 // The other accepted causes are kept and fitted again with each rival. A rival that explains the
-// data nearly as well cannot be told from the accepted cause.
+// data nearly as well cannot be told from the accepted cause. A law with a shape that can bend to
+// what a plainer one says is no rival for that: each parameter is counted with half the logarithm of
+// the number of readings (G. Schwarz, Ann. Stat. 6, 1978).
 #pragma once
 
 #include <string>
@@ -21,7 +23,7 @@ inline constexpr double alias_margin = 4;
 struct Rival {
   std::string name;
   Fit fit;
-  double deficit = 0;  // in log-likelihood, to the accepted cause; may be negative
+  double deficit = 0;  // in log-likelihood less parameters, to the accepted cause; may be < 0
 };
 
 // The most likely first; several of one name (wrong_grasp) may be among them.

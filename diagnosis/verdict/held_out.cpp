@@ -14,7 +14,7 @@ constexpr std::size_t draws = 1000;
 // Of fewer there are too few different samples: three runs have ten.
 constexpr std::size_t enough_held_out_runs = 5;
 
-// What one unit of resampling contributes.
+// What one run contributes, or one reading.
 struct Unit {
   double before = 0;  // Σ of squared residuals, N²
   double after = 0;
@@ -22,12 +22,11 @@ struct Unit {
   double gain = 0;  // in log-likelihood
 };
 
-Unit& operator+=(Unit& sum, const Unit& unit) {
-  sum.before += unit.before;
-  sum.after += unit.after;
-  sum.cells += unit.cells;
-  sum.gain += unit.gain;
-  return sum;
+void add(Unit& sum, const Unit& unit, double weight = 1) {
+  sum.before += weight * unit.before;
+  sum.after += weight * unit.after;
+  sum.cells += weight * unit.cells;
+  sum.gain += weight * unit.gain;
 }
 
 double reduction(const Unit& sum) {
@@ -54,7 +53,7 @@ std::vector<Unit> units(const Problem& problem, const Forecast& first, const For
       unit.gain += (std::pow(likely_before[k], 2) - std::pow(likely_after[k], 2)) / 2;
     }
     by_row.push_back(unit);
-    by_run[dataset.data->readings[row.reading].run] += unit;
+    add(by_run[dataset.data->readings[row.reading].run], unit);
   }
   if (by_run.size() < enough_held_out_runs) return by_row;
   std::vector<Unit> result;
@@ -75,7 +74,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   const Forecast second = forecast(*held_out.dataset, after);
   const std::vector<Unit> all = units(held_out, first, second);
   Unit sum;
-  for (const Unit& unit : all) sum += unit;
+  for (const Unit& unit : all) add(sum, unit);
   HeldOut result;
   result.rms_before_N = std::sqrt(sum.before / sum.cells);
   result.rms_after_N = std::sqrt(sum.after / sum.cells);
@@ -85,12 +84,14 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   std::vector<double> reductions, gains;
   for (std::size_t d = 0; d < draws; ++d) {
     Unit drawn;
+    double weights = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double u = uniform(seed, streams::resampling, d * all.size() + i);
-      drawn += all[static_cast<std::size_t>(u * static_cast<double>(all.size()))];
+      const double weight = -std::log1p(-uniform(seed, streams::resampling, d * all.size() + i));
+      add(drawn, all[i], weight);
+      weights += weight;
     }
     reductions.push_back(reduction(drawn));
-    gains.push_back(drawn.gain);
+    gains.push_back(drawn.gain * static_cast<double>(all.size()) / weights);
   }
   result.low = quantile(reductions, 0.025);
   result.high = quantile(reductions, 0.975);

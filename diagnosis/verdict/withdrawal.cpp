@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "numerics/chi_squared.hpp"
+
 namespace reeve::diagnosis {
 namespace {
 
-// In log-likelihood, on the held-out runs. Each fitted parameter costs half on average where it is
-// needed for nothing there, and of few runs some know nothing of a cause that acts in one routing.
-constexpr double chance_loss = 2;
+// In log-likelihood: what parameters that are needed for nothing lose at most in 95 of 100 data sets.
+double chance_loss(std::size_t parameters) {
+  return chi_squared_quantile(0.95, static_cast<double>(parameters)) / 2;
+}
 
 bool names_a_coefficient(const Explanation& explanation) {
   return std::any_of(explanation.calibrations.begin(), explanation.calibrations.end(),
@@ -23,7 +26,8 @@ Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_
   const auto may_lose = [&](const Model& before) {
     const Problem unseen = problem(held_out, explanation.scatter, explanation.model);
     const HeldOut gain = held_out_gain(unseen, before, explanation.model, seed);
-    if (gain.gain_low >= -chance_loss) return false;
+    const std::size_t more = parameter_count(explanation.model) - parameter_count(before);
+    if (gain.gain_low >= -chance_loss(more)) return false;
     result.held_out = gain;
     return true;
   };

@@ -1,10 +1,11 @@
 // Whether the names that the training runs earned forecast runs that nobody has seen.
 //
 // Each name had its own test; whether all together gain on the held-out runs, these alone can say.
-// Where they may lose there (the interval of their gain in log-likelihood, by resampling, reaches
-// below that of parameters which are needed for nothing), the cause that was accepted last is
-// withdrawn, and so on: in the order of acceptance, since which of them loses is not for these runs
-// to choose. If what is left may still lose, the coefficients are no longer said to differ.
+// They may lose there where the interval of their gain in log-likelihood reaches below what as many
+// parameters that are needed for nothing lose by chance (half the 95 % quantile of χ²). The cause
+// that was accepted last is then withdrawn, and so on: in the order of acceptance, since which of
+// them loses is not for these runs to choose. If what is left may still lose, the coefficients are
+// no longer said to differ.
 #pragma once
 
 #include <cstdint>

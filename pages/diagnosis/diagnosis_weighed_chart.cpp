@@ -120,7 +120,7 @@ std::string weighed_caption(const DiagnosisReport& report) {
            drawn_text(result);
   }
   text +=
-      "Each model was fitted to the training runs alone. Bars: 95 % intervals over resampled "
+      "Each model was fitted to the training runs alone. Bars: 95 % intervals over weighed "
       "held-out ";
   text += result.held_out_runs < 5 ? "readings." : "runs.";
   text +=

@@ -85,6 +85,23 @@ TEST(CoarseSensors, GiveNoLongStretches) {
   EXPECT_EQ(data.readings[copies.front()].line, 329U);
 }
 
+// Sensors that cannot read below zero, of strands that carry nothing: where three of four readings
+// are 0, both of two are in every second row.
+TEST(SensorsAtZero, GiveEqualRowsThatAreNoCopies) {
+  std::string rows;
+  for (int i = 0; i < 40; ++i) {
+    const auto reading = [&](std::uint32_t channel) {
+      const double u = uniform(5, channel, static_cast<std::uint64_t>(i));
+      return u < 0.75 ? 0 : 0.1 * (u - 0.75);
+    };
+    rows += fmt::format("{},TR5,,{},{},{},{}\n", i % 2 == 0 ? "A" : "B", 10 + 10 * (i / 20),
+                        reading(1), reading(2), i);
+  }
+  const MeasuredData data = rows_of(rows);
+  EXPECT_EQ(count_notes(data.notes, NoteKind::duplicate_across_runs), 0U);
+  EXPECT_GT(count_notes(data.notes, NoteKind::equal_by_chance), 0U);
+}
+
 TEST(FineSensors, GiveNoEqualRows) {
   std::string text = stepped(326, 0.001);
   EXPECT_TRUE(equal_rows(read_data(text)).by_chance.empty());

@@ -35,31 +35,40 @@ TEST(HeldOutGain, OfTheSameModelIsNothing) {
   EXPECT_EQ(gain.gain_high, 0);
 }
 
-// One run gains much, all others lose a little. Of five runs a third of the samples has that one
-// not at all; of readings drawn one by one every sample has some.
-TEST(HeldOutGain, ResamplesWholeRunsWhereThereAreFive) {
-  const HeldOut five = gain_of({4, 0, 0, 0, 0}, 24, 0.5);
-  EXPECT_GT(five.log_likelihood_gain, 0);
-  EXPECT_LT(five.gain_low, 0);
-  EXPECT_LE(five.low, 0);
-  const HeldOut four = gain_of({4, 0, 0, 0}, 24, 0.5);
-  EXPECT_GT(four.gain_low, 0);
-  EXPECT_GT(four.low, 0);
+// One run in five alone gains: its share of the whole is of the Beta(1, 4) distribution, of which
+// 1 in 40 is below 1 - 0.975^(1/4) and 1 in 40 above 1 - 0.025^(1/4). Drawn anew with replacement,
+// it would be missing in a third of the samples.
+TEST(HeldOutGain, WeighsWholeRunsWhereThereAreFive) {
+  const HeldOut five = gain_of({4, 0.25, 0.25, 0.25, 0.25}, 24, 0.5);
+  const double all = five.log_likelihood_gain;
+  EXPECT_NEAR(five.gain_high / all, 5 * (1 - std::pow(0.025, 0.25)), 0.3);
+  EXPECT_NEAR(five.gain_low / all, 5 * (1 - std::pow(0.975, 0.25)), 0.02);
+  // Of 96 rows a quarter gains: sd of the share sqrt(3) / sqrt(97) of it.
+  const HeldOut four = gain_of({4, 0.25, 0.25, 0.25}, 24, 0.5);
+  EXPECT_NEAR(four.gain_low / four.log_likelihood_gain, 1 - 1.96 * std::sqrt(3.0 / 97), 0.06);
 }
 
-// A sample of 40 runs, half of which gain: 20 of those ± 6.2 with a probability of 95 %.
-TEST(HeldOutGain, HasTheIntervalOfTheMiddle95PercentOfTheSamples) {
+TEST(HeldOutGain, KnowsWhereTheOthersLose) {
+  const HeldOut gain = gain_of({4, 0, 0, 0, 0}, 24, 0.5);
+  EXPECT_GT(gain.log_likelihood_gain, 0);
+  EXPECT_LT(gain.gain_low, 0);
+  EXPECT_LT(gain.low, 0);
+}
+
+// Of 40 runs, half of which gain: their share is of the Beta(20, 20) distribution, 0.5 ± 0.153 with
+// a probability of 95 %.
+TEST(HeldOutGain, HasTheIntervalOfTheMiddle95Percent) {
   std::vector<double> offsets(40, 0);
   for (std::size_t run = 0; run < 40; run += 2) offsets[run] = 1;
   const HeldOut gain = gain_of(offsets, 1, 0.5);
   // A run that is off gains (1 - 0.25) / 2 sd², the others lose 0.25 / 2 sd².
   const double unit = 0.5 / (bench_noise_N * bench_noise_N);
   const double none = -40 * 0.25 / 2 / (bench_noise_N * bench_noise_N);
-  EXPECT_NEAR((gain.gain_low - none) / unit, 14, 1.01);
-  EXPECT_NEAR((gain.gain_high - none) / unit, 26, 1.01);
+  EXPECT_NEAR((gain.gain_low - none) / unit, 20 - 6.1, 1);
+  EXPECT_NEAR((gain.gain_high - none) / unit, 20 + 6.1, 1);
   const auto reduction = [](double off) { return 1 - std::sqrt(40 * 0.25 / off); };
-  EXPECT_NEAR(gain.low, reduction(14), reduction(15) - reduction(14) + 1e-6);
-  EXPECT_NEAR(gain.high, reduction(26), reduction(27) - reduction(26) + 1e-6);
+  EXPECT_NEAR(gain.low, reduction(13.9), reduction(14.9) - reduction(13.9));
+  EXPECT_NEAR(gain.high, reduction(26.1), reduction(27.1) - reduction(26.1));
 }
 
 TEST(HeldOutGain, IsDrawnByTheSeed) {

@@ -50,6 +50,22 @@ std::string file_of(const std::vector<PlainRow>& rows, bool with_motor = true) {
   return text;
 }
 
+// Behind a contact that lets nothing through, sensors that cannot read below zero read noise, and
+// nothing in most rows.
+TEST(AnOutlier, IsNoLoadAboveSensorsThatReadNothing) {
+  auto rows = plain_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const bool reads = i == 21 ? c < 3 : c == i % 4;
+      const double noise_N = (i == 21 ? 0.04 : 0.001) * (1 + uniform(3, 1, 4 * i + c));
+      rows[i].tension_N[c] = reads ? noise_N : 0;
+    }
+  }
+  const MeasuredData data = read_data(file_of(rows));
+  for (const DataNote& note : data.notes) EXPECT_NE(note.kind, NoteKind::outlier) << note.text;
+  for (const Reading& reading : data.readings) EXPECT_TRUE(reading.motor_tension_N);
+}
+
 TEST(AnOutlier, IsLeftOutAsACellAndNamed) {
   for (const bool with_motor : {true, false}) {
     auto rows = plain_rows();

@@ -94,6 +94,38 @@ TEST(Rivals, ThatExplainMoreHaveANegativeDeficit) {
   EXPECT_LT(others[0].deficit, -100);
 }
 
+// Has a size of its own for each of two strands.
+class TwoSizes final : public MadeUpCause {
+ public:
+  TwoSizes() : MadeUpCause("two_sizes", Reach::reading, {-20, 20}) {}
+  std::vector<Parameter> parameters(const Hardware& hardware) const override {
+    Parameter first = MadeUpCause::parameters(hardware).front();
+    Parameter second = first;
+    second.range = {0.01, 20};
+    return {first, second};
+  }
+  double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
+    const auto strand = static_cast<std::size_t>(segment.number) - 1;
+    return tension_N + (strand < 2 ? effect.values[strand] : 0);
+  }
+};
+
+// What bends to the same can explain no less, and is no rival for that: ln(120) / 2 = 2.4 of its
+// deficit are for the parameter.
+TEST(Rivals, PayForFurtherParameters) {
+  const Bench bench({1, 0.3});
+  const Model accepted = fit(bench.problem, on_T1.model(0.9)).model;
+  const TwoSizes two_sizes;
+  Workers workers(1);
+  const Candidate candidate{{&two_sizes, {}, {0, 0.3}}, two_sizes.parameters({}), "two_sizes"};
+  const auto others = rivals(bench.problem, accepted, 0, {candidate}, workers);
+  ASSERT_EQ(others.size(), 1U);
+  const double none = residuals(bench.problem, forecast(bench.dataset, {})).squaredNorm();
+  const double first = misfit_with(bench, {1});
+  const double both = first + misfit_with(bench, {0, 1}) - none;
+  EXPECT_NEAR(others[0].deficit, 60 * std::log(both / first) + std::log(120) / 2, 1e-3);
+}
+
 TEST(Rivals, StandBesideTheOtherAcceptedCauses) {
   const Bench bench({1, 0.5});
   Model model = on_T1.model(1);

@@ -56,6 +56,7 @@ double step_of(const std::vector<double>& values) {
 struct Sensor {
   double step_N = 0;
   double scatter = 0;  // relative, about the levels
+  double zeros = 0;    // the share of its readings that are 0
 };
 
 std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLevels& levels,
@@ -69,14 +70,18 @@ std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLeve
   }
   std::map<std::size_t, Sensor> result;
   for (const auto& [channel, list] : values) {
-    result[channel] = {step_of(list), std::max(scatter_per_quartile * quantile_of(left[channel], 0.75),
-                                               least_scatter)};
+    const auto zeros = static_cast<double>(std::count(list.begin(), list.end(), 0.0));
+    result[channel] = {
+        step_of(list),
+        std::max(scatter_per_quartile * quantile_of(left[channel], 0.75), least_scatter),
+        zeros / static_cast<double>(list.size())};
   }
   return result;
 }
 
 // p_c; 1 where nothing is known.
-double chance_of_equal(const Sensor& sensor, double level_N) {
+double chance_of_equal(const Sensor& sensor, const KindCell& cell, double level_N) {
+  if (cell.value_N == 0) return sensor.zeros;
   const double scatter_N = sensor.scatter * level_N;
   if (!(scatter_N > 0) || sensor.step_N == 0) return 1;
   return std::min(1.0, sensor.step_N / (2 * std::sqrt(std::numbers::pi) * scatter_N));
@@ -102,7 +107,8 @@ Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
     double chance = 1;
     for (std::size_t i = begin; i < end; ++i) {
       if (i == load) continue;
-      chance *= chance_of_equal(of_channel.at(cells[i].channel), levels.expected_N(cells[i]));
+      chance *= chance_of_equal(of_channel.at(cells[i].channel), cells[i],
+                                levels.expected_N(cells[i]));
     }
     kind.chance[cells[begin].reading] = chance;
     kind.readings.push_back(cells[begin].reading);

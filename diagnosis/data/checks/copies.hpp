@@ -3,7 +3,8 @@
 //
 // Chance: two rows at the same load agree in channel c with p_c ≈ min(1, q/(2√π σ)), where q is the
 // step of the sensor and σ the scatter of its readings about their levels (levels.hpp), taken as a
-// share of the level, 0.3 % at least where the data are not simulated. So among the rows of one
+// share of the level, 0.3 % at least where the data are not simulated; of readings of 0, the share
+// of all that are 0. So among the rows of one
 // routing, grasp and direction
 //
 //   E = Σ Π p_c  over pairs of rows at the same load

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +13,23 @@ namespace reeve::diagnosis {
 namespace {
 
 constexpr int polishing_passes = 4;
+
+// Channels that read nothing in many rows: slack, or behind a contact that lets nothing through.
+// What they read else is noise, and says nothing of the load.
+std::set<std::size_t> without_load(const KindCells& cells) {
+  constexpr std::size_t most_zeros = 5;  // of as many cells more than one
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> counts;  // all, and those of nothing
+  for (const KindCell& cell : cells) {
+    auto& [all, nothing] = counts[cell.channel];
+    ++all;
+    if (!(cell.value_N > 0)) ++nothing;
+  }
+  std::set<std::size_t> result;
+  for (const auto& [channel, count] : counts) {
+    if (most_zeros * count.second > count.first) result.insert(channel);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -41,12 +59,16 @@ double PolishedLevels::expected_N(const KindCell& cell) const {
 
 PolishedLevels polished_levels(const KindCells& cells, std::size_t motor) {
   PolishedLevels levels;
+  const std::set<std::size_t> slack = without_load(cells);
+  const auto tells_of_load = [&](const KindCell& cell) {
+    return cell.value_N > 0 && (cell.channel == motor || !slack.contains(cell.channel));
+  };
   std::map<std::size_t, std::size_t> in_row;
-  for (const KindCell& cell : cells) in_row[cell.reading] += cell.value_N > 0 ? 1 : 0;
+  for (const KindCell& cell : cells) in_row[cell.reading] += tells_of_load(cell) ? 1 : 0;
   for (int pass = 0; pass < polishing_passes; ++pass) {
     std::map<std::size_t, std::vector<double>> by_row, by_channel;
     for (const KindCell& cell : cells) {
-      if (!(cell.value_N > 0)) continue;
+      if (!tells_of_load(cell)) continue;
       const bool is_scale = cell.channel == motor && in_row[cell.reading] < 3;
       const double left = std::log(cell.value_N) - levels.channel[cell.channel];
       std::vector<double>& row = by_row[cell.reading];
@@ -55,7 +77,7 @@ PolishedLevels polished_levels(const KindCells& cells, std::size_t motor) {
     }
     for (auto& [reading, values] : by_row) levels.row[reading] = middle_of(std::move(values));
     for (const KindCell& cell : cells) {
-      if (!(cell.value_N > 0)) continue;
+      if (!(cell.value_N > 0) || !levels.row.contains(cell.reading)) continue;
       by_channel[cell.channel].push_back(std::log(cell.value_N) - levels.row[cell.reading]);
     }
     for (auto& [channel, values] : by_channel) levels.channel[channel] = middle_of(std::move(values));

@@ -6,7 +6,7 @@
 // since tensions are nearly proportional to the load. s and l are medians taken in turn (Tukey's
 // median polish), so one wild cell moves neither. The motor tension is one of the channels; where a
 // row has less than three of them, it is the scale itself, and the row's median where there is
-// none.
+// none. Channels that often read nothing are no part of a row's median.
 //
 // Source: Tukey, Exploratory Data Analysis (1977), chapter 11.
 #pragma once
