@@ -202,10 +202,19 @@ class Diagnosis {
     const Forecast at = forecast(sample_.training, result_.model);
     const Projection projection(found_.problem, result_.model, at);
     const Eigen::VectorXd left = projection.taken_out(residuals(found_.problem, at));
-    const NullModel null_model(found_.problem, projection, at,
-                               streams::seed_of_what_is_left(options_.seed), options_.replicates);
     const auto tests = structure_tests(found_.problem, at, projection);
-    const StructureResult found = find_structure(found_.problem, tests, left, null_model, workers_);
+    const auto find = [&](const MountedDraws* mounted) {
+      const NullModel null_model(found_.problem, projection, at,
+                                 streams::seed_of_what_is_left(options_.seed), options_.replicates,
+                                 mounted);
+      return find_structure(found_.problem, tests, left, null_model, workers_);
+    };
+    StructureResult found = find(nullptr);
+    // Is it anything but what mountings do that are no straight lines?
+    if (found.p_value < options_.alpha && !found_.problem.shared.empty()) {
+      const MountedDraws mounted(sample_.training, result_.model, found_.scatter.mounting);
+      found = find(&mounted);
+    }
     result_.structure = found.findings;
     result_.structure_p_value = found.p_value;
     if (found.p_value < structure_share_of_alpha * options_.alpha) {

@@ -16,20 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-bool is_of(Mounted kind, ContactKind contact) {
-  switch (kind) {
-    case Mounted::sheath:
-      return contact == ContactKind::sheath;
-    case Mounted::tube:
-      return contact == ContactKind::tube;
-    case Mounted::bearing:
-      return is_bearing(contact);
-    case Mounted::gain:
-      break;
-  }
-  return false;
-}
-
 // The exponent of the n-th contact of a kind, in every routing: no cause that anybody would name,
 // but what differs between mountings.
 class OneExponent final : public Cause {
@@ -54,17 +40,6 @@ class OneExponent final : public Cause {
   std::size_t number_;
 };
 
-std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
-  std::size_t most = 0;
-  for (const Block& block : dataset.blocks) {
-    const auto& contacts = dataset.data->routings[block.routing].network.contacts;
-    const auto count = std::count_if(contacts.begin(), contacts.end(),
-                                     [&](const auto& contact) { return contact.kind == kind; });
-    most = std::max(most, static_cast<std::size_t>(count));
-  }
-  return most;
-}
-
 // The exponents that differ between mountings, with their columns.
 class Exponents {
  public:
@@ -73,7 +48,7 @@ class Exponents {
     for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
       for (std::size_t c = 0; c < contact_kinds; ++c) {
         const auto contact = static_cast<ContactKind>(c);
-        if (is_of(kind, contact)) add(kind, contact);
+        if (mounted_kind(contact) == kind) add(kind, contact);
       }
     }
   }
@@ -159,6 +134,24 @@ void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& m
 }
 
 }  // namespace
+
+std::optional<Mounted> mounted_kind(ContactKind contact) {
+  if (is_bearing(contact)) return Mounted::bearing;
+  if (contact == ContactKind::sheath) return Mounted::sheath;
+  if (contact == ContactKind::tube) return Mounted::tube;
+  return std::nullopt;
+}
+
+std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
+  std::size_t most = 0;
+  for (const Block& block : dataset.blocks) {
+    const auto& contacts = dataset.data->routings[block.routing].network.contacts;
+    const auto count = std::count_if(contacts.begin(), contacts.end(),
+                                     [&](const auto& contact) { return contact.kind == kind; });
+    most = std::max(most, static_cast<std::size_t>(count));
+  }
+  return most;
+}
 
 const char* mounted_name(Mounted kind) {
   switch (kind) {

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -29,6 +30,8 @@ namespace reeve::diagnosis {
 enum class Mounted : std::uint8_t { sheath, tube, bearing, gain };
 inline constexpr std::size_t mounted_kinds = 4;
 const char* mounted_name(Mounted kind);
+// As what a contact is mounted; none for those that no mounting changes.
+std::optional<Mounted> mounted_kind(ContactKind contact);
 
 // Relative, one standard deviation from mounting to mounting.
 using MountedScatter = std::array<double, mounted_kinds>;
@@ -38,6 +41,9 @@ struct Mounting {
   std::size_t routing = 0;  // in MeasuredData::routings
   std::vector<Eigen::Index> cells;
 };
+
+// Contacts of the kind in the routing that has the most of them.
+std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind);
 
 // In the order of run and routing.
 std::vector<Mounting> mountings(const Dataset& dataset);

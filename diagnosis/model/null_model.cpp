@@ -46,22 +46,28 @@ Eigen::VectorXd Projection::taken_out(Eigen::VectorXd vector) const {
 }
 
 NullModel::NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
-                     std::uint64_t seed, std::size_t replicates)
+                     std::uint64_t seed, std::size_t replicates, const MountedDraws* mounted)
     : problem_(problem),
       projection_(projection),
       at_(at),
       reading_(at.reading_N.cwiseQuotient(problem.deviation_N)),
       expected_(expected_readings(problem, at).cwiseQuotient(problem.deviation_N)),
       seed_(seed),
-      replicates_(replicates) {}
+      replicates_(replicates),
+      mounted_(mounted) {}
 
 Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
-  Eigen::VectorXd drawn(reading_.size());
   const auto stream = static_cast<std::uint32_t>(replicate);
-  for (Eigen::Index i = 0; i < drawn.size(); ++i) {
-    drawn[i] = reading_[i] + normal(seed_, stream, static_cast<std::uint64_t>(i));
+  const auto cells = static_cast<std::uint64_t>(reading_.size());
+  Eigen::VectorXd drawn = reading_;
+  if (mounted_ != nullptr) {
+    drawn = mounted_->draw(seed_, stream, cells).cwiseQuotient(problem_.deviation_N);
+  } else {
+    add_shared_draws(problem_.shared, seed_, stream, cells, drawn);
   }
-  add_shared_draws(problem_.shared, seed_, stream, static_cast<std::uint64_t>(drawn.size()), drawn);
+  for (Eigen::Index i = 0; i < drawn.size(); ++i) {
+    drawn[i] += normal(seed_, stream, static_cast<std::uint64_t>(i));
+  }
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
     if (problem_.clips[static_cast<std::size_t>(i)]) drawn[i] = std::max(0.0, drawn[i]);
   }

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "diagnosis/model/mounted_draws.hpp"
 #include "diagnosis/model/problem.hpp"
 #include "numerics/parallel.hpp"
 
@@ -37,8 +38,10 @@ class Projection {
 
 class NullModel {
  public:
+  // What is given must outlive it. Mountings are drawn to second order, or by `mounted` if that is
+  // given.
   NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
-            std::uint64_t seed, std::size_t replicates);
+            std::uint64_t seed, std::size_t replicates, const MountedDraws* mounted = nullptr);
 
   std::size_t replicates() const { return replicates_; }
 
@@ -56,6 +59,7 @@ class NullModel {
   Eigen::VectorXd expected_;  // likewise, what is read on average
   std::uint64_t seed_;
   std::size_t replicates_;
+  const MountedDraws* mounted_;
 };
 
 // Share of replicates, the data counted among them, whose statistic is at least the observed one.

@@ -114,15 +114,26 @@ class Explaining {
     return mountings(training_).size() >= few;
   }
 
+  // Where the readings follow something that no smooth law says, what a law leaves is no noise: a
+  // model that leaves clearly less knows better.
+  bool leaves_less(const Noise& within, const Forecast& at) const {
+    constexpr double clearly = 0.85;
+    const Eigen::VectorXd left = deviations(training_, within, at.reading_N);
+    const Eigen::VectorXd smooth = deviations(training_, *measured_, at.reading_N);
+    return (left.array() / smooth.array()).log().mean() < std::log(clearly);
+  }
+
   // Whether the noise is that of readings of one mounting.
-  bool estimate_noise(const Model& model, const MountingModes& modes) {
+  bool estimate_noise(const Model& model, const MountingModes& modes, const Forecast& at) {
     Noise& noise = result_.scatter.noise;
-    if (measured_ && measured_->within_mountings) {
-      noise = *measured_;
+    const auto within = noise_left_within_mountings(training_, model, modes);
+    const bool measured_within = measured_ && measured_->within_mountings;
+    if (within && (!measured_within || leaves_less(*within, at))) {
+      noise = *within;
       return true;
     }
-    if (const auto within = noise_left_within_mountings(training_, model, modes)) {
-      noise = *within;
+    if (measured_within) {
+      noise = *measured_;
       return true;
     }
     noise = measured_ ? *measured_ : noise_left_by(training_, model);
@@ -134,7 +145,7 @@ class Explaining {
     Scatter& scatter = result_.scatter;
     const Forecast at = forecast(training_, model);
     const MountingModes modes = mounting_modes(training_, model);
-    const bool knows_mountings = estimate_noise(model, modes);
+    const bool knows_mountings = estimate_noise(model, modes, at);
     problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
     scatter.mounting = {};
     if (!knows_mountings) return;
