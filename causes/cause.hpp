@@ -187,6 +187,10 @@ class Cause {
   }
   // All sensors of a routing at once.
   virtual void read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const;
+  // Whether readings of its channel that go from the least to the greatest could show it.
+  virtual bool shows_between(double /*least_N*/, double /*greatest_N*/, const Effect&) const {
+    return true;
+  }
   // Whether readings stay linear in the tensions, up to an offset.
   virtual bool reads_linearly() const { return true; }
 };

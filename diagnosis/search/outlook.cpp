@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -24,6 +25,19 @@ std::vector<Candidate> not_in(const Model& model, const std::vector<Candidate>& 
     if (!taken) result.push_back(candidate);
   }
   return result;
+}
+
+// What no reading could show stands for something else.
+bool shows(const Effect& effect, const Dataset& dataset) {
+  if (!effect.subject.channel) return true;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const Cell& cell : dataset.cells) {
+    if (dataset.data->channels[cell.channel].segment != *effect.subject.channel) continue;
+    least = std::min(least, cell.measured_N);
+    greatest = std::max(greatest, cell.measured_N);
+  }
+  return effect.cause->shows_between(least, greatest, effect);
 }
 
 }  // namespace
@@ -84,6 +98,9 @@ std::vector<Fit> Outlook::fit_each(const std::vector<std::size_t>& which) const 
     const Extended with = extended(model_, candidates_[c].effect);
     Fit& best = fits[block.begin];
     best = fit(problem_, with.model, with.effect, screening_.starts(c, residuals_));
+    if (!shows(best.model.effects[with.effect], *problem_.dataset)) {
+      best.misfit = std::numeric_limits<double>::infinity();
+    }
     if (candidates_[c].has_size() || parameter_count(model_) == 0) return;
     Fit other = fit(problem_, with_hardware_coefficients(with.model));
     if (other.misfit < best.misfit) best = std::move(other);

@@ -7,7 +7,7 @@
 // is a size that vanishes where nothing is cut, which a limit alone, infinite then, would not be.
 // No literature range: the limit is that of the sensor. Asked for only of channels that are seen
 // well below their greatest reading: one that reads the same throughout is at no limit, its load is
-// the same.
+// the same. And only with limits among the readings.
 #include <algorithm>
 
 #include "causes/cause.hpp"
@@ -36,6 +36,11 @@ class Saturation final : public Cause {
   double reading(double tension_N, const Segment& segment, const Effect& effect) const override {
     if (!is_channel(segment, effect.subject)) return tension_N;
     return tension_N - effect.values[0] * std::max(0.0, tension_N - effect.values[1]);
+  }
+  // Below all readings the limit would be a gain and an offset.
+  bool shows_between(double least_N, double greatest_N, const Effect& effect) const override {
+    constexpr double well_above = 0.1;
+    return effect.values[1] > least_N + well_above * (greatest_N - least_N);
   }
   bool reads_linearly() const override { return false; }
 };
