@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -14,8 +14,8 @@ namespace {
 
 // Core knows the ranges.
 double finite_number(const TomlNode& node) {
-  constexpr double most = std::numeric_limits<double>::max();
-  return node.number_between(-most, most);
+  if (!node.is_number() || !std::isfinite(node.number)) node.fail_expected("a finite number");
+  return node.number;
 }
 
 double required(const TomlNode& joint, std::string_view key, std::string_view expected) {
