@@ -83,7 +83,8 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   if (!excursion_.empty()) close_by_excursions(mechanics);
 }
 
-// Fingers that are to come to their ends together close by their excursions; that needs all of them.
+// Fingers that are to come to their ends together close by their excursions; that needs all of
+// them.
 void MechanicsBuilder::close_by_excursions(Mechanics& mechanics) const {
   double most = 0;
   for (std::size_t i = 0; i < mechanics.closing.size(); ++i) {

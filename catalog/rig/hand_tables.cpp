@@ -93,9 +93,9 @@ void read_motor(const TomlNode& file, Hardware& hardware) {
 void require_joints(const TomlNode& file, const Hardware& hardware) {
   if (hand(hardware)) return;
   const auto fail = [](const TomlNode& node) {
-    node.fail_at_key({.what = fmt::format("{} says something of a hand, and no finger has joints",
-                                          node.name),
-                      .expected = "joints in [hand] or in [finger.1], [finger.2], …"});
+    node.fail_at_key(
+        {.what = fmt::format("{} says something of a hand, and no finger has joints", node.name),
+         .expected = "joints in [hand] or in [finger.1], [finger.2], …"});
   };
   for (const char* name : {"hand", "motor"}) {
     if (const TomlNode* node = file.find(name)) fail(*node);

@@ -75,9 +75,9 @@ void read_finger(const TomlNode& node, Hardware& hardware) {
   finger.parts = read_finger_parts(node);
   const bool has_joints = !finger.parts.joints.empty() || !hardware.finger_parts.joints.empty();
   if (const TomlNode* closing = node.find("closing"); closing != nullptr && has_joints) {
-    closing->fail_at_key(
-        {.what = "closing stands beside joints", .expected = "one of them: how far fingers with "
-                                                             "joints close follows from these"});
+    closing->fail_at_key({.what = "closing stands beside joints",
+                          .expected = "one of them: how far fingers with "
+                                      "joints close follows from these"});
   }
   hardware.fingers.push_back(finger);
   validate_at(node, hardware);
@@ -158,7 +158,8 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube", "bearing", "block", "sheath", "lengths", "finger", "contact", "uncertainty", "hand", "motor"};
+  return {"tube",   "bearing", "block",       "sheath", "lengths",
+          "finger", "contact", "uncertainty", "hand",   "motor"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {

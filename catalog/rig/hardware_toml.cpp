@@ -31,8 +31,8 @@ std::string table(const FingerHardware& finger, bool has_joints) {
   return fmt::format("[finger.{}]\n", finger.finger) + line("tip_mu", finger.tip_mu) +
          line("tip_angle_rad", finger.tip_angle_rad) + line("sheath_mu", finger.sheath_mu) +
          line("sheath_angle_rad", finger.sheath_angle_rad) + line("strand_mm", finger.strand_mm) +
-         (has_joints ? "" : line("closing", finger.closing)) +
-         finger_parts_toml(finger.parts) + "\n";
+         (has_joints ? "" : line("closing", finger.closing)) + finger_parts_toml(finger.parts) +
+         "\n";
 }
 
 std::string table(const ContactHardware& contact) {

@@ -99,8 +99,7 @@ double spring_energy(const HandFinger& finger, double share) {
 }
 
 double motor_force(const HandFinger& finger, bool held, double pull_per_motor_N) {
-  const double pull =
-      held ? finger.grip_pull_N : std::max(finger.grip_pull_N, finger.close_pull_N);
+  const double pull = held ? finger.grip_pull_N : std::max(finger.grip_pull_N, finger.close_pull_N);
   if (pull == 0) return 0;
   return pull_per_motor_N > 0 ? pull / pull_per_motor_N : std::numeric_limits<double>::infinity();
 }

@@ -9,9 +9,10 @@
 //   pull for a force   P = max_j (h_j F + tau_j) / r_j: the same, solved for P
 //   pull to close      P = max_j k_j (Δ_j − q0_j) / r_j: against the springs, to the end
 //
-// A joint with r_j P − tau_j > h_j F flexes on until the object or its stop takes the rest; one with
-// less is forced open. So the joint of the minimum is the one that gives, and F is the greatest
-// force that no joint gives way to. Forces are linear in the motor tension T_M but for the springs.
+// A joint with r_j P − tau_j > h_j F flexes on until the object or its stop takes the rest; one
+// with less is forced open. So the joint of the minimum is the one that gives, and F is the
+// greatest force that no joint gives way to. Forces are linear in the motor tension T_M but for the
+// springs.
 //
 // Assumptions: quasi-static; planar; the fingertip force acts along one line, stated by its levers;
 // no slip at the object; arms that do not change as the joint turns; no friction in the joints. A

@@ -1,8 +1,8 @@
 // How far the carriage travels until the hand is closed.
 //
 // A finger has closed when each of its strands has given up its excursion E. From the open hand the
-// fingers close as the kinematics says (tension/kinematics.hpp), with shares by their excursions, so
-// that the fingers of one tendon come to their ends together. Where they do not, those that have
+// fingers close as the kinematics says (tension/kinematics.hpp), with shares by their excursions,
+// so that the fingers of one tendon come to their ends together. Where they do not, those that have
 // come to their ends are held from then on, and the others close further, until all have closed or
 // the carriage is blocked: a tendon with nothing left to close blocks the carriage for all others.
 //
@@ -43,8 +43,8 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
     for (int f = 1; f <= network.fingers; ++f) {
       const double way = motion.closing[static_cast<std::size_t>(f) - 1];
       if (!(way > tolerance) || at_end.holds(f)) continue;
-      const double left = (1 - closing.closed[static_cast<std::size_t>(f)]) *
-                          hand.finger(f).excursion_mm / way;
+      const double left =
+          (1 - closing.closed[static_cast<std::size_t>(f)]) * hand.finger(f).excursion_mm / way;
       if (travel == 0 || left < travel) travel = left;
     }
     if (travel == 0) break;
@@ -52,8 +52,8 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
     closing.stroke_mm += travel;
     for (int f = 1; f <= network.fingers; ++f) {
       double& closed = closing.closed[static_cast<std::size_t>(f)];
-      closed += travel * motion.closing[static_cast<std::size_t>(f) - 1] /
-                hand.finger(f).excursion_mm;
+      closed +=
+          travel * motion.closing[static_cast<std::size_t>(f) - 1] / hand.finger(f).excursion_mm;
       if (closed < 1 - tolerance) continue;
       closed = 1;
       at_end.held |= std::uint64_t{1} << (f - 1);

@@ -16,7 +16,8 @@ struct FingerJoint {
   double lever_mm = 0;        // of the fingertip force about the joint, in the posture that holds
   double spring_Nmm_rad = 0;  // return spring: torque for each radian beyond its rest
   double rest_deg = 0;        // flexion at which the spring is slack; below 0: preloaded when open
-  std::optional<double> held_deg{};  // flexion in the posture that holds; the whole range if not given
+  std::optional<double>
+      held_deg{};  // flexion in the posture that holds; the whole range if not given
 
   friend bool operator==(const FingerJoint&, const FingerJoint&) = default;
 };

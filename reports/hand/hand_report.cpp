@@ -66,11 +66,11 @@ void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
                      true});
     return;
   }
-  lines.push_back({fmt::format("Motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
-                               "held {}. Friction costs {} of it: without, {:.4g} N would do",
-                               demand.force_N, demand.weakest, demand.joint + 1,
-                               to_text(demand.grasp), percent(demand.friction_cost()),
-                               demand.frictionless_N)});
+  lines.push_back(
+      {fmt::format("Motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
+                   "held {}. Friction costs {} of it: without, {:.4g} N would do",
+                   demand.force_N, demand.weakest, demand.joint + 1, to_text(demand.grasp),
+                   percent(demand.friction_cost()), demand.frictionless_N)});
 }
 
 void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
@@ -84,11 +84,11 @@ void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
                      true});
   }
   if (!std::isfinite(demand.force_N)) return;
-  lines.push_back({fmt::format("Work at most {:.3g} J, of which the springs keep {:.3g} J, friction "
-                               "takes {:.3g} J, and {:.3g} J are left to the fingers; power at "
-                               "most {:.3g} W",
-                               demand.work_J, demand.springs_J, demand.friction_J,
-                               demand.fingers_J, demand.power_W)});
+  lines.push_back({fmt::format(
+      "Work at most {:.3g} J, of which the springs keep {:.3g} J, friction "
+      "takes {:.3g} J, and {:.3g} J are left to the fingers; power at "
+      "most {:.3g} W",
+      demand.work_J, demand.springs_J, demand.friction_J, demand.fingers_J, demand.power_W)});
   if (!demand.torque_Nm) return;
   lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
@@ -98,9 +98,9 @@ void add_limit_line(const char* what, const char* unit, double asked,
                     const std::optional<double>& limit, std::vector<SheetLine>& lines) {
   if (!limit) return;
   const bool enough = asked <= *limit;
-  lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what, *limit,
-                               unit, enough ? "enough" : "not enough", percent(asked / *limit),
-                               enough ? "are" : "would be"),
+  lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
+                               *limit, unit, enough ? "enough" : "not enough",
+                               percent(asked / *limit), enough ? "are" : "would be"),
                    !enough});
 }
 
@@ -177,12 +177,13 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_motion_lines(hand, lines);
   add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, lines);
   add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm, lines);
-  return {{"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
-           "that meets all wanted forces",
-           force_table(hand),
-           {}},
-          {"Hand: fingers, and the least force at their tips in any of these grasps",
-           finger_table(hand), lines}};
+  return {
+      {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
+       "that meets all wanted forces",
+       force_table(hand),
+       {}},
+      {"Hand: fingers, and the least force at their tips in any of these grasps",
+       finger_table(hand), lines}};
 }
 
 void add_hand(Json& target, const ShownHand& hand) {

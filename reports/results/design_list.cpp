@@ -132,8 +132,7 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   const bool uncertain = with_distributions(designs);
   std::string csv = note.empty() ? "" : "# " + note + "\n";
   csv += "rank,front,routing,name";
-  csv += csv_headings(designs.empty() ? ObjectiveValues{}
-                                      : designs.front().ranked.design.values);
+  csv += csv_headings(designs.empty() ? ObjectiveValues{} : designs.front().ranked.design.values);
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95\n" : "\n";
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,

@@ -181,13 +181,13 @@ Sheet show_sheet(const ShownRouting& report) {
     lines.push_back(line);
   }
   Sheet sheet{{{"", std::nullopt, lines},
-           {fmt::format("Tensions {}, {}", unit_text(report),
-                        report.direction == Direction::pull ? "pulling" : "releasing"),
-            tension_table(report),
-            {}},
-           {"Shares of the strands, %", share_table(report), {}},
-           {"Sliding", contact_table(report), {}},
-           {"Over these grasps, pulling", objective_list(report.values), {}}}};
+               {fmt::format("Tensions {}, {}", unit_text(report),
+                            report.direction == Direction::pull ? "pulling" : "releasing"),
+                tension_table(report),
+                {}},
+               {"Shares of the strands, %", share_table(report), {}},
+               {"Sliding", contact_table(report), {}},
+               {"Over these grasps, pulling", objective_list(report.values), {}}}};
   if (!report.hand) return sheet;
   for (Section& section : hand_sections(*report.hand)) sheet.add(std::move(section));
   return sheet;

@@ -179,8 +179,10 @@ const std::array<ObjectiveRow, objective_count>& objective_table() { return tabl
 const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
 
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
+  const bool has_hand = outcome.hand.stroke_mm > 0;
   for (std::size_t i = 0; i < objective_count; ++i) {
-    values[i] = table[i].compute == nullptr ? 0 : on_grid(table[i].compute(outcome));
+    const bool is_computed = table[i].compute != nullptr && (has_hand || !table[i].of_hand);
+    values[i] = is_computed ? on_grid(table[i].compute(outcome)) : 0;
   }
 }
 

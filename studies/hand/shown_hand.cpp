@@ -58,8 +58,7 @@ void add_motion(const MotorParts& motor, MotorDemand& demand) {
   if (!motor.spool_radius_mm) return;
   constexpr double s_in_min = 60;
   demand.torque_Nm = demand.force_N * *motor.spool_radius_mm / mm_in_m;
-  demand.spool_rpm =
-      s_in_min * demand.speed_mm_s / (2 * std::numbers::pi * *motor.spool_radius_mm);
+  demand.spool_rpm = s_in_min * demand.speed_mm_s / (2 * std::numbers::pi * *motor.spool_radius_mm);
 }
 
 // One routing of one hand, solved grasp by grasp.
@@ -109,14 +108,14 @@ class HandStudy {
     Kinematics kinematics;
     Motion motion;
     double to_fingers = 0;  // J per N of motor tension
-    const HandClosing closing = close_hand(
-        hand_, network_, plain_, kinematics, motion,
-        [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
-          const FingerArray pulls = pulls_by_finger(network_, pulled(at_end));
-          for (std::size_t f = 0; f < closings.size(); ++f) {
-            to_fingers += pulls[f + 1] * closings[f] * travel_mm / mm_in_m;
-          }
-        });
+    const HandClosing closing =
+        close_hand(hand_, network_, plain_, kinematics, motion,
+                   [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
+                     const FingerArray pulls = pulls_by_finger(network_, pulled(at_end));
+                     for (std::size_t f = 0; f < closings.size(); ++f) {
+                       to_fingers += pulls[f + 1] * closings[f] * travel_mm / mm_in_m;
+                     }
+                   });
     MotorDemand& demand = shown.demand;
     demand.stroke_mm = closing.stroke_mm;
     demand.closure = closing.closure;

@@ -9,8 +9,8 @@
 //   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
 //
 // The work F D parts into what the springs keep, what friction takes, and what is left to the
-// fingers: work at objects and stops. In a finger that does not close whole, all joints stand at the
-// same share of their ranges.
+// fingers: work at objects and stops. In a finger that does not close whole, all joints stand at
+// the same share of their ranges.
 #pragma once
 
 #include <cstddef>
@@ -27,11 +27,11 @@ namespace reeve::studies {
 
 struct ShownFingerForce {
   int finger = 0;
-  double pull_per_motor_N = 0;  // of its strands together, N/N
-  double per_motor_N = 0;       // at the fingertip, N/N, springs aside
-  double asks_motor_N = 0;      // infinite where its strands are slack
-  double force_N = 0;     // at the hand's motor force; 0 where that is infinite
-  std::size_t gives = 0;  // the joint that gives first then, from 0
+  double pull_per_motor_N = 0;         // of its strands together, N/N
+  double per_motor_N = 0;              // at the fingertip, N/N, springs aside
+  double asks_motor_N = 0;             // infinite where its strands are slack
+  double force_N = 0;                  // at the hand's motor force; 0 where that is infinite
+  std::size_t gives = 0;               // the joint that gives first then, from 0
   std::optional<double> at_limit_N{};  // at the force that the motor can pull with
 };
 

@@ -34,7 +34,9 @@ TEST(HandTables, AreReadIntoTheirOwnPlaces) {
   const Hardware hardware = hardware_of(
       "[hand]\nforce_N = 1\njoints = [{ arm_mm = 2, range_deg = 3, lever_mm = 4, "
       "spring_Nmm_rad = 5, rest_deg = -6, held_deg = 2.5 }]\n"
-      "[finger.2]\nforce_N = 7\n[finger.3]\njoints = [" + joint + ", " + joint + "]\n"
+      "[finger.2]\nforce_N = 7\n[finger.3]\njoints = [" +
+      joint + ", " + joint +
+      "]\n"
       "[motor]\nspool_radius_mm = 8\nclose_s = 9\nforce_N = 10\nstroke_mm = 11\n");
   EXPECT_EQ(hardware.finger_parts, (FingerParts{{{2, 3, 4, 5, -6, 2.5}}, 1.0}));
   ASSERT_EQ(hardware.fingers.size(), 2U);
@@ -104,8 +106,7 @@ TEST(HandTables, NameThePlaceOfAMistake) {
       {"[hand]\nforce_N = 5\njoints = []\n",
        "h.toml:3:10: hand.joints = (an array): expected from 1 to 16 joints, such as [{ arm_mm = "
        "9, range_deg = 80, lever_mm = 75 }]"},
-      {"[hand]\nforce_N = 5\njoints = [8]\n",
-       "h.toml:3:11: hand.joints[1] = 8: expected a table"},
+      {"[hand]\nforce_N = 5\njoints = [8]\n", "h.toml:3:11: hand.joints[1] = 8: expected a table"},
       {"[hand]\nforce_N = -5\njoints = [" + joint + "]\n",
        "h.toml:1:2: hardware: hand.force_N = -5: expected a number from 0 to 100000 N"},
       {hand_table + "[finger.1]\nclosing = 0.8\n",

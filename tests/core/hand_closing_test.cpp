@@ -67,9 +67,9 @@ TEST(HandClosing, OfRoutingsWorkedByHand) {
       EXPECT_NEAR(found.closed[f + 1], expected.closed[f], 1e-9) << "finger " << f + 1;
     }
     EXPECT_EQ(found.closure,
-              *std::min_element(found.closed.begin() + 1,
-                                found.closed.begin() + 1 +
-                                    static_cast<std::ptrdiff_t>(expected.closed.size())));
+              *std::min_element(
+                  found.closed.begin() + 1,
+                  found.closed.begin() + 1 + static_cast<std::ptrdiff_t>(expected.closed.size())));
   }
 }
 
@@ -99,9 +99,8 @@ double stroke_by_steps(const std::string& word, const Hardware& hardware, double
 
 TEST(HandClosing, IsWhatTheCarriageTravelsInSmallSteps) {
   constexpr double step = 0.01;
-  for (const char* word :
-       {"M-1-T-2-P-3-F+M-4-M", "M-Y1+1x-Y1-2x+3x-Y1-4x", "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x",
-        "M-Y1+1x-Y1-Y2+2x-Y2-3x+M-4-F"}) {
+  for (const char* word : {"M-1-T-2-P-3-F+M-4-M", "M-Y1+1x-Y1-2x+3x-Y1-4x",
+                           "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x", "M-Y1+1x-Y1-Y2+2x-Y2-3x+M-4-F"}) {
     const Hardware hardware = hand_with({12, 20, 14, 31});
     // Each finger may be seen to have closed a step late.
     EXPECT_NEAR(closing_of(word, hardware).stroke_mm, stroke_by_steps(word, hardware, step),

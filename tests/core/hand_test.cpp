@@ -65,8 +65,7 @@ TEST(Hand, TakesFromTheCommonPartsWhatAFingerHasNotOfItsOwn) {
 TEST(Hand, DoesNotKnowFingersThatLackJointsOrAForce) {
   FingerParts no_force = simple_finger(8, 90, 60, 5);
   no_force.force_N.reset();
-  const Hand found =
-      *hand(hand_of({simple_finger(8, 90, 60, 5), no_force, FingerParts{{}, 5.0}}));
+  const Hand found = *hand(hand_of({simple_finger(8, 90, 60, 5), no_force, FingerParts{{}, 5.0}}));
   EXPECT_EQ(first_unknown_finger(found, 1), 0);
   EXPECT_EQ(first_unknown_finger(found, 2), 2);
   EXPECT_FALSE(found.finger(3).is_known);

@@ -75,8 +75,7 @@ TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
 }
 
 TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
-  const Json hand =
-      json_of({"show", "M-1-M+M-2-M+M-3-M", "--hardware", example_hand})["hand"];
+  const Json hand = json_of({"show", "M-1-M+M-2-M+M-3-M", "--hardware", example_hand})["hand"];
   EXPECT_TRUE(hand["motor_force"].is_null());
   EXPECT_TRUE(hand["motor"]["force_N"].is_null());
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["asks_motor_N"].is_null());

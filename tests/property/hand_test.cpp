@@ -1,4 +1,6 @@
 // What hands of random routings owe to physics.
+#include "core/hand/hand.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <limits>
 #include <vector>
 
-#include "core/hand/hand.hpp"
 #include "core/hand/hand_closing.hpp"
 #include "studies/hand/shown_hand.hpp"
 #include "tests/support/random_routing.hpp"
@@ -101,12 +102,10 @@ double friction_work(const Network& network, const TensionState& state) {
 TEST(HandOfARandomRouting, BalancesTheWorkOfTheMotor) {
   int balanced = 0;
   for_each_hand([&](const Trial& trial, const Hardware& hardware) {
-    const auto shown =
-        studies::shown_hand(trial.network, "", Model{hardware}, {{Grasp{}, 1}});
+    const auto shown = studies::shown_hand(trial.network, "", Model{hardware}, {{Grasp{}, 1}});
     ASSERT_TRUE(shown);
     const MotorDemand& demand = shown->demand;
-    const TensionState state =
-        tensions(trial.network, mechanics(trial.network, hardware), Grasp{});
+    const TensionState state = tensions(trial.network, mechanics(trial.network, hardware), Grasp{});
     if (!std::isfinite(demand.force_N) || state.jams) return;
     ++balanced;
     const double friction =
@@ -133,8 +132,8 @@ TEST(HandOfARandomRouting, MeetsEveryWantedForceAtTheMotorForceAndNotBelowIt) {
       EXPECT_GE(held_force(known.finger(f), pull).force_N, known.finger(f).force_N * (1 - 1e-9));
     }
     const HandFinger& weakest = known.finger(demand.weakest);
-    const bool by_grip = trial.grasp.holds(demand.weakest) ||
-                         weakest.grip_pull_N >= weakest.close_pull_N;
+    const bool by_grip =
+        trial.grasp.holds(demand.weakest) || weakest.grip_pull_N >= weakest.close_pull_N;
     if (!by_grip || weakest.force_N == 0) return;
     ++told;
     const double pull =

@@ -21,8 +21,7 @@ using testing::simple_finger;
 constexpr double without_end = std::numeric_limits<double>::infinity();
 
 Hardware hand_of_two_fingers() {
-  Hardware hardware =
-      hand_of({simple_finger(8, 90, 60, 5), testing::three_joint_finger()});
+  Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), testing::three_joint_finger()});
   hardware.motor.close_s = 0.5;
   return hardware;
 }

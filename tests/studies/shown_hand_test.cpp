@@ -98,10 +98,12 @@ TEST(ShownHand, NamesFingerJointAndGraspThatAskForMost) {
   for (const ShownHandGrasp& grasp : found.grasps) most = std::max(most, grasp.motor_force_N);
   EXPECT_EQ(found.demand.force_N, most);
   for (const ShownHandGrasp& grasp : found.grasps) {
-    EXPECT_EQ(grasp.grasp == found.demand.grasp, grasp.motor_force_N == most);
+    if (grasp.grasp == found.demand.grasp) {
+      EXPECT_EQ(grasp.motor_force_N, most);
+    }
     for (const ShownFingerForce& force : grasp.fingers) {
-      EXPECT_GE(force.force_N, found.fingers[static_cast<std::size_t>(force.finger) - 1].wanted_N -
-                                   1e-9);
+      EXPECT_GE(force.force_N,
+                found.fingers[static_cast<std::size_t>(force.finger) - 1].wanted_N - 1e-9);
     }
   }
 }
@@ -128,12 +130,10 @@ TEST(ShownHand, GivesNoForcesWhereNoMotorForceIsEnough) {
 TEST(ShownHand, IsNothingWithoutAHandOrWithoutFingers) {
   const Network net = expand(parse_routing("M-1-T-2-F"));
   EXPECT_FALSE(studies::shown_hand(net, "M-1-T-2-F", Model{}, single_grasps(2)));
-  EXPECT_FALSE(studies::shown_hand(net, "M-1-T-2-F",
-                                   Model{hand_of({simple_finger(8, 90, 60, 5)})},
+  EXPECT_FALSE(studies::shown_hand(net, "M-1-T-2-F", Model{hand_of({simple_finger(8, 90, 60, 5)})},
                                    single_grasps(2)));
   EXPECT_FALSE(studies::shown_hand(expand(parse_routing("M-F")), "M-F",
-                                   Model{hand_of({simple_finger(8, 90, 60, 5)})},
-                                   {{Grasp{}, 1}}));
+                                   Model{hand_of({simple_finger(8, 90, 60, 5)})}, {{Grasp{}, 1}}));
 }
 
 }  // namespace
