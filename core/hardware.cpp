@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/hand/hand_fault.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {
@@ -44,6 +45,7 @@ class FaultFinder {
       seen |= bit;
     }
     for (const ContactHardware& contact : hardware.contacts) look_at(contact);
+    if (!first_) first_ = hand_fault(hardware);
   }
 
  private:

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/hand/hand_parts.hpp"
 #include "numerics/floors.hpp"
 
 namespace reeve::core {
@@ -32,8 +33,10 @@ struct FingerHardware {
   std::optional<double> sheath_mu;
   std::optional<double> sheath_angle_rad;
   std::optional<double> strand_mm;
-  // Share of the tendon that this finger takes when it closes, relative to the others.
+  // Share of the tendon that this finger takes when it closes, relative to the others. Fingers with
+  // joints take shares by their excursions instead.
   double closing = 1;
+  FingerParts parts{};
 };
 
 // For the contact between two segments, named as in `reeve show` (T1, a, h1), in either order.
@@ -54,6 +57,8 @@ struct Hardware {
   double hand_mm = 100;
   std::vector<FingerHardware> fingers;
   std::vector<ContactHardware> contacts;
+  FingerParts finger_parts{};  // of fingers that have none of their own
+  MotorParts motor{};
 };
 
 // Beyond any physical contact (rope three times round pine has phi = 3), and small enough that

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/hand/hand.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {
@@ -30,6 +31,9 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
   for (const ContactHardware& contact : hardware_.contacts) {
     by_contact_.push_back(
         {parse_segment(contact.segment), parse_segment(contact.other_segment), contact});
+  }
+  if (const auto known = hand(hardware_)) {
+    for (const HandFinger& finger : known->fingers) excursion_.push_back(finger.excursion_mm);
   }
 }
 
@@ -76,6 +80,20 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   }
   mechanics.closing.assign(static_cast<std::size_t>(network.fingers), 1.0);
   if (!by_finger_.empty() || !by_contact_.empty()) apply_overrides(network, mechanics);
+  if (!excursion_.empty()) close_by_excursions(mechanics);
+}
+
+// Fingers that are to come to their ends together close by their excursions; that needs all of
+// them.
+void MechanicsBuilder::close_by_excursions(Mechanics& mechanics) const {
+  double most = 0;
+  for (std::size_t i = 0; i < mechanics.closing.size(); ++i) {
+    if (excursion_[i] == 0) return;
+    most = std::max(most, excursion_[i]);
+  }
+  for (std::size_t i = 0; i < mechanics.closing.size(); ++i) {
+    mechanics.closing[i] = excursion_[i] / most;
+  }
 }
 
 void MechanicsBuilder::apply_overrides(const Network& network, Mechanics& mechanics) const {

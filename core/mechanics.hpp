@@ -43,12 +43,14 @@ class MechanicsBuilder {
   ContactLaw law(ContactKind kind) const;
   ContactLaw law(const Contact& contact) const;
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
+  void close_by_excursions(Mechanics& mechanics) const;
 
   Hardware hardware_;
   std::array<double, 5> phi_{};
   std::array<double, 5> decay_{};
   std::vector<std::optional<FingerHardware>> by_finger_;
   std::vector<ContactOverride> by_contact_;
+  std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
 };
 
 // Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is

@@ -1,7 +1,6 @@
 #include "core/performance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace reeve::core {
@@ -20,15 +19,20 @@ double least_over_greatest(const FingerPulls& pulls) {
 
 }  // namespace
 
-FingerPulls finger_pulls(const Network& network, const TensionState& state) {
-  std::array<double, max_fingers + 1> pull{};
+FingerArray pulls_by_finger(const Network& network, const TensionState& state) {
+  FingerArray pull{};
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind == SegmentKind::strand) {
       pull[static_cast<std::size_t>(segment.finger)] += state.tension[i];
     }
   }
-  const auto first = pull.begin() + 1;
+  return pull;
+}
+
+FingerPulls finger_pulls(const Network& network, const TensionState& state) {
+  const FingerArray pull = pulls_by_finger(network, state);
+  const auto* const first = pull.begin() + 1;
   const auto [least, greatest] = std::minmax_element(first, first + network.fingers);
   return network.fingers == 0 ? FingerPulls{} : FingerPulls{*least, *greatest};
 }

@@ -13,6 +13,8 @@
 // bench) has none (NaN).
 #pragma once
 
+#include <array>
+
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
@@ -25,7 +27,13 @@ struct Performance {
   double finger_uniformity = 0;
 };
 
-// The sums of a finger's strand tensions, over the fingers; 0 without fingers.
+// Of fingers 1 … n, at their numbers.
+using FingerArray = std::array<double, max_fingers + 1>;
+
+// The sum of each finger's strand tensions.
+FingerArray pulls_by_finger(const Network& network, const TensionState& state);
+
+// The same over the fingers; 0 without fingers.
 struct FingerPulls {
   double least = 0;
   double greatest = 0;

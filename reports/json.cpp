@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/hand/hand.hpp"
 #include "core/version.hpp"
 #include "reports/results/model_text.hpp"
 
@@ -18,6 +19,30 @@ Json law(const ContactLaw& contact) {
   return {{"mu", contact.mu}, {"angle_rad", contact.angle_rad}};
 }
 
+Json joint_json(const FingerJoint& joint) {
+  Json json{{"arm_mm", joint.arm_mm},
+            {"range_deg", joint.range_deg},
+            {"lever_mm", joint.lever_mm},
+            {"spring_Nmm_rad", joint.spring_Nmm_rad},
+            {"rest_deg", joint.rest_deg}};
+  add_if_given(json, "held_deg", joint.held_deg);
+  return json;
+}
+
+void add_parts(Json& target, const FingerParts& parts) {
+  add_if_given(target, "force_N", parts.force_N);
+  for (const FingerJoint& joint : parts.joints) target["joints"].push_back(joint_json(joint));
+}
+
+Json motor_json(const MotorParts& motor) {
+  Json json = Json::object();
+  add_if_given(json, "spool_radius_mm", motor.spool_radius_mm);
+  json["close_s"] = motor.close_s;
+  add_if_given(json, "force_N", motor.force_N);
+  add_if_given(json, "stroke_mm", motor.stroke_mm);
+  return json;
+}
+
 Json finger_json(const FingerHardware& finger) {
   Json json{{"finger", finger.finger}};
   add_if_given(json, "tip_mu", finger.tip_mu);
@@ -26,6 +51,7 @@ Json finger_json(const FingerHardware& finger) {
   add_if_given(json, "sheath_angle_rad", finger.sheath_angle_rad);
   add_if_given(json, "strand_mm", finger.strand_mm);
   json["closing"] = finger.closing;
+  add_parts(json, finger.parts);
   return json;
 }
 
@@ -41,8 +67,10 @@ Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr)
 
 void add_objectives(Json& target, const ObjectiveValues& values) {
   for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, values)) continue;
     const double given = value(values, row.objective);
-    Json& place = *row.part == '\0' ? target[row.family] : target[row.family][row.part];
+    Json& family = row.of_hand ? target["hand"][row.family] : target[row.family];
+    Json& place = *row.part == '\0' ? family : family[row.part];
     place = row.is_count() ? Json(static_cast<int>(given)) : number(given);
   }
 }
@@ -67,6 +95,10 @@ Json to_json(const Hardware& hardware) {
     add_if_given(entry, "angle_rad", contact.angle_rad);
     json["contacts"].push_back(entry);
   }
+  if (!hand(hardware)) return json;
+  json["hand"] = Json::object();
+  add_parts(json["hand"], hardware.finger_parts);
+  json["motor"] = motor_json(hardware.motor);
   return json;
 }
 

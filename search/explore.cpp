@@ -47,6 +47,8 @@ class Exploration {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score);
     }
+    // What there is none of need not be worked out later.
+    if (!evaluators_[0].has_hand()) deciding_.hand = true;
     for (const Routing& routing : options.references) {
       references_.push_back(
           {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, std::nullopt});

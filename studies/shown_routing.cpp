@@ -25,6 +25,7 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }
   report.values = DesignEvaluator(model, grasps).evaluate(routing);
+  report.hand = shown_hand(report.network, report.word, report.model, grasps);
   return report;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/routing.hpp"
 #include "core/tension/tension.hpp"
 #include "search/judge/objectives.hpp"
+#include "studies/hand/shown_hand.hpp"
 
 namespace reeve::studies {
 
@@ -33,6 +35,7 @@ struct ShownRouting {
   Network network;
   std::vector<ShownGrasp> grasps;
   ObjectiveValues values{};  // over these grasps
+  std::optional<ShownHand> hand;
 };
 
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,

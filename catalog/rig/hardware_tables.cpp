@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "catalog/rig/hand_tables.hpp"
 #include "core/error.hpp"
 #include "core/mechanics.hpp"
 #include "core/routing.hpp"
@@ -63,14 +64,21 @@ int finger_number(const TomlNode& node) {
 void read_finger(const TomlNode& node, Hardware& hardware) {
   FingerHardware finger;
   finger.finger = finger_number(node);
-  node.table().allow_only(
-      {"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad", "strand_mm", "closing"});
+  node.table().allow_only({"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad", "strand_mm",
+                           "closing", "joints", "force_N"});
   read_if_given(node, "tip_mu", finger.tip_mu);
   read_if_given(node, "tip_angle_rad", finger.tip_angle_rad);
   read_if_given(node, "sheath_mu", finger.sheath_mu);
   read_if_given(node, "sheath_angle_rad", finger.sheath_angle_rad);
   read_if_given(node, "strand_mm", finger.strand_mm);
   read_if_given(node, "closing", finger.closing);
+  finger.parts = read_finger_parts(node);
+  const bool has_joints = !finger.parts.joints.empty() || !hardware.finger_parts.joints.empty();
+  if (const TomlNode* closing = node.find("closing"); closing != nullptr && has_joints) {
+    closing->fail_at_key({.what = "closing stands beside joints",
+                          .expected = "one of them: how far fingers with "
+                                      "joints close follows from these"});
+  }
   hardware.fingers.push_back(finger);
   validate_at(node, hardware);
 }
@@ -150,7 +158,8 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube", "bearing", "block", "sheath", "lengths", "finger", "contact", "uncertainty"};
+  return {"tube",   "bearing", "block",       "sheath", "lengths",
+          "finger", "contact", "uncertainty", "hand",   "motor"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
@@ -161,6 +170,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   read_block(file, result.hardware);
   read_law(file, "sheath", &Hardware::sheath, result.hardware);
   read_lengths(file, result.hardware);
+  read_hand(file, result.hardware);
   if (const TomlNode* fingers = file.find("finger")) {
     for (const TomlNode& finger : fingers->table().children) read_finger(finger, result.hardware);
   }
@@ -169,6 +179,8 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
       read_contact(contact, result.hardware);
     }
   }
+  read_motor(file, result.hardware);
+  require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "cli/commands/commands.hpp"
 #include "cli/exploration_files.hpp"
+#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
@@ -53,13 +54,18 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   for_option(fmt::format("--fingers {}", flags.generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
   require_fingers(model.hardware, options.generator.fingers);
+  require_known_fingers(model.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(flags.shard); });
   options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.order = flags.ranking.read_order();
   options.score = flags.ranking.read_score();
+  require_hand_for("--objectives", options.order.objectives, model.hardware);
+  require_hand_for("--score", options.score, model.hardware);
   for (const std::string& text : flags.constraints) {
     const Constraint constraint = for_name("--", [&] { return parse_constraint(text); });
+    require_hand_for(fmt::format("--constraint '{}'", text), {constraint.objective},
+                     model.hardware);
     for (const Constraint& other : options.constraints) {
       if (other.text != constraint.text) continue;
       throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));

@@ -13,6 +13,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/friction_cases.hpp"
+#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
@@ -153,6 +154,7 @@ RankInputs read(const RankFlags& flags) {
   if (flags.family.is_given()) name_by(*flags.family.read(inputs.catalogue), inputs.catalogue);
   inputs.file = flags.model.read();
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
+  require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
   inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
   if (flags.data_given->count() > 0) {
     inputs.data = flags.readings.read(flags.data, inputs.catalogue);
@@ -186,6 +188,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
   request.order = flags.ranking.read_order();
   request.score = flags.ranking.read_score();
+  require_hand_for("--objectives", request.order.objectives, request.model.hardware);
+  require_hand_for("--score", request.score, request.model.hardware);
   if (flags.ranking.uncertainty) request.draws = Draws{flags.ranking.draws, flags.ranking.seed};
   if (flags.margin) require_the_two_means(request.order);
   request.margins = flags.margin;

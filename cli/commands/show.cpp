@@ -4,6 +4,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
@@ -48,6 +49,7 @@ ShownRouting report(const ShowFlags& flags) {
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
   const Model model = own ? Model{*mechanism->hardware} : flags.model.read().model;
   require_contacts_to_match(model.hardware, {routing});
+  require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   ShownRouting shown =
       shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);

@@ -7,6 +7,7 @@
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/chart/chart_svg.hpp"
+#include "reports/hand/hand_report.hpp"
 #include "reports/sheet/text_table.hpp"
 
 namespace reeve::pages {
@@ -51,6 +52,22 @@ Json jams(const ShownRouting& report) {
   return list;
 }
 
+// False, which the template passes over, without one.
+Json hand_values(const ShownRouting& report) {
+  if (!report.hand) return false;
+  std::string tables;
+  Json lines = Json::array();
+  int number = 0;
+  for (const Section& section : hand_sections(*report.hand)) {
+    ++number;
+    tables += html({fmt::format("hand-table-{}", number), section.title, *section.table});
+    for (const SheetLine& line : section.lines) {
+      lines.push_back({{"text", line.text}, {"caveat", line.caveat}});
+    }
+  }
+  return {{"tables", tables}, {"lines", lines}};
+}
+
 GraspSet grasps(const ShownRouting& report) {
   GraspSet grasps;
   for (const ShownGrasp& shown : report.grasps) grasps.push_back({shown.grasp, 1});
@@ -77,6 +94,7 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
               {"schematics", schematics},
               {"tensions", html(tension_table(report))},
               {"contacts", html(contact_table(report))}};
+  values["hand"] = hand_values(report);
   values["has_strands"] = report.network.fingers > 0;
   if (report.network.fingers > 0) {
     const Figure tensions = tension_figure(report);

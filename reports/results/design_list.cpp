@@ -96,14 +96,33 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
   return table;
 }
 
+namespace {
+
+// The objectives that there are, of the first design as of all others.
+std::string csv_headings(const ObjectiveValues& values) {
+  std::string text;
+  for (const ObjectiveRow& row : objective_table()) {
+    if (is_there(row, values)) text += std::string(",") + row.name;
+  }
+  return text;
+}
+
+std::string csv_cells(const ObjectiveValues& values) {
+  std::string text;
+  for (const ObjectiveRow& row : objective_table()) {
+    if (is_there(row, values)) text += fmt::format(",{}", value(values, row.objective));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
   std::string csv = note.empty() ? "" : "# " + note + "\n";
-  csv += "routing";
-  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += "routing" + csv_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
   csv += '\n';
   for (const Design& design : designs) {
-    csv += design.word;
-    for (const double v : design.values) csv += fmt::format(",{}", v);
+    csv += design.word + csv_cells(design.values);
     csv += '\n';
   }
   return csv;
@@ -113,12 +132,12 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   const bool uncertain = with_distributions(designs);
   std::string csv = note.empty() ? "" : "# " + note + "\n";
   csv += "rank,front,routing,name";
-  for (const ObjectiveRow& row : objective_table()) csv += std::string(",") + row.name;
+  csv += csv_headings(designs.empty() ? ObjectiveValues{} : designs.front().ranked.design.values);
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95\n" : "\n";
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
                        design.ranked.design.word, csv_field(design.name));
-    for (const double v : design.ranked.design.values) csv += fmt::format(",{}", v);
+    csv += csv_cells(design.ranked.design.values);
     if (design.distribution) {
       const RankDistribution& d = *design.distribution;
       csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/motor_sides.hpp"
+#include "reports/hand/hand_report.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
@@ -126,6 +127,7 @@ Table objective_list(const ObjectiveValues& values) {
                text_column("meaning")},
               {}};
   for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, values)) continue;
     table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
   }
   return table;
@@ -178,14 +180,17 @@ Sheet show_sheet(const ShownRouting& report) {
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
-  return {{{"", std::nullopt, lines},
-           {fmt::format("Tensions {}, {}", unit_text(report),
-                        report.direction == Direction::pull ? "pulling" : "releasing"),
-            tension_table(report),
-            {}},
-           {"Shares of the strands, %", share_table(report), {}},
-           {"Sliding", contact_table(report), {}},
-           {"Over these grasps, pulling", objective_list(report.values), {}}}};
+  Sheet sheet{{{"", std::nullopt, lines},
+               {fmt::format("Tensions {}, {}", unit_text(report),
+                            report.direction == Direction::pull ? "pulling" : "releasing"),
+                tension_table(report),
+                {}},
+               {"Shares of the strands, %", share_table(report), {}},
+               {"Sliding", contact_table(report), {}},
+               {"Over these grasps, pulling", objective_list(report.values), {}}}};
+  if (!report.hand) return sheet;
+  for (Section& section : hand_sections(*report.hand)) sheet.add(std::move(section));
+  return sheet;
 }
 
 Json to_json(const ShownRouting& report) {
@@ -200,6 +205,7 @@ Json to_json(const ShownRouting& report) {
     json["grasps"].push_back(grasp_json(report.network, shown));
   }
   add_objectives(json, report.values);
+  if (report.hand) add_hand(json["hand"], *report.hand);
   json["model"] = model_json(report.model, report.unconverged);
   return json;
 }

@@ -1,8 +1,10 @@
 #include "search/judge/evaluation.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "core/hand/hand_closing.hpp"
 #include "core/notation.hpp"
 
 namespace reeve::search {
@@ -20,7 +22,11 @@ Extent extent_for(const std::vector<Objective>& objectives, const Score& score) 
     return is_wanted(objective) ||
            (scored && any_of_terms(score, [&](Objective term) { return term == objective; }));
   };
-  return {counts(Objective::return_friction), any_of_terms(authors_score(), counts)};
+  const auto& rows = objective_table();
+  const bool hand = std::any_of(rows.begin(), rows.end(), [&](const ObjectiveRow& row) {
+    return row.of_hand && counts(row.objective);
+  });
+  return {counts(Objective::return_friction), any_of_terms(authors_score(), counts), hand};
 }
 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
@@ -30,6 +36,7 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
     : model_(std::make_shared<const Model>(model)),
       needs_word_(reaches(model, Reach::contact)),
       builder_(possible_hardware(model)),
+      hand_(hand(model.hardware)),
       grasps_(std::move(grasps)),
       score_(std::move(score)) {
   if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
@@ -55,6 +62,9 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   outcome.jams = pulled.jams;
   outcome.pull = performance(network_, pulled);
   if (extent.indicators) outcome.indicators = indicators(network_, pulled);
+  if (judges_hand(extent)) {
+    outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
+  }
   if (!extent.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.return_friction =
@@ -80,6 +90,17 @@ double DesignEvaluator::travel() {
   return strands / closing;
 }
 
+bool DesignEvaluator::judges_hand(const Extent& extent) const {
+  return extent.hand && hand_ && first_unknown_finger(*hand_, network_.fingers) == 0;
+}
+
+HandOutcome DesignEvaluator::hand_outcome() {
+  const HandClosing closing = close_hand(*hand_, network_, mechanics_, kinematics_, motion_);
+  const double stroke =
+      closing.stroke_mm > 0 ? closing.stroke_mm : std::numeric_limits<double>::infinity();
+  return {stroke, closing.closure, hand_->motor.close_s};
+}
+
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
@@ -91,6 +112,7 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
+  outcome_.hand = judges_hand(extent) ? hand_outcome() : HandOutcome{};
   return outcome_;
 }
 

@@ -11,6 +11,7 @@
 #include "causes/model.hpp"
 #include "causes/model_solver.hpp"
 #include "core/grasp.hpp"
+#include "core/hand/hand.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
@@ -24,6 +25,7 @@ namespace reeve::search {
 struct Extent {
   bool release = true;     // return friction; a second tension solve in each grasp
   bool indicators = true;  // core/indicators.hpp, and a score made of them
+  bool hand = true;        // core/hand, of a hardware with a hand
 
   friend bool operator==(const Extent&, const Extent&) = default;
 };
@@ -41,6 +43,9 @@ class DesignEvaluator {
   // The outcome is valid until the next call. Throws OutOfRange where the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
 
+  // Whether the hardware has a hand; routings with fingers that it does not know have none.
+  bool has_hand() const { return hand_.has_value(); }
+
   ObjectiveValues evaluate(const Routing& routing, const Extent& extent = {});
 
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
@@ -51,6 +56,8 @@ class DesignEvaluator {
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
   const TensionState& solve(Grasp grasp, Direction direction);
   double travel();
+  bool judges_hand(const Extent& extent) const;
+  HandOutcome hand_outcome();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
   // Only where exponents or contacts are others than the hardware says; costs several solves.
@@ -58,12 +65,13 @@ class DesignEvaluator {
   bool needs_word_ = false;
   std::size_t unconverged_ = 0;
   MechanicsBuilder builder_;
+  std::optional<Hand> hand_;
   GraspSet grasps_;
   Score score_;
   Network network_;
   Mechanics mechanics_;
   TensionSolver solver_;
-  Kinematics kinematics_;  // of the travel alone
+  Kinematics kinematics_;  // of travel and stroke alone
   Motion motion_;
   TensionState state_;
   DesignOutcome outcome_;

@@ -35,6 +35,19 @@ double worst(const Grasps& grasps, Get get) {
 double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
 double finger_uniformity(const GraspOutcome& grasp) { return grasp.pull.finger_uniformity; }
 double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
+double fingertip_force(const GraspOutcome& grasp) { return grasp.grip.force_per_motor_N; }
+
+double motor_force(const DesignOutcome& design) {
+  return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
+}
+
+// At most: the whole force over the whole stroke.
+double motor_power(const DesignOutcome& design) {
+  const double force = motor_force(design);
+  if (!(force > 0)) return 0;
+  constexpr double mm_in_m = 1000;
+  return force * design.hand.stroke_mm / mm_in_m / design.hand.close_s;
+}
 
 constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::uniformity_mean, "uniformity_mean", "uniformity", "mean", "uniformity", "1",
@@ -125,6 +138,27 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      "fingers", "1", Better::higher, 3, 2, true,
      "least over greatest finger pull, in the worst grasp",
      [](const DesignOutcome& d) { return worst(d.grasps, finger_uniformity); }, 0, 1},
+    {Objective::motor_force, "motor_force", "motor_force", "", "motor", "N", Better::lower, 1, 1,
+     true, "motor tension at which every finger presses with its wanted force in every grasp",
+     motor_force, 0, std::nullopt, true},
+    {Objective::fingertip_force_mean, "fingertip_force_mean", "fingertip_force", "mean",
+     "fingertip", "N/N", Better::higher, 3, 1, true,
+     "fingertip force per newton of motor tension, least of the fingers, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, fingertip_force); }, 0, std::nullopt, true},
+    {Objective::fingertip_force_worst, "fingertip_force_worst", "fingertip_force", "worst",
+     "fingertip", "N/N", Better::higher, 3, 1, true,
+     "fingertip force per newton of motor tension, least of the fingers, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, fingertip_force); }, 0, std::nullopt,
+     true},
+    {Objective::stroke, "stroke", "stroke", "", "stroke", "mm", Better::lower, 1, 1, true,
+     "carriage travel from the open hand until it is closed or the carriage is blocked",
+     [](const DesignOutcome& d) { return d.hand.stroke_mm; }, 0, std::nullopt, true},
+    {Objective::closure, "closure", "closure", "", "closure", "1", Better::higher, 3, 1, true,
+     "share of its range that the finger has closed then that has closed least",
+     [](const DesignOutcome& d) { return d.hand.closure; }, 0, 1, true},
+    {Objective::motor_power, "motor_power", "motor_power", "", "power", "W", Better::lower, 2, 1,
+     true, "motor force times mean speed of the carriage: at most needed, against a soft object",
+     motor_power, 0, std::nullopt, true},
 }};
 
 std::string names() {
@@ -145,13 +179,16 @@ const std::array<ObjectiveRow, objective_count>& objective_table() { return tabl
 const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
 
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
+  const bool has_hand = outcome.hand.stroke_mm > 0;
   for (std::size_t i = 0; i < objective_count; ++i) {
-    values[i] = table[i].compute == nullptr ? 0 : on_grid(table[i].compute(outcome));
+    const bool is_computed = table[i].compute != nullptr && (has_hand || !table[i].of_hand);
+    values[i] = is_computed ? on_grid(table[i].compute(outcome)) : 0;
   }
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {
-  if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity") {
+  if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity" ||
+      name == "fingertip_force") {
     return parse_objective(name + "_mean", option);
   }
   for (const ObjectiveRow& row : table) {

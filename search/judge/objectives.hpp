@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/hand/hand.hpp"
 #include "core/indicators.hpp"
 #include "core/performance.hpp"
 
@@ -34,8 +35,14 @@ enum class Objective : std::uint8_t {
   blocks,
   finger_uniformity_mean,
   finger_uniformity_worst,
+  motor_force,
+  fingertip_force_mean,
+  fingertip_force_worst,
+  stroke,
+  closure,
+  motor_power,
 };
-inline constexpr std::size_t objective_count = 20;
+inline constexpr std::size_t objective_count = 26;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -52,6 +59,14 @@ struct GraspOutcome {
   Performance pull;
   double return_friction = 0;
   Indicators indicators;
+  GripDemand grip{};  // with a hand
+};
+
+// Of a hand; 0 without one.
+struct HandOutcome {
+  double stroke_mm = 0;  // infinite where no finger can close
+  double closure = 0;
+  double close_s = 0;
 };
 
 struct DesignOutcome {
@@ -61,6 +76,7 @@ struct DesignOutcome {
   // close: without blocks, strands / motor-side segments. 0 without strands, infinite where blocks
   // keep all of them from moving.
   double travel = 0;
+  HandOutcome hand{};
 };
 
 // One row for each objective. Rows that differ in `part` only (mean, worst) are one thing for
@@ -81,12 +97,20 @@ struct ObjectiveRow {
   // What is possible, whatever the routing and its friction.
   std::optional<double> least = 0;
   std::optional<double> greatest{};
+  bool of_hand = false;  // there only if the hardware has one; 0 otherwise
 
   bool is_count() const { return decimals == 0; }
 };
 
 const std::array<ObjectiveRow, objective_count>& objective_table();
 const ObjectiveRow& row(Objective objective);
+
+// Whether the values are those of a hardware with a hand, of which a stroke tells.
+inline bool has_hand(const ObjectiveValues& values) { return value(values, Objective::stroke) > 0; }
+// Whether there is such a value at all.
+inline bool is_there(const ObjectiveRow& row, const ObjectiveValues& values) {
+  return !row.of_hand || has_hand(values);
+}
 
 // Rounded to 1e-10: far above rounding errors, so that designs that are equal on paper compare
 // equal, and far below anything that can be measured.

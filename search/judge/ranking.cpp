@@ -54,6 +54,7 @@ std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& rank
   std::vector<BestDesigns> result;
   if (ranked.empty()) return result;
   for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, ranked.front().design.values)) continue;
     BestDesigns best{row.objective, 0, {}, 0};
     for (const RankedDesign& entry : ranked) {
       const double candidate = value(entry.design.values, row.objective);

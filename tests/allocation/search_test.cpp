@@ -7,6 +7,7 @@
 #include "search/enumerate/generator.hpp"
 #include "search/judge/evaluation.hpp"
 #include "tests/allocation/allocations.hpp"
+#include "tests/support/example_hand.hpp"
 
 namespace reeve {
 namespace {
@@ -47,6 +48,15 @@ TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
   const std::vector<Routing> routings = actuated();
   ASSERT_GT(routings.size(), 20000U);
   expect_no_allocation_once_warm(Model{}, routings);
+}
+
+TEST_F(Allocation, HappensInNoEvaluationOfAHandEither) {
+  Model model;
+  model.hardware.finger_parts = testing::three_joint_finger();
+  std::vector<Routing> routings = actuated();
+  routings.resize(2000);
+  ASSERT_TRUE(has_hand(DesignEvaluator(model, single_grasps(5)).evaluate(routings.front())));
+  expect_no_allocation_once_warm(model, routings);
 }
 
 TEST_F(Allocation, HappensInNoEvaluationUnderAModelEither) {

@@ -156,7 +156,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
-       "finger, contact, uncertainty"},
+       "finger, contact, uncertainty, hand, motor"},
       {"[tube]\nmu_s = 1\n",
        "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad, known"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},
@@ -167,7 +167,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
       {"[finger.65]\n", "h.toml:1:9: unknown table 'finger.65': expected finger.1 to finger.64"},
       {"[finger.1]\nmu = 1\n",
        "h.toml:2:1: unknown key 'finger.1.mu': expected one of tip_mu, tip_angle_rad, sheath_mu, "
-       "sheath_angle_rad, strand_mm, closing"},
+       "sheath_angle_rad, strand_mm, closing, joints, force_N"},
       {"[contact.aT1]\nmu = 1\n",
        "h.toml:1:10: contact 'aT1': expected the two segments beside it, such as "
        "[contact.\"a-T1\"]"},

@@ -47,6 +47,11 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("syntax.toml", "[tube\n");
   folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
   folder.write("cause.toml", "[[effect]]\ncause = \"rust\"\n");
+  const std::string joints = "joints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60 }]\n";
+  folder.write("one_finger.toml", "[finger.1]\nforce_N = 5\n" + joints);
+  folder.write("one_force.toml", "[finger.1]\nforce_N = 5\n[hand]\n" + joints);
+  folder.write("bad_force.toml", "[hand]\nforce_N = -1\n" + joints);
+  folder.write("bad_joint.toml", "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8 }]\n");
   folder.write("ok.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("residuals.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("cell.csv", "run,routing,T1_N\nA,TR1,x\n");

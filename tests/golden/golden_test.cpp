@@ -138,6 +138,18 @@ TEST(GoldenShow, OverTheGraspsThatAreTheDefault) {
   expect_json(output_of({"show", "TR2", "--format", "json"}), "show_tr2.json");
 }
 
+TEST(GoldenShow, OfAHand) {
+  const std::string hardware = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
+  const std::vector<std::string> show{"show", "M-1b-T-2b-B-3b-M", "--hardware", hardware};
+  const auto in_format = [&](const std::string& format) {
+    std::vector<std::string> arguments = show;
+    arguments.insert(arguments.end(), {"--format", format});
+    return output_of(arguments);
+  };
+  expect_json(in_format("json"), "show_hand.json");
+  expect_text(in_format("table"), file_of("show_hand.txt"));
+}
+
 TEST(GoldenShow, OfATestBenchWithoutFingers) {
   expect_json(output_of({"show", "M-F", "--format", "json"}), "show_bench.json");
 }

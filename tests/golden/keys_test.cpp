@@ -40,6 +40,49 @@ TEST(KeysOfShow, AreThePromisedOnes) {
   expect_pair(json);
 }
 
+constexpr const char* example_hand = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
+const std::string hand_objectives = "motor_force fingertip_force stroke closure motor_power";
+
+TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
+  const Json json = json_of({"show", "M-1-T-2-T-3-F", "--hardware", example_hand});
+  EXPECT_EQ(keys(json),
+            "routing name canonical direction motor_sides grasps" + objectives + " hand model");
+  const Json& hand = json["hand"];
+  EXPECT_EQ(keys(hand), hand_objectives + " fingers grasps motor");
+  EXPECT_EQ(keys(hand["fingertip_force"]), "mean worst");
+  EXPECT_EQ(keys(hand["fingers"][0]), "finger wanted_N excursion_mm closed");
+  EXPECT_EQ(keys(hand["grasps"][0]), "held motor_force_N frictionless_N weakest fingers");
+  EXPECT_EQ(keys(hand["grasps"][0]["fingers"][0]),
+            "finger pull_per_motor force_per_motor asks_motor_N force_N joint force_at_limit_N");
+  EXPECT_EQ(keys(hand["motor"]),
+            "force_N frictionless_N friction_cost weakest stroke_mm closure speed_mm_s power_W "
+            "work_J springs_J friction_J fingers_J torque_Nm spool_rpm force_is_enough "
+            "stroke_is_enough");
+  EXPECT_EQ(keys(hand["motor"]["weakest"]), "finger joint held");
+}
+
+TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
+  const Json json = json_of({"rank", "M-1-T-2-T-3-F", "--hardware", example_hand});
+  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + " hand");
+  EXPECT_EQ(keys(json["designs"][0]["hand"]), hand_objectives);
+  const Json& hardware = json["settings"]["hardware"];
+  EXPECT_EQ(keys(hardware), "tube bearing sheath lengths fingers contacts hand motor");
+  EXPECT_EQ(keys(hardware["hand"]), "force_N joints");
+  EXPECT_EQ(keys(hardware["hand"]["joints"][0]),
+            "arm_mm range_deg lever_mm spring_Nmm_rad rest_deg held_deg");
+  EXPECT_EQ(keys(hardware["fingers"][0]), "finger closing force_N joints");
+  EXPECT_EQ(keys(hardware["motor"]), "spool_radius_mm close_s force_N stroke_mm");
+}
+
+TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
+  const Json hand = json_of({"show", "M-1-M+M-2-M+M-3-M", "--hardware", example_hand})["hand"];
+  EXPECT_TRUE(hand["motor_force"].is_null());
+  EXPECT_TRUE(hand["motor"]["force_N"].is_null());
+  EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["asks_motor_N"].is_null());
+  EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["joint"].is_null());
+  EXPECT_EQ(hand["motor"]["force_is_enough"], false);
+}
+
 TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
   const Json json = json_of({"show", "M-F"});
   EXPECT_TRUE(json["name"].is_null());

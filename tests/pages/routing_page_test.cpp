@@ -91,5 +91,24 @@ TEST(RoutingPage, SaysWhichModelAndDirection) {
   EXPECT_TRUE(shown.has("<p class=\"model\">Model with tube_friction (mu 0.09)"));
 }
 
+TEST(RoutingPage, SaysWhatTheRoutingMakesOfAHand) {
+  const Shown shown(
+      {"M-1b-T-2b-B-3b-M", "--hardware", REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml"});
+  EXPECT_TRUE(shown.has("<h2>Hand</h2>"));
+  EXPECT_TRUE(shown.has("id=\"hand-table-2\""));
+  EXPECT_TRUE(shown.has("Motor force 65.8 N"));
+  EXPECT_TRUE(shown.has("<p>The motor&apos;s force of 80 N is enough"));
+  EXPECT_TRUE(shown.has(">motor force<"));
+  const Shown blocked(
+      {"M-1-M+M-2-M+M-3-M", "--hardware", REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml"});
+  EXPECT_TRUE(blocked.has("<p class=\"note\">No motor force is enough"));
+}
+
+TEST(RoutingPage, HasNoHandWhereTheHardwareHasNone) {
+  const Shown shown({"TR5"});
+  EXPECT_FALSE(shown.has("<h2>Hand</h2>"));
+  EXPECT_FALSE(shown.has("fingertip force"));
+}
+
 }  // namespace
 }  // namespace reeve::testing

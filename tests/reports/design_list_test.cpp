@@ -23,19 +23,42 @@ ListedDesign design(const std::string& name) {
   return listed;
 }
 
+ListedDesign without_hand(ListedDesign listed) {
+  for (const ObjectiveRow& row : objective_table()) {
+    if (row.of_hand) listed.ranked.design.values[static_cast<std::size_t>(row.objective)] = 0;
+  }
+  return listed;
+}
+
 std::string row_of(const std::string& name) {
   const std::string csv = design_csv({design(name)});
   return csv.substr(csv.find('\n') + 1);
 }
 
 TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
-  EXPECT_EQ(design_csv({design("TR0")}),
+  EXPECT_EQ(design_csv({without_hand(design("TR0"))}),
             "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
             "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
             "return_friction,adaptability,torsional_balance,reliability,authors_efficiency,"
             "transmission,score,blocks,finger_uniformity_mean,finger_uniformity_worst\n"
             "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"
             "16.5,17.5,18.5,19.5\n");
+}
+
+TEST(DesignCsv, AddsSixColumnsWithAHand) {
+  const std::string csv = design_csv({design("TR0")});
+  EXPECT_NE(csv.find(",finger_uniformity_worst,motor_force,fingertip_force_mean,"
+                     "fingertip_force_worst,stroke,closure,motor_power\n"),
+            std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",19.5,20.5,21.5,22.5,23.5,24.5,25.5\n"));
+}
+
+TEST(SampleCsv, HasTheColumnsOfAHandWhereThereIsOne) {
+  const Design with = design("").ranked.design;
+  const Design without = without_hand(design("")).ranked.design;
+  EXPECT_TRUE(sample_csv({with}).ends_with(",24.5,25.5\n"));
+  EXPECT_EQ(sample_csv({without}).find("stroke"), std::string::npos);
+  EXPECT_TRUE(sample_csv({without}).ends_with(",18.5,19.5\n"));
 }
 
 TEST(DesignCsv, QuotesNamesWithCommasQuotesOrLineEnds) {
@@ -56,7 +79,7 @@ TEST(DesignCsv, PutsANoteIntoACommentLineAtTheTop) {
 }
 
 TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
-  ListedDesign uncertain = design("");
+  ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
   EXPECT_NE(csv.find(",finger_uniformity_worst,first_share,rank_median,rank_p5,rank_p95\n"),
@@ -65,9 +88,9 @@ TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
 }
 
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
-  ListedDesign uncertain = design("");
+  ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
-  EXPECT_TRUE(design_csv({uncertain, design("")}).ends_with(",19.5,,,,\n"));
+  EXPECT_TRUE(design_csv({uncertain, without_hand(design(""))}).ends_with(",19.5,,,,\n"));
 }
 
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {

@@ -252,11 +252,11 @@ TEST(DesignEvaluator, WorksOutWhatObjectivesNeed) {
     return extent_for({Objective::sheaths, objective}, score);
   };
   const Score of_release{{{Objective::return_friction, 2}}};
-  EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()), (Extent{false, false}));
-  EXPECT_EQ(needs(Objective::return_friction, authors_score()), (Extent{true, false}));
-  EXPECT_EQ(needs(Objective::reliability, of_release), (Extent{false, true}));
-  EXPECT_EQ(needs(Objective::score, authors_score()), (Extent{false, true}));
-  EXPECT_EQ(needs(Objective::score, of_release), (Extent{true, false}));
+  EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()), (Extent{false, false, false}));
+  EXPECT_EQ(needs(Objective::return_friction, authors_score()), (Extent{true, false, false}));
+  EXPECT_EQ(needs(Objective::reliability, of_release), (Extent{false, true, false}));
+  EXPECT_EQ(needs(Objective::score, authors_score()), (Extent{false, true, false}));
+  EXPECT_EQ(needs(Objective::score, of_release), (Extent{true, false, false}));
 }
 
 TEST(DesignEvaluator, LeavesOutWhatIsNotAskedFor) {

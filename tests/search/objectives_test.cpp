@@ -15,7 +15,8 @@ const std::string all_names =
     "uniformity_mean, uniformity_worst, efficiency_mean, efficiency_worst, force_transmission, "
     "jams, sheaths, pulleys, knots, travel, return_friction, adaptability, torsional_balance, "
     "reliability, authors_efficiency, transmission, score, blocks, finger_uniformity_mean, "
-    "finger_uniformity_worst";
+    "finger_uniformity_worst, motor_force, fingertip_force_mean, fingertip_force_worst, stroke, "
+    "closure, motor_power";
 
 std::string objectives_message(const std::string& text) {
   return testing::input_error([&] { parse_objectives(text); });
@@ -66,8 +67,10 @@ TEST(ObjectiveTable, EveryObjectiveIsFoundByItsValueAndByItsName) {
 }
 
 TEST(ObjectiveTable, SaysWhichDirectionIsBetter) {
-  const std::set<Objective> lower{Objective::jams,  Objective::sheaths, Objective::pulleys,
-                                  Objective::knots, Objective::travel,  Objective::blocks};
+  const std::set<Objective> lower{
+      Objective::jams,   Objective::sheaths,     Objective::pulleys,
+      Objective::knots,  Objective::travel,      Objective::blocks,
+      Objective::stroke, Objective::motor_force, Objective::motor_power};
   for (const ObjectiveRow& entry : objective_table()) {
     EXPECT_EQ(entry.better == Better::lower, lower.count(entry.objective) == 1) << entry.name;
   }

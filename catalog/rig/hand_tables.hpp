@@ -1,0 +1,24 @@
+// The tables of a hardware file that are about a hand: [hand], [motor], and what [finger.N] says of
+// its joints and its force.
+#pragma once
+
+#include <string>
+
+#include "catalog/toml_node.hpp"
+#include "core/hardware.hpp"
+
+namespace reeve::catalog {
+
+// Of [finger.N], which has other keys besides, or of [hand].
+FingerParts read_finger_parts(const TomlNode& table);
+
+// [hand] and [motor]. What is said of a hand must be said of one with joints: looked at last.
+void read_hand(const TomlNode& file, Hardware& hardware);
+void read_motor(const TomlNode& file, Hardware& hardware);
+void require_joints(const TomlNode& file, const Hardware& hardware);
+
+// The keys of a finger's parts; both tables, none of which is written if it says nothing.
+std::string finger_parts_toml(const FingerParts& parts);
+std::string hand_toml(const Hardware& hardware);
+
+}  // namespace reeve::catalog

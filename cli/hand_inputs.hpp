@@ -1,0 +1,21 @@
+// Whether what is asked of a hand can be answered by the hardware.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/hardware.hpp"
+#include "search/judge/objectives.hpp"
+#include "search/judge/score.hpp"
+
+namespace reeve::cli {
+
+// Of a hand, where the hardware has one, fingers 1 … n must be known. Throws InputError.
+void require_known_fingers(const Hardware& hardware, int fingers);
+
+// `option` asks for these; some need a hand. Throws InputError.
+void require_hand_for(const std::string& option, const std::vector<Objective>& objectives,
+                      const Hardware& hardware);
+void require_hand_for(const std::string& option, const Score& score, const Hardware& hardware);
+
+}  // namespace reeve::cli

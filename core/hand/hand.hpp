@@ -1,0 +1,89 @@
+// From strand tensions to forces at the fingertips, finger by finger.
+//
+// With r_j the tendon's arm at joint j, h_j the lever of the fingertip force about it, and
+// tau_j = k_j (q_j − q0_j) the torque of its return spring in the posture that holds:
+//
+//   excursion          E = Σ_j r_j Δ_j, what each strand gives up over the whole range Δ_j
+//   pull               P = Σ T over the finger's strands
+//   fingertip force    F = min_j (r_j P − tau_j) / h_j, and not below 0
+//   pull for a force   P = max_j (h_j F + tau_j) / r_j: the same, solved for P
+//   pull to close      P = max_j k_j (Δ_j − q0_j) / r_j: against the springs, to the end
+//
+// A joint with r_j P − tau_j > h_j F flexes on until the object or its stop takes the rest; one
+// with less is forced open. So the joint of the minimum is the one that gives, and F is the
+// greatest force that no joint gives way to. Forces are linear in the motor tension T_M but for the
+// springs.
+//
+// Assumptions: quasi-static; planar; the fingertip force acts along one line, stated by its levers;
+// no slip at the object; arms that do not change as the joint turns; no friction in the joints. A
+// finger's strands have equal arms.
+// Source: tau = J^T F joint by joint; L. Birglen, T. Laliberté, C. Gosselin, Underactuated Robotic
+// Hands, Springer, 2008, on which joints of an underactuated finger hold and which give.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/grasp.hpp"
+#include "core/hardware.hpp"
+#include "core/network.hpp"
+#include "core/performance.hpp"
+#include "core/tension/tension.hpp"
+
+namespace reeve::core {
+
+struct HandFinger {
+  std::vector<FingerJoint> joints;
+  bool is_known = false;  // its joints and its force are given
+  double force_N = 0;     // wanted
+  double excursion_mm = 0;
+  double force_per_pull = 0;  // min_j r_j / h_j: springs aside
+  double grip_pull_N = 0;     // for the wanted force
+  double close_pull_N = 0;
+};
+
+// Of fingers 1 … max_fingers, at their numbers less 1.
+struct Hand {
+  std::vector<HandFinger> fingers;
+  MotorParts motor;
+
+  const HandFinger& finger(int number) const {
+    return fingers[static_cast<std::size_t>(number) - 1];
+  }
+};
+
+// Nothing if no finger has joints.
+std::optional<Hand> hand(const Hardware& hardware);
+
+// The first of fingers 1 … n that is not known; 0 if all are.
+int first_unknown_finger(const Hand& hand, int fingers);
+
+// The joint that gives first under a fingertip force, from 0, and the force at which it does.
+struct HeldForce {
+  double force_N = 0;
+  std::size_t joint = 0;
+};
+HeldForce held_force(const HandFinger& finger, double pull_N);
+
+// The joint that asks for the pull of the wanted force.
+std::size_t asking_joint(const HandFinger& finger);
+
+// Energy in a finger's springs over that in the open hand, all joints at this share of their
+// ranges, J.
+double spring_energy(const HandFinger& finger, double share = 1);
+
+// What a grasp asks of the motor.
+struct GripDemand {
+  double force_per_motor_N = 0;  // least fingertip force of a finger, N/N, springs aside
+  // Motor tension at which every finger presses with its wanted force, and those that are not held
+  // can close against their springs; infinite if a finger hangs on slack strands.
+  double motor_force_N = 0;
+  int weakest = 1;  // the finger that asks for it
+};
+GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
+                       Grasp grasp);
+// Of one finger alone.
+double motor_force(const HandFinger& finger, bool held, double pull_per_motor_N);
+
+}  // namespace reeve::core

@@ -1,0 +1,66 @@
+// A hand from end to end: what the commands say of it, alike, and what docs/hand.md prints.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+const std::string hand_file = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
+constexpr const char* design_of_the_document = "M-1b-T-2b-B-3b-M";
+
+Json hand_json(Arguments arguments) {
+  arguments.insert(arguments.end(), {"--hardware", hand_file, "--format", "json"});
+  const ProcessResult result = reeve(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out);
+}
+
+TEST(HandOfTheCommands, IsTheSameInShowRankAndExplore) {
+  const TemporaryFolder folder;
+  const Json shown = hand_json({"show", design_of_the_document})["hand"];
+  const Json ranked = hand_json({"rank", design_of_the_document})["designs"][0]["hand"];
+  const Json explored =
+      Json::parse(reeve({"explore", "--fingers", "3", "--distinct-fingers", "--hardware", hand_file,
+                         "--objectives", "motor_force,stroke", "--constraint", "sheaths<=2",
+                         "--constraint", "motor_force<=80", "--constraint", "stroke<=90",
+                         "--format", "json", "--out", folder.path().string()})
+                      .out);
+  EXPECT_EQ(explored["top"][0]["routing"], design_of_the_document);
+  for (const char* key : {"motor_force", "fingertip_force", "stroke", "closure", "motor_power"}) {
+    EXPECT_EQ(ranked[key], shown[key]) << key;
+    EXPECT_EQ(explored["top"][0]["hand"][key], shown[key]) << key;
+  }
+  EXPECT_NEAR(shown["motor_force"], shown["motor"]["force_N"], 1e-9);
+  EXPECT_NEAR(shown["stroke"], shown["motor"]["stroke_mm"], 1e-9);
+  EXPECT_NEAR(shown["motor_power"], shown["motor"]["power_W"], 1e-9);
+  for (const Json& design : explored["top"]) {
+    EXPECT_LE(design["hand"]["motor_force"], 80);
+    EXPECT_LE(design["hand"]["stroke"], 90);
+  }
+}
+
+TEST(HandOfTheCommands, IsThatOfThePullWhateverIsShown) {
+  const Json pulling = hand_json({"show", "M-1-T-2-T-3-F"})["hand"];
+  EXPECT_EQ(hand_json({"show", "M-1-T-2-T-3-F", "--direction", "release"})["hand"], pulling);
+}
+
+// Each line of the section, in the document behind four spaces.
+TEST(HandOfTheDocument, IsWhatTheCommandPrints) {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "hand.md");
+  const std::string out = reeve({"show", design_of_the_document, "--hardware", hand_file}).out;
+  std::istringstream section(out.substr(out.find("held  finger 1")));
+  int lines = 0;
+  for (std::string line; std::getline(section, line); ++lines) {
+    if (line.empty() || line.starts_with("Hand: ")) continue;
+    EXPECT_NE(document.find("    " + line + "\n"), std::string::npos) << line;
+  }
+  EXPECT_GT(lines, 10);
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/hand/hand_closing.hpp"
+#include "core/notation.hpp"
+#include "search/explore.hpp"
+#include "search/judge/evaluation.hpp"
+#include "tests/support/example_hand.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::hand_of;
+using testing::simple_finger;
+
+constexpr double without_end = std::numeric_limits<double>::infinity();
+
+Hardware hand_of_two_fingers() {
+  Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), testing::three_joint_finger()});
+  hardware.motor.close_s = 0.5;
+  return hardware;
+}
+
+ObjectiveValues evaluate(const std::string& word, const Hardware& hardware,
+                         const GraspSet& grasps = single_grasps(2), const Extent& extent = {}) {
+  return DesignEvaluator(hardware, grasps).evaluate(parse_routing(word), extent);
+}
+
+TEST(HandObjectives, AreZeroAndNotThereWithoutAHand) {
+  const ObjectiveValues values = evaluate("M-1-T-2-F", Hardware{});
+  EXPECT_FALSE(has_hand(values));
+  for (const ObjectiveRow& row : objective_table()) {
+    EXPECT_EQ(row.of_hand ? value(values, row.objective) : 0, 0) << row.name;
+    EXPECT_EQ(is_there(row, values), !row.of_hand) << row.name;
+  }
+}
+
+TEST(HandObjectives, AreNotThereIfAFingerIsNotKnown) {
+  EXPECT_FALSE(has_hand(evaluate("M-1-T-2-F", hand_of({simple_finger(8, 90, 60, 5)}))));
+}
+
+TEST(HandObjectives, AreTheMostThatAGraspAsksForAndTheLeastThatAFingerGets) {
+  const Hardware hardware = hand_of_two_fingers();
+  const Network net = expand(parse_routing("M-1-P-2-F"));
+  const Mechanics parts = mechanics(net, hardware);
+  double most = 0;
+  double least = without_end;
+  double mean = 0;
+  const GraspSet grasps = parse_grasps("none:3/1:1", 2);
+  for (const WeightedGrasp& grasp : grasps) {
+    const GripDemand demand =
+        grip_demand(*hand(hardware), net, tensions(net, parts, grasp.grasp), grasp.grasp);
+    most = std::max(most, demand.motor_force_N);
+    least = std::min(least, demand.force_per_motor_N);
+    mean += grasp.weight * demand.force_per_motor_N / 4;
+  }
+  const ObjectiveValues values = evaluate("M-1-P-2-F", hardware, grasps);
+  EXPECT_NEAR(value(values, Objective::motor_force), most, 1e-9);
+  EXPECT_NEAR(value(values, Objective::fingertip_force_worst), least, 1e-9);
+  EXPECT_NEAR(value(values, Objective::fingertip_force_mean), mean, 1e-9);
+}
+
+TEST(HandObjectives, FollowTheStrokeToTheMotorsPower) {
+  const ObjectiveValues values = evaluate("M-1-T-2-F", hand_of_two_fingers());
+  const Hand known = *hand(hand_of_two_fingers());
+  const double stroke = 2 * (known.finger(1).excursion_mm + known.finger(2).excursion_mm);
+  EXPECT_NEAR(value(values, Objective::stroke), stroke, 1e-9);
+  EXPECT_EQ(value(values, Objective::closure), 1);
+  EXPECT_NEAR(value(values, Objective::motor_power),
+              value(values, Objective::motor_force) * stroke / 1000 / 0.5, 1e-9);
+}
+
+TEST(HandObjectives, AreInfiniteWhereABlockedCarriageLeavesAFingerSlack) {
+  const ObjectiveValues values = evaluate("M-1-M+M-2-M", hand_of_two_fingers());
+  EXPECT_EQ(value(values, Objective::motor_force), without_end);
+  EXPECT_EQ(value(values, Objective::motor_power), without_end);
+  EXPECT_LT(value(values, Objective::closure), 1);
+  EXPECT_TRUE(has_hand(values));
+}
+
+TEST(HandObjectives, ThatNobodyAsksForAreLeftOut) {
+  const std::vector<Objective> plain{Objective::uniformity_mean};
+  EXPECT_FALSE(extent_for(plain, authors_score()).hand);
+  EXPECT_TRUE(extent_for({Objective::closure}, authors_score()).hand);
+  EXPECT_TRUE(extent_for({Objective::score}, parse_score("stroke=0.1")).hand);
+  const ObjectiveValues full = evaluate("M-1-T-2-F", hand_of_two_fingers());
+  const ObjectiveValues left_out =
+      evaluate("M-1-T-2-F", hand_of_two_fingers(), single_grasps(2), {true, true, false});
+  for (const ObjectiveRow& row : objective_table()) {
+    EXPECT_EQ(value(left_out, row.objective), row.of_hand ? 0 : value(full, row.objective));
+  }
+}
+
+ExploreOptions hand_exploration(std::vector<Objective> objectives) {
+  ExploreOptions options;
+  options.generator = {full_parts(), 2, FingerIdentity::identical, false};
+  options.model.hardware.finger_parts = testing::three_joint_finger();
+  options.grasps = single_grasps(2);
+  options.order = Order(std::move(objectives));
+  return options;
+}
+
+TEST(HandObjectives, AreThereForEveryDesignOfAnExplorationThatDoesNotAskForThem) {
+  const ExploreResult result = explore(hand_exploration({Objective::uniformity_mean}));
+  ASSERT_FALSE(result.top.empty());
+  for (const RankedDesign& ranked : result.top) EXPECT_TRUE(has_hand(ranked.design.values));
+  for (const Design& design : result.sample) EXPECT_TRUE(has_hand(design.values));
+}
+
+TEST(HandObjectives, ConstrainAnExploration) {
+  ExploreOptions options = hand_exploration({Objective::motor_force, Objective::stroke});
+  options.constraints = {parse_constraint("stroke<=80"), parse_constraint("closure>=1")};
+  options.threads = 1;
+  const ExploreResult result = explore(options);
+  ASSERT_FALSE(result.top.empty());
+  EXPECT_GT(result.rejected[1].count, 0U);
+  for (const RankedDesign& ranked : result.top) {
+    EXPECT_LE(value(ranked.design.values, Objective::stroke), 80);
+    EXPECT_EQ(value(ranked.design.values, Objective::closure), 1);
+  }
+  options.threads = 3;
+  const ExploreResult again = explore(options);
+  ASSERT_EQ(again.top.size(), result.top.size());
+  for (std::size_t i = 0; i < result.top.size(); ++i) {
+    EXPECT_EQ(again.top[i].design.word, result.top[i].design.word);
+    EXPECT_EQ(again.top[i].design.values, result.top[i].design.values);
+  }
+}
+
+}  // namespace
+}  // namespace reeve
