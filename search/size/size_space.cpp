@@ -1,0 +1,314 @@
+#include "search/size/size_space.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "core/text.hpp"
+
+namespace reeve::search {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+  double number = 0;
+  const std::string_view digits = trimmed(text);
+  const char* last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, number);
+  if (error != std::errc{} || end != last || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+// Between commas that stand in no bracket.
+std::vector<std::string> items_in(const std::string& text) {
+  std::vector<std::string> items{""};
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == ',' && depth == 0) {
+      items.emplace_back();
+    } else {
+      items.back() += c;
+    }
+  }
+  return items;
+}
+
+DimensionName name_in_group(const std::string& item) {
+  for (const QuantityRow& row : quantity_table()) {
+    if (*row.plural != '\0' && item == row.plural) return {row.quantity, {}};
+  }
+  return parse_dimensions(item);
+}
+
+bool covers(const DimensionName& name, const std::vector<PlacedDimension>& of_quantity,
+            const PlacedDimension& placed) {
+  if (!name.named.empty()) return name.has(placed.dimension);
+  return std::any_of(
+      of_quantity.begin(), of_quantity.end(),
+      [&](const PlacedDimension& one) { return one.dimension == placed.dimension; });
+}
+
+std::vector<PlacedDimension> covered(const Network& network, const Hardware& hardware,
+                                     const DimensionName& name) {
+  std::vector<PlacedDimension> found;
+  const auto of_quantity = dimensions_of(network, hardware, name.quantity);
+  for (const PlacedDimension& placed : of_quantity) {
+    if (covers(name, of_quantity, placed)) found.push_back(placed);
+  }
+  return found;
+}
+
+// "tip_angle[1,2]" of fingers, otherwise each by itself.
+std::string joint_name(const std::vector<PlacedDimension>& dimensions,
+                       const std::vector<std::size_t>& members) {
+  std::string fingers;
+  std::string others;
+  const Quantity quantity = dimensions[members.front()].dimension.quantity;
+  for (const std::size_t i : members) {
+    const Dimension& one = dimensions[i].dimension;
+    if (one.quantity == quantity && one.finger > 0) {
+      fingers += (fingers.empty() ? "" : ",") + std::to_string(one.finger);
+    } else {
+      others += (others.empty() ? "" : "=") + to_text(one);
+    }
+  }
+  if (fingers.empty()) return others;
+  return fmt::format("{}[{}]{}{}", row(quantity).name, fingers, others.empty() ? "" : "=", others);
+}
+
+class Collector {
+ public:
+  Collector(const Network& network, const Hardware& hardware)
+      : network_(network), hardware_(hardware) {}
+
+  void add(const VariedRange& range) {
+    for (const PlacedDimension& placed : covered(network_, hardware_, range.name)) {
+      const std::size_t at = place_of(placed);
+      if (at < space_.dimensions.size()) {
+        bounds_[at] = range.bounds;
+      } else {
+        space_.dimensions.push_back(placed);
+        bounds_.push_back(range.bounds);
+      }
+    }
+  }
+
+  void join(const SameGroup& group) {
+    std::vector<std::size_t> members;
+    for (const PlacedDimension& placed : covered(network_, hardware_, group.name)) {
+      const std::size_t at = place_of(placed);
+      if (at < space_.dimensions.size()) members.push_back(at);
+    }
+    if (!members.empty()) groups_.push_back({members, group.text});
+  }
+
+  SizeSpace finish() {
+    std::vector<bool> taken(space_.dimensions.size(), false);
+    for (std::size_t i = 0; i < space_.dimensions.size(); ++i) {
+      if (taken[i]) continue;
+      const Joint joint = joint_of(i, taken);
+      for (const std::size_t member : joint.members) taken[member] = true;
+      space_.variables.push_back(variable(joint));
+    }
+    return std::move(space_);
+  }
+
+ private:
+  struct Joint {
+    std::vector<std::size_t> members;
+    std::string text;
+  };
+
+  std::size_t place_of(const PlacedDimension& placed) const {
+    std::size_t at = 0;
+    while (at < space_.dimensions.size() && !(space_.dimensions[at].dimension == placed.dimension)) {
+      ++at;
+    }
+    return at;
+  }
+
+  Joint joint_of(std::size_t dimension, const std::vector<bool>& taken) const {
+    for (const Joint& group : groups_) {
+      Joint left{{}, group.text};
+      for (const std::size_t member : group.members) {
+        if (!taken[member]) left.members.push_back(member);
+      }
+      if (std::count(left.members.begin(), left.members.end(), dimension) > 0) return left;
+    }
+    return {{dimension}, ""};
+  }
+
+  SizeVariable variable(const Joint& joint) const {
+    SizeVariable result;
+    result.name = joint_name(space_.dimensions, joint.members);
+    result.unit = row(space_.dimensions[joint.members.front()].dimension.quantity).unit;
+    result.dimensions = joint.members;
+    result.bounds = bounds_[joint.members.front()];
+    for (const std::size_t member : joint.members) {
+      result.bounds.low = std::max(result.bounds.low, bounds_[member].low);
+      result.bounds.high = std::min(result.bounds.high, bounds_[member].high);
+      result.nominal += space_.dimensions[member].nominal;
+    }
+    result.nominal /= static_cast<double>(joint.members.size());
+    if (result.bounds.low > result.bounds.high) {
+      throw InputError({.what = joint.text,
+                        .expected = fmt::format("bounds that {} have in common", result.name)});
+    }
+    return result;
+  }
+
+  const Network& network_;
+  const Hardware& hardware_;
+  SizeSpace space_;
+  std::vector<Interval> bounds_;
+  std::vector<Joint> groups_;
+};
+
+bool says_again(const DimensionName& a, const DimensionName& b) {
+  if (a.quantity != b.quantity || a.named.empty() != b.named.empty()) return false;
+  if (a.named.empty()) return true;
+  return std::any_of(a.named.begin(), a.named.end(),
+                     [&](const Dimension& dimension) { return b.has(dimension); });
+}
+
+// What could be varied, of the first routing.
+std::string dimension_list(const Network& network, const Hardware& hardware) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> names;
+  for (const QuantityRow& row : quantity_table()) {
+    for (const PlacedDimension& placed : dimensions_of(network, hardware, row.quantity)) {
+      const std::string name = to_text(placed.dimension);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  return list + (names.size() > most ? ", …" : "");
+}
+
+// Each named dimension must be in some routing; without names, one of the quantity.
+bool is_somewhere(const DimensionName& name, const std::vector<Network>& networks,
+                  const Hardware& hardware) {
+  const auto has = [&](const DimensionName& one) {
+    return std::any_of(networks.begin(), networks.end(), [&](const Network& network) {
+      return !covered(network, hardware, one).empty();
+    });
+  };
+  if (name.named.empty()) return has(name);
+  return std::all_of(name.named.begin(), name.named.end(), [&](const Dimension& dimension) {
+    return has({name.quantity, {dimension}});
+  });
+}
+
+void require_once(const std::vector<VariedRange>& ranges) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!says_again(ranges[i].name, ranges[k].name)) continue;
+      throw InputError({.where = ranges[i].text,
+                        .what = fmt::format("what {} varies is varied again", ranges[k].text)});
+    }
+  }
+}
+
+}  // namespace
+
+VariedRange varied_range(const std::string& name, const Interval& bounds, const std::string& text) {
+  VariedRange range{{}, bounds, text};
+  try {
+    range.name = parse_dimensions(name);
+  } catch (const InputError& error) {
+    throw error.at(text);
+  }
+  const QuantityRow& about = row(range.name.quantity);
+  if (bounds.low <= bounds.high && bounds.low >= about.possible.low &&
+      bounds.high <= about.possible.high) {
+    return range;
+  }
+  throw InputError({.where = text,
+                    .what = about.name,
+                    .value = fmt::format("{}..{}", bounds.low, bounds.high),
+                    .expected = fmt::format("the least and the greatest, from {} to {}{}{}",
+                                            about.possible.low, about.possible.high,
+                                            *about.unit == '\0' ? "" : " ", about.unit),
+                    .form = InputForm::equals});
+}
+
+VariedRange parse_varied(const std::string& text) {
+  const std::string option = fmt::format("vary '{}'", text);
+  const std::size_t equals = text.find('=');
+  const std::size_t dots = text.find("..", equals == std::string::npos ? 0 : equals);
+  if (equals != std::string::npos && dots != std::string::npos) {
+    const auto low = number_in(std::string_view(text).substr(equals + 1, dots - equals - 1));
+    const auto high = number_in(std::string_view(text).substr(dots + 2));
+    if (low && high) return varied_range(text.substr(0, equals), {*low, *high}, option);
+  }
+  throw InputError({.what = "vary",
+                    .value = text,
+                    .expected = "a dimension and its bounds, such as sheath_angle[1]=3..9"});
+}
+
+std::vector<SameGroup> parse_same(const std::string& text) {
+  const std::string option = fmt::format("same '{}'", text);
+  std::vector<SameGroup> groups;
+  for (const std::string& item : items_in(text)) {
+    try {
+      groups.push_back({name_in_group(std::string(trimmed(item))), option});
+    } catch (const InputError& error) {
+      throw InputError({.what = "same",
+                        .value = text,
+                        .expected = "tips, sheaths, strands, or dimensions of one quantity such as "
+                                    "sheath_angle[2,3,4]"});
+    }
+  }
+  return groups;
+}
+
+SizeSpace size_space(const Network& network, const Hardware& hardware,
+                     const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same) {
+  Collector collector(network, hardware);
+  for (const VariedRange& range : ranges) {
+    if (range.name.named.empty()) collector.add(range);
+  }
+  for (const VariedRange& range : ranges) {
+    if (!range.name.named.empty()) collector.add(range);
+  }
+  for (const SameGroup& group : same) collector.join(group);
+  return collector.finish();
+}
+
+void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
+                             const std::vector<VariedRange>& ranges,
+                             const std::vector<SameGroup>& same) {
+  require_once(ranges);
+  std::vector<Network> networks;
+  for (const Routing& routing : routings) networks.push_back(expand(routing));
+  const std::string there = fmt::format(
+      "dimensions of {}{}: {}", routings.size() > 1 ? "one of the routings, such as those of " : "",
+      to_word(routings.front()), dimension_list(networks.front(), hardware));
+  for (const VariedRange& range : ranges) {
+    if (!is_somewhere(range.name, networks, hardware)) {
+      throw InputError({.what = range.text, .expected = there});
+    }
+  }
+  for (const SameGroup& group : same) {
+    const bool is_varied = std::any_of(networks.begin(), networks.end(), [&](const Network& net) {
+      const SizeSpace space = size_space(net, hardware, ranges, {});
+      const auto members = covered(net, hardware, group.name);
+      return std::any_of(members.begin(), members.end(), [&](const PlacedDimension& member) {
+        return std::any_of(
+            space.dimensions.begin(), space.dimensions.end(),
+            [&](const PlacedDimension& one) { return one.dimension == member.dimension; });
+      });
+    });
+    if (!is_varied) throw InputError({.what = group.text, .expected = "dimensions that are varied"});
+  }
+}
+
+}  // namespace reeve::search
