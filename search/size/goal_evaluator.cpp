@@ -1,5 +1,6 @@
 #include "search/size/goal_evaluator.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "causes/model_solver.hpp"
@@ -68,8 +69,11 @@ std::vector<double> GoalEvaluator::shares(const Model& model) const {
   return {mean.begin(), mean.end()};
 }
 
-ObjectiveValues GoalEvaluator::objectives(const Model& model) const {
-  return DesignEvaluator(model, grasps_, score_).evaluate(routing_);
+ObjectiveValues GoalEvaluator::objectives(const Model& model, std::uint64_t& unconverged) const {
+  DesignEvaluator evaluator(model, grasps_, score_);
+  const ObjectiveValues values = evaluator.evaluate(routing_);
+  unconverged += evaluator.unconverged();
+  return values;
 }
 
 }  // namespace reeve::search

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -24,7 +25,8 @@ class GoalEvaluator {
   Eigen::VectorXd misses(const Model& model) const;
   // Of the fingers, mean over the grasps.
   std::vector<double> shares(const Model& model) const;
-  ObjectiveValues objectives(const Model& model) const;
+  // Adds to `unconverged` the tension solves that did not converge.
+  ObjectiveValues objectives(const Model& model, std::uint64_t& unconverged) const;
 
  private:
   Eigen::MatrixXd shares_by_grasp(const Model& model) const;

@@ -120,15 +120,20 @@ class Search {
   const std::atomic<bool>* stop_;
 };
 
+SizedGoal sized_goal(const SizingProblem& problem, const Model& model, double goal,
+                     double nominal) {
+  SizedGoal result{goal, nominal, {}, problem.evaluator().shares(model), 0};
+  result.values = problem.evaluator().objectives(model, result.unconverged);
+  return result;
+}
+
 SizedGoal goal_before(const SizingProblem& problem) {
-  return {problem.goal(), problem.nominal_goal(), problem.evaluator().objectives(problem.model()),
-          problem.evaluator().shares(problem.model())};
+  return sized_goal(problem, problem.model(), problem.goal(), problem.nominal_goal());
 }
 
 SizedGoal goal_after(const SizingProblem& problem, const Point& point) {
-  const Model model = problem.model(point);
-  return {problem.goal(point), problem.nominal_goal(point), problem.evaluator().objectives(model),
-          problem.evaluator().shares(model)};
+  return sized_goal(problem, problem.model(point), problem.goal(point),
+                    problem.nominal_goal(point));
 }
 
 Minimum best_of(const std::vector<Find>& finds) {
@@ -223,6 +228,9 @@ SizingResult size(const std::vector<Routing>& routings, const SizingOptions& opt
       teller.step();
     }
   });
+  for (const SizedDesign& design : result.designs) {
+    result.unconverged += design.before.unconverged + design.after.unconverged;
+  }
   result.partial = supervision.stop != nullptr && supervision.stop->load();
   return result;
 }

@@ -8,6 +8,7 @@
 // best there is.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct SizedGoal {
   double nominal = 0;  // the same at the nominal coefficients
   ObjectiveValues values{};
   std::vector<double> shares;  // of the fingers in all pull, mean over the grasps
+  std::uint64_t unconverged = 0;
 };
 
 struct SizedDesign {
@@ -54,6 +56,7 @@ bool is_met(const SizedDesign& design);
 struct SizingResult {
   std::vector<SizedDesign> designs;  // parallel to the routings
   bool partial = false;              // stopped: the best so far, without sensitivities
+  std::uint64_t unconverged = 0;     // tension solves behind the values before and after
 };
 
 // Throws InputError and OutOfRange of the hardware as it is, for each routing before any is sized.
