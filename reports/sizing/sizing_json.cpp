@@ -88,9 +88,12 @@ Json settings(const SizingReport& report) {
             {"better", options.goal.better() == Better::higher ? "higher" : "lower"},
             {"robust", options.robust}};
   json["vary"] = Json::array();
-  for (const VariedRange& range : options.varied) json["vary"].push_back(range.text);
+  for (const VariedRange& range : options.varied) {
+    json["vary"].push_back({{"dimension", to_text(range.name)},
+                            {"bounds", {range.bounds.low, range.bounds.high}}});
+  }
   json["same"] = Json::array();
-  for (const SameGroup& group : options.same) json["same"].push_back(group.text);
+  for (const SameGroup& group : options.same) json["same"].push_back(to_text(group.name));
   json["starts"] = options.starts;
   json["evaluations"] = options.evaluations;
   json.update(settings_json(Order(options.goal.factors), options.score, options.grasps,

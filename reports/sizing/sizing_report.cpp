@@ -114,7 +114,14 @@ Section best_section(const SizingReport& report) {
   } else {
     section.table = variable_table(design);
   }
-  if (!is_met(design)) section.lines.push_back({miss_text(report, design), true});
+  if (!is_met(design)) {
+    section.lines.push_back({miss_text(report, design), true});
+  } else if (report.options.robust && report.options.goal.is_target()) {
+    section.lines.push_back(
+        {fmt::format("At the nominal coefficients shares then miss by {:.4g}; sized for these alone "
+                     "(--nominal) they can meet the target",
+                     design.after.nominal)});
+  }
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(
         {report.options.goal.is_target()

@@ -171,7 +171,10 @@ FingerHardware& finger_of(Hardware& hardware, int finger) {
   for (FingerHardware& here : hardware.fingers) {
     if (here.finger == finger) return here;
   }
-  FingerHardware& added = hardware.fingers.emplace_back();
+  // In the order of the fingers, for who reads the file.
+  const auto place = std::find_if(hardware.fingers.begin(), hardware.fingers.end(),
+                                  [&](const FingerHardware& here) { return here.finger > finger; });
+  FingerHardware& added = *hardware.fingers.emplace(place);
   added.finger = finger;
   return added;
 }
@@ -210,6 +213,18 @@ std::string to_text(const Dimension& dimension) {
       break;
   }
   return about.name;
+}
+
+std::string to_text(const DimensionName& name) {
+  std::string subjects;
+  for (const Dimension& one : name.named) {
+    subjects += (subjects.empty() ? "" : ",") +
+                (one.finger > 0
+                     ? std::to_string(one.finger)
+                     : fmt::format("{}-{}", segment_name(one.from), segment_name(one.to)));
+  }
+  return subjects.empty() ? row(name.quantity).name
+                          : fmt::format("{}[{}]", row(name.quantity).name, subjects);
 }
 
 bool DimensionName::has(const Dimension& dimension) const {

@@ -64,6 +64,8 @@ struct DimensionName {
   bool has(const Dimension& dimension) const;
 };
 
+std::string to_text(const DimensionName& name);
+
 // "sheath_angle", "sheath_angle[1]", "sheath_angle[2,3,4]", "contact_angle[T2-T3]". Throws
 // InputError.
 DimensionName parse_dimensions(const std::string& text);

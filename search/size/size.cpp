@@ -38,7 +38,7 @@ class Search {
   Find run(int number) const {
     const Point start = number == 0 ? problem_.nearest_to_nominal() : start_of(number);
     const Minimum here{start, problem_.loss(start)};
-    if (stopped()) return {here, std::nullopt};
+    if (stopped() || start.empty()) return {here, std::nullopt};
     Find find{least(here, number == 0 ? minimise(loss(), problem_.box(), options_.evaluations, stop_)
                                       : descent(start, coarse)),
               std::nullopt};
@@ -47,7 +47,7 @@ class Search {
   }
 
   Minimum finished(Minimum best) const {
-    if (stopped()) return best;
+    if (stopped() || best.at.empty()) return best;
     best = least(best, descent(best.at, 1e-9));
     if (!stopped()) {
       best = least(best, refine(loss(), problem_.box(), best.at, options_.evaluations));

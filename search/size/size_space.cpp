@@ -104,14 +104,14 @@ class Collector {
       const std::size_t at = place_of(placed);
       if (at < space_.dimensions.size()) members.push_back(at);
     }
-    if (!members.empty()) groups_.push_back({members, group.text});
+    if (!members.empty()) add_joint({members, group.text});
   }
 
   SizeSpace finish() {
     std::vector<bool> taken(space_.dimensions.size(), false);
     for (std::size_t i = 0; i < space_.dimensions.size(); ++i) {
       if (taken[i]) continue;
-      const Joint joint = joint_of(i, taken);
+      const Joint joint = joint_of(i);
       for (const std::size_t member : joint.members) taken[member] = true;
       space_.variables.push_back(variable(joint));
     }
@@ -132,13 +132,30 @@ class Collector {
     return at;
   }
 
-  Joint joint_of(std::size_t dimension, const std::vector<bool>& taken) const {
-    for (const Joint& group : groups_) {
-      Joint left{{}, group.text};
-      for (const std::size_t member : group.members) {
-        if (!taken[member]) left.members.push_back(member);
+  // What is equal to the same is equal: groups that overlap become one.
+  void add_joint(Joint joint) {
+    std::vector<Joint> apart;
+    for (Joint& other : groups_) {
+      const bool overlaps =
+          std::any_of(other.members.begin(), other.members.end(), [&](std::size_t member) {
+            return std::count(joint.members.begin(), joint.members.end(), member) > 0;
+          });
+      if (overlaps) {
+        joint.members.insert(joint.members.end(), other.members.begin(), other.members.end());
+      } else {
+        apart.push_back(std::move(other));
       }
-      if (std::count(left.members.begin(), left.members.end(), dimension) > 0) return left;
+    }
+    std::sort(joint.members.begin(), joint.members.end());
+    joint.members.erase(std::unique(joint.members.begin(), joint.members.end()),
+                        joint.members.end());
+    groups_ = std::move(apart);
+    groups_.push_back(std::move(joint));
+  }
+
+  Joint joint_of(std::size_t dimension) const {
+    for (const Joint& group : groups_) {
+      if (std::count(group.members.begin(), group.members.end(), dimension) > 0) return group;
     }
     return {{dimension}, ""};
   }
@@ -214,6 +231,27 @@ void require_once(const std::vector<VariedRange>& ranges) {
       throw InputError({.where = ranges[i].text,
                         .what = fmt::format("what {} varies is varied again", ranges[k].text)});
     }
+  }
+}
+
+// A contact's own angle hides that of its finger.
+void require_none_hidden(const Network& network, const Hardware& hardware,
+                         const SizeSpace& space) {
+  Hardware with_contacts = hardware;
+  for (const PlacedDimension& placed : space.dimensions) {
+    if (placed.dimension.quantity == Quantity::contact_angle) {
+      set(with_contacts, placed.dimension, placed.nominal);
+    }
+  }
+  for (const PlacedDimension& placed : space.dimensions) {
+    const auto left = dimensions_of(network, with_contacts, placed.dimension.quantity);
+    const bool is_left = std::any_of(left.begin(), left.end(), [&](const PlacedDimension& one) {
+      return one.dimension == placed.dimension;
+    });
+    if (is_left) continue;
+    throw InputError({.what = "vary",
+                      .value = to_text(placed.dimension),
+                      .expected = "no contact_angle of the same contacts beside it"});
   }
 }
 
@@ -296,6 +334,9 @@ void require_ranges_to_match(const std::vector<Routing>& routings, const Hardwar
     if (!is_somewhere(range.name, networks, hardware)) {
       throw InputError({.what = range.text, .expected = there});
     }
+  }
+  for (const Network& network : networks) {
+    require_none_hidden(network, hardware, size_space(network, hardware, ranges, same));
   }
   for (const SameGroup& group : same) {
     const bool is_varied = std::any_of(networks.begin(), networks.end(), [&](const Network& net) {

@@ -135,14 +135,20 @@ class Plain {
     return problem_.loss(there);
   }
 
-  Eigen::MatrixXd curvature() const {
+  // Of the loss, or of its square: that of a miss, which has an edge where it is 0.
+  Eigen::MatrixXd curvature(bool squared) const {
+    const auto loss = [&](const Eigen::VectorXd& direction) {
+      const double there = this->loss(direction);
+      return squared ? there * there : there;
+    };
+    const double here = squared ? here_ * here_ : here_;
     Eigen::MatrixXd result(size(), size());
     for (Index i = 0; i < size(); ++i) {
       for (Index k = 0; k <= i; ++k) {
         const Eigen::VectorXd a = curvature_step * Eigen::VectorXd::Unit(size(), i);
         const Eigen::VectorXd b = curvature_step * Eigen::VectorXd::Unit(size(), k);
         result(i, k) =
-            i == k ? loss(a) + loss(-a) - 2 * here_
+            i == k ? loss(a) + loss(-a) - 2 * here
                    : (loss(a + b) - loss(a - b) - loss(b - a) + loss(-a - b)) / 4;
         result(k, i) = result(i, k);
       }
@@ -211,7 +217,7 @@ std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const G
   }
   if (others.size() < 2) return flat;
   const Plain plain(problem, point, others);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(plain.curvature());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(plain.curvature(goal.is_target()));
   for (Index k = 0; k < plain.size(); ++k) {
     const FlatDirection here = plain.along(flat_move * in_one_way(solver.eigenvectors().col(k)));
     if (here.loss <= most) flat.push_back(here);
