@@ -54,8 +54,8 @@ std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& cata
     routings.push_back(read_actuated_routing(text, catalogue));
   }
   if (flags.from_given->count() > 0) {
-    for (Routing& routing : for_option(
-             "--from", [&] { return explored_designs(flags.from, flags.top); })) {
+    for (Routing& routing :
+         for_option("--from", [&] { return explored_designs(flags.from, flags.top); })) {
       for_option("--from", [&] { require_actuated(graph(expand(routing)), to_word(routing)); });
       routings.push_back(std::move(routing));
     }
@@ -81,10 +81,10 @@ void require_comparable(const std::vector<Routing>& routings) {
           {.where = where, .what = "it has no fingers, so there is nothing to size it for"});
     }
     if (own != fingers) {
-      throw InputError({.where = where,
-                        .what = fmt::format("it has {} finger{}", own, own == 1 ? "" : "s"),
-                        .expected = fmt::format("as many as '{}' has: {}",
-                                                to_word(routings.front()), fingers)});
+      throw InputError(
+          {.where = where,
+           .what = fmt::format("it has {} finger{}", own, own == 1 ? "" : "s"),
+           .expected = fmt::format("as many as '{}' has: {}", to_word(routings.front()), fingers)});
     }
     if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
       throw InputError(fmt::format("routing '{}' is given twice", word));
@@ -96,9 +96,11 @@ void require_comparable(const std::vector<Routing>& routings) {
 void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& options) {
   for (const std::string& text : flags.vary) {
     options.varied.push_back(for_name("--", [&] { return parse_varied(text); }));
+    options.varied.back().text.insert(0, "--");
   }
   for (const std::string& text : flags.same) {
     for (SameGroup& group : for_name("--", [&] { return parse_same(text); })) {
+      group.text.insert(0, "--");
       options.same.push_back(std::move(group));
     }
   }
@@ -110,6 +112,7 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
   if (flags.same.empty() && flags.vary.empty()) {
     for (const GivenSame& given : table.same) {
       for (SameGroup& group : for_option(given.place, [&] { return parse_same(given.text); })) {
+        group.text = given.place;
         options.same.push_back(std::move(group));
       }
     }
@@ -130,8 +133,7 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   options.robust = !flags.nominal;
   const bool targeted = flags.target_given->count() > 0;
   // A target is of all fingers that close; with one held, friction in it turns.
-  const std::string grasps =
-      targeted && flags.grasps_given->count() == 0 ? "none" : flags.grasps;
+  const std::string grasps = targeted && flags.grasps_given->count() == 0 ? "none" : flags.grasps;
   options.grasps = for_name("--", [&] { return parse_grasps(grasps, fingers); });
   options.score = for_name("--", [&] { return parse_score(flags.score); });
   options.goal = for_name("--", [&] {
@@ -171,9 +173,7 @@ int run(const SizeFlags& flags) {
   const ModelFile file = flags.model.read();
   require_contacts_to_match(file.model.hardware, routings);
   const SizingOptions options = read_options(flags, file, finger_count(routings.front()));
-  for_name("--", [&] {
-    require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
-  });
+  require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
   if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
   SizingReport report = supervised([&](const StudySupervision& supervision) {
     return sizing_study(routings, options, catalogue, supervision);

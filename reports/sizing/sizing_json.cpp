@@ -64,12 +64,9 @@ Json target_json(const SizedDesign& design) {
 
 Json design_json(const SizedRouting& routing, bool partial) {
   const SizedDesign& design = routing.design;
-  Json json{{"rank", routing.rank_after},
-            {"rank_before", routing.rank_before},
-            {"routing", routing.word},
-            {"name", text_or_null(routing.name)},
-            {"target", target_json(design)},
-            {"dimensions", Json::array()},
+  Json json{{"rank", routing.rank_after},    {"rank_before", routing.rank_before},
+            {"routing", routing.word},       {"name", text_or_null(routing.name)},
+            {"target", target_json(design)}, {"dimensions", Json::array()},
             {"flat", Json::array()}};
   for (const SizedVariable& variable : design.variables) {
     json["dimensions"].push_back(variable_json(variable, partial));
@@ -89,8 +86,8 @@ Json settings(const SizingReport& report) {
             {"robust", options.robust}};
   json["vary"] = Json::array();
   for (const VariedRange& range : options.varied) {
-    json["vary"].push_back({{"dimension", to_text(range.name)},
-                            {"bounds", {range.bounds.low, range.bounds.high}}});
+    json["vary"].push_back(
+        {{"dimension", to_text(range.name)}, {"bounds", {range.bounds.low, range.bounds.high}}});
   }
   json["same"] = Json::array();
   for (const SameGroup& group : options.same) json["same"].push_back(to_text(group.name));
@@ -98,8 +95,9 @@ Json settings(const SizingReport& report) {
   json["evaluations"] = options.evaluations;
   json.update(settings_json(Order(options.goal.factors), options.score, options.grasps,
                             options.nominal, report.unconverged));
-  const UncertaintyOptions draws{options.nominal, options.ranges, options.grasps,
-                                 Order(options.goal.factors), options.draws, options.seed};
+  const UncertaintyOptions draws{options.nominal, options.ranges,
+                                 options.grasps,  Order(options.goal.factors),
+                                 options.draws,   options.seed};
   json["uncertainty"] = options.robust ? to_json(draws) : Json(nullptr);
   return json;
 }

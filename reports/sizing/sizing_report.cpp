@@ -26,8 +26,8 @@ std::vector<SheetLine> opening_lines(const SizingReport& report) {
   for (const SheetLine& line : model_lines(options.nominal, report.unconverged)) {
     lines.push_back(line);
   }
-  lines.push_back({"Sized for " + goal_text(options) + ", over the grasps " +
-                   to_text(options.grasps)});
+  lines.push_back(
+      {"Sized for " + goal_text(options) + ", over the grasps " + to_text(options.grasps)});
   return lines;
 }
 
@@ -117,10 +117,10 @@ Section best_section(const SizingReport& report) {
   if (!is_met(design)) {
     section.lines.push_back({miss_text(report, design), true});
   } else if (report.options.robust && report.options.goal.is_target()) {
-    section.lines.push_back(
-        {fmt::format("At the nominal coefficients shares then miss by {:.4g}; sized for these alone "
-                     "(--nominal) they can meet the target",
-                     design.after.nominal)});
+    section.lines.push_back({fmt::format(
+        "At the nominal coefficients shares then miss by {:.4g}; sized for these alone "
+        "(--nominal) they can meet the target",
+        design.after.nominal)});
   }
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(

@@ -7,9 +7,8 @@
 namespace reeve::reports {
 
 std::string goal_text(const SizingOptions& options) {
-  const std::string what = options.goal.is_target()
-                               ? "the miss of the " + to_text(options.goal)
-                               : to_text(options.goal);
+  const std::string what =
+      options.goal.is_target() ? "the miss of the " + to_text(options.goal) : to_text(options.goal);
   if (!options.robust) return what + " at the nominal coefficients";
   const double quantile =
       options.goal.better() == Better::higher ? robust_quantile : 1 - robust_quantile;
@@ -18,8 +17,7 @@ std::string goal_text(const SizingOptions& options) {
 }
 
 std::string title_of(const SizedRouting& routing) {
-  return routing.name.empty() ? routing.word
-                              : fmt::format("{} ({})", routing.name, routing.word);
+  return routing.name.empty() ? routing.word : fmt::format("{} ({})", routing.name, routing.word);
 }
 
 std::string gain_text(const SizingOptions& options, const SizedDesign& design) {

@@ -20,7 +20,8 @@ constexpr Interval lengths{1e-3, 1e6};
 constexpr Interval weights{1e-3, 1e3};
 
 constexpr std::array table{
-    QuantityRow{Quantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger, angles},
+    QuantityRow{Quantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger,
+                angles},
     QuantityRow{Quantity::tip_angle, "tip_angle", "tips", "rad", QuantityOf::finger, angles},
     QuantityRow{Quantity::strand_mm, "strand_mm", "strands", "mm", QuantityOf::finger, lengths},
     QuantityRow{Quantity::closing, "closing", "", "", QuantityOf::finger, weights},
@@ -49,8 +50,8 @@ Dimension of_finger(const QuantityRow& row, const std::string& text, const std::
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, finger);
   if (error != std::errc{} || end != last || finger < 1 || finger > max_fingers) {
-    fail(whole, fmt::format("numbers of fingers from 1 to {}, such as {}[1] or {}[2,3]", max_fingers,
-                            row.name, row.name));
+    fail(whole, fmt::format("numbers of fingers from 1 to {}, such as {}[1] or {}[2,3]",
+                            max_fingers, row.name, row.name));
   }
   return {row.quantity, finger, {}, {}};
 }
@@ -58,8 +59,7 @@ Dimension of_finger(const QuantityRow& row, const std::string& text, const std::
 Dimension of_contact(const QuantityRow& row, const std::string& text, const std::string& whole) {
   const std::size_t dash = std::min(text.find('-'), text.size());
   const std::optional<Segment> from = segment_named(text.substr(0, dash));
-  const std::optional<Segment> to =
-      segment_named(dash == text.size() ? "" : text.substr(dash + 1));
+  const std::optional<Segment> to = segment_named(dash == text.size() ? "" : text.substr(dash + 1));
   if (!from || !to) fail(whole, "the two segments beside a contact, such as contact_angle[T2-T3]");
   return {row.quantity, 0, *from, *to};
 }
@@ -70,13 +70,13 @@ bool is_between(const Dimension& dimension, const Segment& left, const Segment& 
 }
 
 bool has_own_angle(const Hardware& hardware, const Segment& left, const Segment& right) {
-  return std::any_of(hardware.contacts.begin(), hardware.contacts.end(),
-                     [&](const ContactHardware& contact) {
-                       return contact.angle_rad &&
-                              is_between({{}, 0, parse_segment(contact.segment),
-                                          parse_segment(contact.other_segment)},
-                                         left, right);
-                     });
+  return std::any_of(
+      hardware.contacts.begin(), hardware.contacts.end(), [&](const ContactHardware& contact) {
+        return contact.angle_rad &&
+               is_between(
+                   {{}, 0, parse_segment(contact.segment), parse_segment(contact.other_segment)},
+                   left, right);
+      });
 }
 
 // Calls `visit` with each contact, the segments beside it, and its law.
@@ -105,21 +105,22 @@ std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Har
   const bool sheaths = quantity == Quantity::sheath_angle;
   const ContactPlace place = sheaths ? ContactPlace::sheath : ContactPlace::tip;
   std::vector<PlacedDimension> found;
-  for_each_contact(network, hardware,
-                   [&](const Contact& contact, const Segment& left, const Segment& right,
-                       const ContactLaw& law) {
-                     if (contact.place != place) return;
-                     PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad, sheaths};
-                     if (contact.finger == 0) {
-                       here.dimension = {Quantity::contact_angle, 0, left, right};
-                     } else if (has_own_angle(hardware, left, right)) {
-                       return;
-                     }
-                     for (const PlacedDimension& other : found) {
-                       if (other.dimension == here.dimension) return;
-                     }
-                     found.push_back(here);
-                   });
+  for_each_contact(
+      network, hardware,
+      [&](const Contact& contact, const Segment& left, const Segment& right,
+          const ContactLaw& law) {
+        if (contact.place != place) return;
+        PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad, sheaths};
+        if (contact.finger == 0) {
+          here.dimension = {Quantity::contact_angle, 0, left, right};
+        } else if (has_own_angle(hardware, left, right)) {
+          return;
+        }
+        for (const PlacedDimension& other : found) {
+          if (other.dimension == here.dimension) return;
+        }
+        found.push_back(here);
+      });
   sort_by_finger(found);
   return found;
 }
@@ -218,10 +219,10 @@ std::string to_text(const Dimension& dimension) {
 std::string to_text(const DimensionName& name) {
   std::string subjects;
   for (const Dimension& one : name.named) {
-    subjects += (subjects.empty() ? "" : ",") +
-                (one.finger > 0
-                     ? std::to_string(one.finger)
-                     : fmt::format("{}-{}", segment_name(one.from), segment_name(one.to)));
+    subjects +=
+        (subjects.empty() ? "" : ",") +
+        (one.finger > 0 ? std::to_string(one.finger)
+                        : fmt::format("{}-{}", segment_name(one.from), segment_name(one.to)));
   }
   return subjects.empty() ? row(name.quantity).name
                           : fmt::format("{}[{}]", row(name.quantity).name, subjects);

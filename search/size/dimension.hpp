@@ -3,9 +3,9 @@
 //   sheath_angle[1]         sum of the bends of each sheath that leads to finger 1, rad
 //   tip_angle[1]            wrap at its fingertip, rad
 //   strand_mm[1]            length of each of its strands, mm
-//   closing[1]              share of the tendon that it takes when it closes, relative to the others
-//   contact_angle[T2-T3]    wrap at the contact between two segments, rad
-//   motor_side_mm, hand_mm  lengths of the other segments, mm
+//   closing[1]              share of the tendon that it takes when it closes, relative to the
+//   others contact_angle[T2-T3]    wrap at the contact between two segments, rad motor_side_mm,
+//   hand_mm  lengths of the other segments, mm
 //
 // Friction coefficients are none of them: they come with the material, and are what is uncertain.
 #pragma once
@@ -47,7 +47,7 @@ const QuantityRow& row(Quantity quantity);
 
 struct Dimension {
   Quantity quantity{};
-  int finger = 0;      // of a finger's
+  int finger = 0;        // of a finger's
   Segment from{}, to{};  // of a contact's, in either order
 
   friend bool operator==(const Dimension& a, const Dimension& b);
@@ -77,9 +77,9 @@ struct PlacedDimension {
   bool of_sheath = false;  // it turns with the posture of the wearer
 };
 
-// All of a quantity that a routing has. Of sheath angles: those of fingers, then, as contacts, those
-// of sheaths that lead to no finger. What the hardware sets for single contacts is theirs, and not
-// the finger's.
+// All of a quantity that a routing has. Of sheath angles: those of fingers, then, as contacts,
+// those of sheaths that lead to no finger. What the hardware sets for single contacts is theirs,
+// and not the finger's.
 std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
                                            Quantity quantity);
 

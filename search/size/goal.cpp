@@ -120,7 +120,8 @@ std::string to_text(const Goal& goal) {
   for (const Objective factor : goal.factors) {
     text += (text.empty() ? "" : " x ") + std::string(row(factor).name);
   }
-  for (const double share : goal.target) text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", share);
+  for (const double share : goal.target)
+    text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", share);
   return goal.is_target() ? "target shares " + text : text;
 }
 

@@ -27,8 +27,7 @@ GoalEvaluator::GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps,
 double GoalEvaluator::value(const Model& model) const {
   if (goal_.is_target()) return misses(model).norm();
   DesignEvaluator evaluator(model, grasps_, score_);
-  const ObjectiveValues values =
-      evaluator.evaluate(routing_, extent_for(goal_.factors, score_));
+  const ObjectiveValues values = evaluator.evaluate(routing_, extent_for(goal_.factors, score_));
   double product = 1;
   for (const Objective factor : goal_.factors) product *= search::value(values, factor);
   return product;
@@ -39,8 +38,8 @@ Eigen::MatrixXd GoalEvaluator::shares_by_grasp(const Model& model) const {
   Eigen::MatrixXd shares =
       Eigen::MatrixXd::Zero(static_cast<Index>(grasps_.size()), network_.fingers);
   for (std::size_t g = 0; g < grasps_.size(); ++g) {
-    const TensionState& state = require_in_range(
-        solver.solve(grasps_[g].grasp, Direction::pull, model.conditions));
+    const TensionState& state =
+        require_in_range(solver.solve(grasps_[g].grasp, Direction::pull, model.conditions));
     auto row = shares.row(static_cast<Index>(g));
     for (std::size_t i = 0; i < network_.segments.size(); ++i) {
       const Segment& segment = network_.segments[i];

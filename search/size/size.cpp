@@ -17,7 +17,7 @@ namespace {
 
 using Point = SizingProblem::Point;
 
-constexpr double coarse = 1e-4;  // of the box: where a search from one of several starts ends
+constexpr double coarse = 1e-4;   // of the box: where a search from one of several starts ends
 constexpr double all_but = 1e-3;  // of the box: from a bound
 constexpr double no_loss = 1e-9;  // of the goal
 
@@ -39,9 +39,10 @@ class Search {
     const Point start = number == 0 ? problem_.nearest_to_nominal() : start_of(number);
     const Minimum here{start, problem_.loss(start)};
     if (stopped() || start.empty()) return {here, std::nullopt};
-    Find find{least(here, number == 0 ? minimise(loss(), problem_.box(), options_.evaluations, stop_)
-                                      : descent(start, coarse)),
-              std::nullopt};
+    Find find{
+        least(here, number == 0 ? minimise(loss(), problem_.box(), options_.evaluations, stop_)
+                                : descent(start, coarse)),
+        std::nullopt};
     if (options_.goal.is_target()) find.nearest = nearest(start);
     return find;
   }
@@ -74,8 +75,9 @@ class Search {
     for (std::size_t i = 0; number > 1 && i < start.size(); ++i) {
       const Interval& bounds = problem_.box()[i];
       const auto stream = streams::sizing_starts + static_cast<std::uint32_t>(i);
-      start[i] = bounds.low + (bounds.high - bounds.low) *
-                                  uniform(options_.seed, stream, static_cast<std::uint64_t>(number));
+      start[i] =
+          bounds.low + (bounds.high - bounds.low) *
+                           uniform(options_.seed, stream, static_cast<std::uint64_t>(number));
     }
     return start;
   }

@@ -3,62 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "core/text.hpp"
 
 namespace reeve::search {
 namespace {
 
-std::optional<double> number_in(std::string_view text) {
-  double number = 0;
-  const std::string_view digits = trimmed(text);
-  const char* last = digits.data() + digits.size();
-  const auto [end, error] = std::from_chars(digits.data(), last, number);
-  if (error != std::errc{} || end != last || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-// Between commas that stand in no bracket.
-std::vector<std::string> items_in(const std::string& text) {
-  std::vector<std::string> items{""};
-  int depth = 0;
-  for (const char c : text) {
-    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
-    if (c == ',' && depth == 0) {
-      items.emplace_back();
-    } else {
-      items.back() += c;
-    }
-  }
-  return items;
-}
-
-DimensionName name_in_group(const std::string& item) {
-  for (const QuantityRow& row : quantity_table()) {
-    if (*row.plural != '\0' && item == row.plural) return {row.quantity, {}};
-  }
-  return parse_dimensions(item);
-}
-
-bool covers(const DimensionName& name, const std::vector<PlacedDimension>& of_quantity,
-            const PlacedDimension& placed) {
-  if (!name.named.empty()) return name.has(placed.dimension);
-  return std::any_of(
-      of_quantity.begin(), of_quantity.end(),
-      [&](const PlacedDimension& one) { return one.dimension == placed.dimension; });
-}
-
 std::vector<PlacedDimension> covered(const Network& network, const Hardware& hardware,
                                      const DimensionName& name) {
   std::vector<PlacedDimension> found;
-  const auto of_quantity = dimensions_of(network, hardware, name.quantity);
-  for (const PlacedDimension& placed : of_quantity) {
-    if (covers(name, of_quantity, placed)) found.push_back(placed);
+  for (const PlacedDimension& placed : dimensions_of(network, hardware, name.quantity)) {
+    if (name.named.empty() || name.has(placed.dimension)) found.push_back(placed);
   }
   return found;
 }
@@ -126,7 +82,8 @@ class Collector {
 
   std::size_t place_of(const PlacedDimension& placed) const {
     std::size_t at = 0;
-    while (at < space_.dimensions.size() && !(space_.dimensions[at].dimension == placed.dimension)) {
+    while (at < space_.dimensions.size() &&
+           !(space_.dimensions[at].dimension == placed.dimension)) {
       ++at;
     }
     return at;
@@ -235,8 +192,7 @@ void require_once(const std::vector<VariedRange>& ranges) {
 }
 
 // A contact's own angle hides that of its finger.
-void require_none_hidden(const Network& network, const Hardware& hardware,
-                         const SizeSpace& space) {
+void require_none_hidden(const Network& network, const Hardware& hardware, const SizeSpace& space) {
   Hardware with_contacts = hardware;
   for (const PlacedDimension& placed : space.dimensions) {
     if (placed.dimension.quantity == Quantity::contact_angle) {
@@ -249,64 +205,13 @@ void require_none_hidden(const Network& network, const Hardware& hardware,
       return one.dimension == placed.dimension;
     });
     if (is_left) continue;
-    throw InputError({.what = "vary",
+    throw InputError({.what = "varied dimension",
                       .value = to_text(placed.dimension),
                       .expected = "no contact_angle of the same contacts beside it"});
   }
 }
 
 }  // namespace
-
-VariedRange varied_range(const std::string& name, const Interval& bounds, const std::string& text) {
-  VariedRange range{{}, bounds, text};
-  try {
-    range.name = parse_dimensions(name);
-  } catch (const InputError& error) {
-    throw error.at(text);
-  }
-  const QuantityRow& about = row(range.name.quantity);
-  if (bounds.low <= bounds.high && bounds.low >= about.possible.low &&
-      bounds.high <= about.possible.high) {
-    return range;
-  }
-  throw InputError({.where = text,
-                    .what = about.name,
-                    .value = fmt::format("{}..{}", bounds.low, bounds.high),
-                    .expected = fmt::format("the least and the greatest, from {} to {}{}{}",
-                                            about.possible.low, about.possible.high,
-                                            *about.unit == '\0' ? "" : " ", about.unit),
-                    .form = InputForm::equals});
-}
-
-VariedRange parse_varied(const std::string& text) {
-  const std::string option = fmt::format("vary '{}'", text);
-  const std::size_t equals = text.find('=');
-  const std::size_t dots = text.find("..", equals == std::string::npos ? 0 : equals);
-  if (equals != std::string::npos && dots != std::string::npos) {
-    const auto low = number_in(std::string_view(text).substr(equals + 1, dots - equals - 1));
-    const auto high = number_in(std::string_view(text).substr(dots + 2));
-    if (low && high) return varied_range(text.substr(0, equals), {*low, *high}, option);
-  }
-  throw InputError({.what = "vary",
-                    .value = text,
-                    .expected = "a dimension and its bounds, such as sheath_angle[1]=3..9"});
-}
-
-std::vector<SameGroup> parse_same(const std::string& text) {
-  const std::string option = fmt::format("same '{}'", text);
-  std::vector<SameGroup> groups;
-  for (const std::string& item : items_in(text)) {
-    try {
-      groups.push_back({name_in_group(std::string(trimmed(item))), option});
-    } catch (const InputError& error) {
-      throw InputError({.what = "same",
-                        .value = text,
-                        .expected = "tips, sheaths, strands, or dimensions of one quantity such as "
-                                    "sheath_angle[2,3,4]"});
-    }
-  }
-  return groups;
-}
 
 SizeSpace size_space(const Network& network, const Hardware& hardware,
                      const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same) {
@@ -348,7 +253,8 @@ void require_ranges_to_match(const std::vector<Routing>& routings, const Hardwar
             [&](const PlacedDimension& one) { return one.dimension == member.dimension; });
       });
     });
-    if (!is_varied) throw InputError({.what = group.text, .expected = "dimensions that are varied"});
+    if (!is_varied)
+      throw InputError({.what = group.text, .expected = "dimensions that are varied"});
   }
 }
 

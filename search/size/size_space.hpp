@@ -1,5 +1,4 @@
-// Which dimensions may be chosen, in what bounds, and which of them must stay equal: from what the
-// user writes to the variables of one routing.
+// The variables of one routing: its dimensions that may be chosen, those as one that stay equal.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +10,9 @@
 #include "core/routing.hpp"
 #include "numerics/minimise.hpp"
 #include "search/size/dimension.hpp"
+#include "search/size/varied_range.hpp"
 
 namespace reeve::search {
-
-struct VariedRange {
-  DimensionName name;
-  Interval bounds;
-  std::string text;  // as it was given, for messages: "vary 'hand_mm=50..90'", "h.toml:3:1"
-};
-
-// "sheath_angle[1]=3..9". Throws InputError.
-VariedRange parse_varied(const std::string& text);
-// Of a name and bounds that stand apart; `text` as above.
-VariedRange varied_range(const std::string& name, const Interval& bounds, const std::string& text);
-
-// Dimensions that are to be equal, so that the fingers' parts are alike.
-struct SameGroup {
-  DimensionName name;
-  std::string text;
-};
-
-// "tips", "sheaths,tips", "sheath_angle[2,3,4]": what each item names is equal. Throws InputError.
-std::vector<SameGroup> parse_same(const std::string& text);
 
 // One or more dimensions that have one value.
 struct SizeVariable {

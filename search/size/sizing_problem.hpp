@@ -1,9 +1,9 @@
 // A routing's goal as a function of its variables, under coefficients that are not known well.
 //
 // Robust, the goal is that of the bad side: its 5 % quantile over draws of the coefficients (95 %
-// where lower is better), the same draws at every point, so that points are compared on equal terms.
-// A draw is that of uncertainty.hpp; besides, sheath angles that are varied turn by the same factor
-// as the others do, since posture bends whatever was mounted.
+// where lower is better), the same draws at every point, so that points are compared on equal
+// terms. A draw is that of uncertainty.hpp; besides, sheath angles that are varied turn by the same
+// factor as the others do, since posture bends whatever was mounted.
 #pragma once
 
 #include <Eigen/Core>

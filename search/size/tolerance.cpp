@@ -89,8 +89,9 @@ class Surroundings {
   std::optional<double> off(std::size_t variable, int sign) const {
     const Interval& bounds = problem_.space().variables[variable].bounds;
     const Interval there = possible(problem_, variable);
-    const double beyond = sign < 0 ? point_[variable] - std::max(there.low, bounds.low - width(bounds))
-                                   : std::min(there.high, bounds.high + width(bounds)) - point_[variable];
+    const double beyond =
+        sign < 0 ? point_[variable] - std::max(there.low, bounds.low - width(bounds))
+                 : std::min(there.high, bounds.high + width(bounds)) - point_[variable];
     if (!(beyond > 0)) return std::nullopt;
     return way_to(beyond,
                   [&](double way) { return loss_at(variable, sign * way) > loss_ + tolerated_; });
@@ -147,9 +148,8 @@ class Plain {
       for (Index k = 0; k <= i; ++k) {
         const Eigen::VectorXd a = curvature_step * Eigen::VectorXd::Unit(size(), i);
         const Eigen::VectorXd b = curvature_step * Eigen::VectorXd::Unit(size(), k);
-        result(i, k) =
-            i == k ? loss(a) + loss(-a) - 2 * here
-                   : (loss(a + b) - loss(a - b) - loss(b - a) + loss(-a - b)) / 4;
+        result(i, k) = i == k ? loss(a) + loss(-a) - 2 * here
+                              : (loss(a + b) - loss(a - b) - loss(b - a) + loss(-a - b)) / 4;
         result(k, i) = result(i, k);
       }
     }
@@ -172,8 +172,8 @@ std::vector<std::size_t> between_bounds(const SizingProblem& problem, const Poin
   return free;
 }
 
-// So that its greatest part is positive and one: of two ends the same one, whatever the signs of the
-// eigenvectors.
+// So that its greatest part is positive and one: of two ends the same one, whatever the signs of
+// the eigenvectors.
 Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
   Index greatest = 0;
   for (Index i = 1; i < direction.size(); ++i) {
@@ -208,7 +208,8 @@ std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const G
   std::vector<FlatDirection> flat;
   std::vector<std::size_t> others;
   for (const std::size_t i : between_bounds(problem, point)) {
-    const FlatDirection alone = Plain(problem, point, {i}).along(flat_move * Eigen::VectorXd::Ones(1));
+    const FlatDirection alone =
+        Plain(problem, point, {i}).along(flat_move * Eigen::VectorXd::Ones(1));
     if (alone.loss <= most) {
       flat.push_back(alone);
     } else {

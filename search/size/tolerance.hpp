@@ -17,8 +17,8 @@ struct Sensitivity {
   // Change of the goal per unit that the variable gets less, and more.
   double slope_less = 0;
   double slope_more = 0;
-  // How far it may be off, alone, before the tolerated part is lost. Nothing if that is further than
-  // the width of its bounds beyond them, or than there is hardware.
+  // How far it may be off, alone, before the tolerated part is lost. Nothing if that is further
+  // than the width of its bounds beyond them, or than there is hardware.
   std::optional<double> less;
   std::optional<double> more;
 };

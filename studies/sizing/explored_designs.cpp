@@ -31,7 +31,8 @@ std::vector<Routing> explored_designs(const std::filesystem::path& folder, std::
     }
   }
   if (routings.empty()) {
-    throw InputError({.where = csv.name(), .what = "it holds no design", .form = InputForm::unknown});
+    throw InputError(
+        {.where = csv.name(), .what = "it holds no design", .form = InputForm::unknown});
   }
   return routings;
 }

@@ -10,8 +10,8 @@
 
 namespace reeve::studies {
 
-// The first `count` of designs.csv, which are in the order of their ranks; fewer, if it has no more.
-// Throws InputError with file, line and column.
+// The first `count` of designs.csv, which are in the order of their ranks; fewer, if it has no
+// more. Throws InputError with file, line and column.
 std::vector<Routing> explored_designs(const std::filesystem::path& folder, std::size_t count);
 
 }  // namespace reeve::studies

@@ -17,10 +17,10 @@ double join_angle_for(double first, double second) {
 }
 
 TEST(TargetShares, GiveTheAngleOfTheJoinBetweenTwoFingers) {
-  for (const auto& [first, second] : {std::pair{0.7, 0.3}, {0.75, 0.25}, {0.8, 0.2}, {0.65, 0.35}}) {
+  for (const auto& [first, second] :
+       {std::pair{0.7, 0.3}, {0.75, 0.25}, {0.8, 0.2}, {0.65, 0.35}}) {
     const std::string target = "1=" + std::to_string(first) + ",2=" + std::to_string(second);
-    const SizedDesign design =
-        sized("M-1-T-2-F", aiming(target, {"contact_angle[T3-T2]=0..9"}));
+    const SizedDesign design = sized("M-1-T-2-F", aiming(target, {"contact_angle[T3-T2]=0..9"}));
     EXPECT_NEAR(values_of(design).at(0), join_angle_for(first, second), 1e-6) << target;
     EXPECT_TRUE(is_met(design));
     EXPECT_NEAR(design.after.shares.at(0), first, 1e-9);
@@ -104,8 +104,8 @@ TEST(TargetShares, OfAThumbThatPullsAsTwoFingers) {
 
 TEST(Sizing, LeavesWhatDoesNotMatterAsItIsAndSaysSo) {
   // Nothing in TR1 depends on how long its strands are: all of it slides.
-  const SizedDesign design = sized(
-      "M-1-T-2-F", sizing("efficiency", {"strand_mm[1]=50..150", "sheath_angle[1]=3..9"}));
+  const SizedDesign design =
+      sized("M-1-T-2-F", sizing("efficiency", {"strand_mm[1]=50..150", "sheath_angle[1]=3..9"}));
   ASSERT_EQ(design.variables.size(), 2U);
   EXPECT_EQ(design.variables[0].variable.name, "strand_mm[1]");
   EXPECT_EQ(design.variables[0].value, 100);

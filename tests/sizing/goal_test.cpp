@@ -21,8 +21,9 @@ TEST(Goal, IsRefusedWithWhatWasExpected) {
   EXPECT_EQ(input_error([] { parse_goal("uniformity*travel"); }),
             "goal 'uniformity*travel': of 'travel' lower is better; expected objectives of which "
             "higher is better in a product");
-  EXPECT_TRUE(input_error([] { parse_goal("uniformity*"); })
-                  .starts_with("goal 'uniformity*': unknown objective ''; expected one of "));
+  EXPECT_TRUE(input_error([] {
+                parse_goal("uniformity*");
+              }).starts_with("goal 'uniformity*': unknown objective ''; expected one of "));
 }
 
 TEST(Target, GivesSharesThatAddUpToOne) {

@@ -19,8 +19,7 @@ namespace {
 Hardware with_sheaths(Hardware hardware, const std::vector<double>& angles, double factor = 1) {
   hardware.fingers.clear();
   for (std::size_t f = 0; f < angles.size(); ++f) {
-    hardware.fingers.push_back(
-        {static_cast<int>(f) + 1, {}, {}, {}, angles[f] * factor, {}, 1});
+    hardware.fingers.push_back({static_cast<int>(f) + 1, {}, {}, {}, angles[f] * factor, {}, 1});
   }
   return hardware;
 }
@@ -73,9 +72,8 @@ TEST(RobustGoal, IsTheQuantileOverTheDrawsOfTheUncertainty) {
   options.robust = true;
   options.draws = 37;
   const SizingProblem problem(parse_routing("M-1-P-2-M"), options);
-  const double expected = over_draws(37, 0.05, {4, 7}, [](const Hardware& hardware) {
-    return product("M-1-P-2-M", hardware);
-  });
+  const double expected = over_draws(
+      37, 0.05, {4, 7}, [](const Hardware& hardware) { return product("M-1-P-2-M", hardware); });
   EXPECT_NEAR(problem.goal({4, 7}), expected, 1e-9);
   EXPECT_NEAR(problem.nominal_goal({4, 7}), product("M-1-P-2-M", with_sheaths({}, {4, 7})), 1e-12);
   UncertaintyOptions uncertainty;
@@ -139,8 +137,8 @@ TEST(Sizing, OfAGoalOfWhichLessIsBetterLessensIt) {
 }
 
 TEST(SizingThreads, DoNotChangeTheResult) {
-  SizingOptions options = sizing("uniformity*efficiency_worst", {"sheath_angle=3..9",
-                                                                 "strand_mm=50..90"});
+  SizingOptions options =
+      sizing("uniformity*efficiency_worst", {"sheath_angle=3..9", "strand_mm=50..90"});
   options.robust = true;
   options.draws = 10;
   const std::vector<Routing> routings{parse_routing("M-1-P-2-M"), parse_routing("1-T-2-P-1")};

@@ -114,9 +114,9 @@ TEST(SizeSpace, BoundsOfOneDimensionRuleOverThoseOfAll) {
 }
 
 TEST(SizeSpace, MakesOneVariableOfWhatStaysEqual) {
-  const SizeSpace space = space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9", "tip_angle=1..4",
-                                                     "tip_angle[3]=2..6"},
-                                   {"tips", "sheath_angle[2,3]"});
+  const SizeSpace space =
+      space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9", "tip_angle=1..4", "tip_angle[3]=2..6"},
+               {"tips", "sheath_angle[2,3]"});
   EXPECT_EQ(variables(space), "sheath_angle[1] sheath_angle[2,3] tip_angle[1,2,3]");
   EXPECT_EQ(space.variables[2].bounds.low, 2);
   EXPECT_EQ(space.variables[2].bounds.high, 4);
@@ -136,8 +136,9 @@ TEST(SizeSpace, IsRefusedWhereNothingCanBeVariedSo) {
             "contact_angle[T3-T4], motor_side_mm");
   EXPECT_EQ(error_of("M-1-T-2-M", {"sheath_angle=3..9", "sheath_angle=3..8"}),
             "vary 'sheath_angle=3..8': what vary 'sheath_angle=3..9' varies is varied again");
-  EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle[1]=1..4", "contact_angle[T2-T1]=1..2"}),
-            "vary 'tip_angle[1]': expected no contact_angle of the same contacts beside it");
+  EXPECT_EQ(
+      error_of("M-1-T-2-F", {"tip_angle[1]=1..4", "contact_angle[T2-T1]=1..2"}),
+      "varied dimension 'tip_angle[1]': expected no contact_angle of the same contacts beside it");
   EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle=1..4"}, {"sheaths"}),
             "same 'sheaths': expected dimensions that are varied");
   EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle[1]=1..2", "tip_angle[2]=3..4"}, {"tips"}),
@@ -156,9 +157,9 @@ TEST(VariedRange, IsRefusedWithWhatWasExpected) {
   EXPECT_EQ(input_error([&] { parse_varied("closing[1]=0..2"); }),
             "vary 'closing[1]=0..2': closing = 0..2: expected the least and the greatest, from "
             "0.001 to 1000");
-  for (const char* name : {"angle", "tip_angle[", "tip_angle[0]", "tip_angle[1,]", "tip_angle[65]",
-                           "tip_angle[1,1]", "contact_angle", "contact_angle[T1]",
-                           "contact_angle[T1-Q]", "hand_mm[1]", "tip_angle[]"}) {
+  for (const char* name :
+       {"angle", "tip_angle[", "tip_angle[0]", "tip_angle[1,]", "tip_angle[65]", "tip_angle[1,1]",
+        "contact_angle", "contact_angle[T1]", "contact_angle[T1-Q]", "hand_mm[1]", "tip_angle[]"}) {
     const std::string text = std::string(name) + "=1..2";
     const std::string said = input_error([&] { parse_varied(text); });
     EXPECT_TRUE(said.starts_with("vary '" + text + "': dimension '" + name + "': expected "))

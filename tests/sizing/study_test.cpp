@@ -13,7 +13,7 @@ namespace {
 SizingReport ranked(const std::vector<std::string>& words, const SizingOptions& options) {
   std::vector<Routing> routings;
   for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return sizing_study(routings, options, read_catalogue(CatalogueFiles::shipped()));
+  return sizing_study(routings, options, read_catalogue(std::filesystem::path(REEVE_CATALOG_DIR)));
 }
 
 std::vector<std::string> words(const SizingReport& report) {
@@ -22,7 +22,7 @@ std::vector<std::string> words(const SizingReport& report) {
   return result;
 }
 
-// Of two alike but for a join, the one whose join can be made straight overtakes.
+// Once neither join bends the tendon they are equal, and the one without a bearing has fewer parts.
 TEST(SizingStudy, RanksBeforeAndAfter) {
   SizingOptions options = sizing("efficiency", {"contact_angle[T2-T3]=0..9"});
   const SizingReport report = ranked({"M-1-B-2-F", "M-1-T-2-F"}, options);
@@ -34,8 +34,8 @@ TEST(SizingStudy, RanksBeforeAndAfter) {
 }
 
 TEST(SizingStudy, OfATargetRanksTheLeastMissFirst) {
-  const SizingReport report = ranked({"M-1-T-2-F", "1-P-2-P-1"},
-                                     aiming("1=1,2=1", {"sheath_angle=3..9"}));
+  const SizingReport report =
+      ranked({"M-1-T-2-F", "1-P-2-P-1"}, aiming("1=1,2=1", {"sheath_angle=3..9"}));
   EXPECT_EQ(report.designs[0].word, "1-P-2-P-1");
   EXPECT_LT(report.designs[0].design.after.goal, report.designs[1].design.after.goal);
   EXPECT_TRUE(best_meets_target(report));
@@ -67,8 +67,7 @@ TEST_F(ExploredDesigns, NameThePlaceOfWhatIsWrong) {
   EXPECT_EQ(folder_.error_of([&] { read("rank,word\n1,M-1-F\n"); }),
             "designs.csv: no column 'routing'; expected the designs.csv of an exploration");
   EXPECT_EQ(folder_.error_of([&] { read("rank,routing\n"); }), "designs.csv: it holds no design");
-  EXPECT_EQ(folder_.error_of([&] { read("rank,routing\n1,M-1-T-2-F\n2,M-1-Q\n"); })
-                .substr(0, 47),
+  EXPECT_EQ(folder_.error_of([&] { read("rank,routing\n1,M-1-T-2-F\n2,M-1-Q\n"); }).substr(0, 47),
             "designs.csv:3: routing 'M-1-Q', column 5: unkno");
 }
 
