@@ -90,19 +90,31 @@ std::string flat_text(const SizedDesign& design, const FlatDirection& flat) {
                      flat.loss < 1e-6 ? "nothing" : fmt::format("{:.2g}", flat.loss));
 }
 
-std::string miss_text(const SizingReport& report, const SizedDesign& design) {
+std::size_t worst_finger(const std::vector<double>& target, const std::vector<double>& shares) {
   std::size_t worst = 0;
-  const std::vector<double>& target = report.options.goal.target;
   for (std::size_t f = 0; f < target.size(); ++f) {
-    if (std::abs(design.nearest_shares[f] - target[f]) >
-        std::abs(design.nearest_shares[worst] - target[worst])) {
-      worst = f;
-    }
+    const auto miss = [&](std::size_t finger) { return std::abs(shares[finger] - target[finger]); };
+    if (miss(f) > miss(worst)) worst = f;
   }
-  return fmt::format(
-      "The target is out of reach within the bounds: at the nominal coefficients it is missed by "
-      "{:.4g} at least, where finger {} has {:.4g} of all pull instead of {:.4g}",
-      *design.least_miss, worst + 1, design.nearest_shares[worst], target[worst]);
+  return worst;
+}
+
+// Of a target: what is possible at the nominal coefficients.
+SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
+  const std::vector<double>& target = options.goal.target;
+  const std::size_t worst = worst_finger(target, design.nearest_shares);
+  const std::string at_best = fmt::format(
+      "at the nominal coefficients shares miss it by {:.4g} at best, where finger {} has "
+      "{:.4g} of all pull instead of {:.4g}",
+      on_grid(*design.least_miss), worst + 1, design.nearest_shares[worst], target[worst]);
+  if (!is_met(design)) {
+    return {"The target is out of reach within the bounds: " + at_best, true};
+  }
+  const std::string here = options.robust
+                               ? fmt::format("; sized for all coefficients, by {:.4g} there",
+                                             on_grid(design.after.nominal))
+                               : "";
+  return {"The target is within reach: " + at_best + here};
 }
 
 Section best_section(const SizingReport& report) {
@@ -114,14 +126,7 @@ Section best_section(const SizingReport& report) {
   } else {
     section.table = variable_table(design);
   }
-  if (!is_met(design)) {
-    section.lines.push_back({miss_text(report, design), true});
-  } else if (report.options.robust && report.options.goal.is_target()) {
-    section.lines.push_back({fmt::format(
-        "At the nominal coefficients shares then miss by {:.4g}; sized for these alone "
-        "(--nominal) they can meet the target",
-        design.after.nominal)});
-  }
+  if (design.least_miss) section.lines.push_back(target_line(report.options, design));
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(
         {report.options.goal.is_target()

@@ -103,11 +103,32 @@ class Search {
       if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, 0);
     }
     const Point nominal = problem_.nearest_to_nominal();
-    // All such steps together give up no more than one of them may.
-    const double spare = no_loss * std::max(std::abs(best.value), no_loss) /
-                         static_cast<double>(std::max<std::size_t>(1, best.at.size()));
+    const double spare = no_loss * std::max(std::abs(best.value), no_loss);
     for (std::size_t i = 0; i < best.at.size(); ++i) best = put(best, i, nominal[i], spare);
+    for (const FlatDirection& flat : flat_directions(problem_, options_.goal, best.at)) {
+      best = back_along(flat, best, spare);
+    }
     return best;
+  }
+
+  // As near to the hardware as it is as the direction leads, the box's sides alike.
+  Minimum back_along(const FlatDirection& flat, const Minimum& best, double spare) const {
+    const Point nominal = problem_.nearest_to_nominal();
+    double way = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < best.at.size(); ++i) {
+      if (flat.moves[i] == 0) continue;
+      const double width = problem_.box()[i].high - problem_.box()[i].low;
+      way += (nominal[i] - best.at[i]) * flat.moves[i] / (width * width);
+      squares += flat.moves[i] * flat.moves[i] / (width * width);
+    }
+    Point there = best.at;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const Interval& bounds = problem_.box()[i];
+      there[i] = std::clamp(there[i] + way / squares * flat.moves[i], bounds.low, bounds.high);
+    }
+    const Minimum back = with_loss(there);
+    return back.value <= best.value + spare ? back : best;
   }
 
   Minimum put(const Minimum& best, std::size_t variable, double value, double spare) const {

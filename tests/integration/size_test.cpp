@@ -63,8 +63,8 @@ TEST(Size, OfATargetOutOfReachSaysByHowMuchAndExitsWithOne) {
       {"TR1", "--target", "1=0.4,2=0.6", "--vary", "contact_angle[T2-T3]=1..9", "--nominal"});
   EXPECT_EQ(sized.result.exit_code, 1);
   EXPECT_EQ(sized.result.err, "");
-  EXPECT_NE(sized.result.out.find("missed by 0.3934 at least, where finger 1 has 0.6782 of all "
-                                  "pull instead of 0.4"),
+  EXPECT_NE(sized.result.out.find("shares miss it by 0.3934 at best, where finger 1 has 0.6782 "
+                                  "of all pull instead of 0.4"),
             std::string::npos)
       << sized.result.out;
 }

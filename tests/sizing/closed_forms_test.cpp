@@ -102,6 +102,18 @@ TEST(TargetShares, OfAThumbThatPullsAsTwoFingers) {
   EXPECT_NEAR(design.after.shares.at(2), 0.25, 1e-7);
 }
 
+// Only the difference of the angles counts, so that their mean stays as it is.
+TEST(Sizing, GoesBackAlongWhatDoesNotMatter) {
+  SizingOptions options = sizing("uniformity", {"sheath_angle=4..9"});
+  options.nominal.hardware.bearing.mu = 0;
+  options.nominal.hardware.fingers.push_back({1, {}, {}, {}, 5.0, {}, 1});
+  options.nominal.hardware.fingers.push_back({2, {}, {}, {}, 7.0, {}, 1});
+  const SizedDesign design = sized("1-P-2-P-1", options);
+  EXPECT_NEAR(design.after.goal, 1, 1e-9);
+  EXPECT_NEAR(design.variables.at(0).value, 6, 1e-5);
+  EXPECT_NEAR(design.variables.at(1).value, 6, 1e-5);
+}
+
 TEST(Sizing, LeavesWhatDoesNotMatterAsItIsAndSaysSo) {
   // Nothing in TR1 depends on how long its strands are: all of it slides.
   const SizedDesign design =
