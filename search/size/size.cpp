@@ -20,6 +20,7 @@ using Point = SizingProblem::Point;
 constexpr double coarse = 1e-4;   // of the box: where a search from one of several starts ends
 constexpr double all_but = 1e-3;  // of the box: from a bound
 constexpr double no_loss = 1e-9;  // of the goal
+constexpr double hardly_a_loss = 1e-7;  // likewise
 
 // What one search has found.
 struct Find {
@@ -99,8 +100,9 @@ class Search {
     for (std::size_t i = 0; i < best.at.size(); ++i) {
       const Interval& bounds = problem_.box()[i];
       const double near = all_but * (bounds.high - bounds.low);
-      if (best.at[i] - bounds.low < near) best = put(best, i, bounds.low, 0);
-      if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, 0);
+      const double spare = hardly_a_loss * std::abs(best.value);
+      if (best.at[i] - bounds.low < near) best = put(best, i, bounds.low, spare);
+      if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, spare);
     }
     const Point nominal = problem_.nearest_to_nominal();
     const double spare = no_loss * std::max(std::abs(best.value), no_loss);
