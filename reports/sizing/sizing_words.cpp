@@ -23,9 +23,10 @@ std::string title_of(const SizedRouting& routing) {
 std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
   const double before = on_grid(design.before.goal);
   const double after = on_grid(design.after.goal);
-  const std::string text = fmt::format("{:.4g} -> {:.4g}", before, after);
+  std::string text = fmt::format("{:.4g} -> {:.4g}", before, after);
   if (options.goal.is_target() || before == 0) return text;
-  return text + fmt::format(" ({:+.1f} %)", 100 * (after - before) / std::abs(before));
+  text += fmt::format(" ({:+.1f} %)", 100 * (after - before) / std::abs(before));
+  return text;
 }
 
 }  // namespace reeve::reports

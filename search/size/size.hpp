@@ -3,9 +3,9 @@
 // Each variable has bounds. Globally the box is divided (DIRECT-L), locally several starts descend
 // (Subplex): the hardware as it is, and points drawn from the box. From the best of all it descends
 // once more, finely. Then what costs nothing is put right: variables that do not matter, alone or
-// together, stay as they are, one that all but stands at a bound stands there. The result is the same for any number of
-// threads: it is the best that was seen, which for a goal with many narrow valleys need not be the
-// best there is.
+// together, stay as they are, one that all but stands at a bound stands there. The result is the
+// same for any number of threads: it is the best that was seen, which for a goal with many narrow
+// valleys need not be the best there is.
 #pragma once
 
 #include <cstdint>
@@ -49,8 +49,8 @@ struct SizedDesign {
   Hardware hardware;  // as it is sized, effects of the model not on it
 };
 
-// A target is met where shares can miss it by no more: a hundredth of all pull, as much as tolerances
-// grant.
+// A target is met where shares can miss it by no more: a hundredth of all pull, as much as
+// tolerances grant.
 inline constexpr double met_miss = tolerated_loss;
 bool is_met(const SizedDesign& design);
 
