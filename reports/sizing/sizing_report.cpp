@@ -110,6 +110,7 @@ SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
   if (!is_met(design)) {
     return {"The target is out of reach within the bounds: " + at_best, true};
   }
+  if (on_grid(*design.least_miss) == 0 && !options.robust) return {"The target is met"};
   const std::string here = options.robust
                                ? fmt::format("; sized for all coefficients, by {:.4g} there",
                                              on_grid(design.after.nominal))
