@@ -140,7 +140,7 @@ ModelFile ModelOption::read() const {
     return read_model_file(file_);
   }
   const HardwareFile file = hardware_.read();
-  return {{file.hardware}, file.uncertainty};
+  return {{file.hardware}, file.uncertainty, file.vary};
 }
 
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {

@@ -64,6 +64,21 @@ ContactLaw MechanicsBuilder::law(const Contact& contact) const {
   return law;
 }
 
+ContactLaw MechanicsBuilder::law_at(const Network& network, const TendonSpan& tendon,
+                                    std::size_t k) const {
+  const auto [left, right] = ends_of(tendon, k);
+  const Segment& l = network.segments[left];
+  const Segment& r = network.segments[right];
+  ContactLaw law = this->law(network.contacts[tendon.first_contact + k]);
+  for (const ContactOverride& override_ : by_contact_) {
+    if ((override_.a == l && override_.b == r) || (override_.a == r && override_.b == l)) {
+      law.mu = override_.law.mu.value_or(law.mu);
+      law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
+    }
+  }
+  return law;
+}
+
 void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const {
   mechanics.in_range = true;
   mechanics.length.clear();
@@ -108,17 +123,8 @@ void MechanicsBuilder::apply_overrides(const Network& network, Mechanics& mechan
   }
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
+      const ContactLaw law = law_at(network, tendon, k);
       const std::size_t contact = tendon.first_contact + k;
-      ContactLaw law = this->law(network.contacts[contact]);
-      for (const ContactOverride& override_ : by_contact_) {
-        const Segment& l = network.segments[left];
-        const Segment& r = network.segments[right];
-        if ((override_.a == l && override_.b == r) || (override_.a == r && override_.b == l)) {
-          law.mu = override_.law.mu.value_or(law.mu);
-          law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
-        }
-      }
       mechanics.in_range &= law.exponent() <= max_exponent;
       mechanics.phi[contact] = law.exponent();
       mechanics.decay[contact] = std::exp(-law.exponent());

@@ -30,6 +30,9 @@ class MechanicsBuilder {
   // Keeps the memory of `mechanics`.
   void apply(const Network& network, Mechanics& mechanics) const;
 
+  // Of the tendon's k-th contact, whatever sets it.
+  ContactLaw law_at(const Network& network, const TendonSpan& tendon, std::size_t k) const;
+
   // Contact overrides that name no contact of this network; as the user wrote them.
   std::vector<std::string> unmatched_contacts(const Network& network) const;
 

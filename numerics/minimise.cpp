@@ -3,6 +3,7 @@
 #include <nlopt.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -14,14 +15,19 @@ namespace {
 constexpr double fine = 1e-9;
 constexpr double smooth = 1e-7;
 constexpr double first_step = 0.02;
+constexpr double wide_step = 0.25;
 
 using Function = std::function<double(const std::vector<double>&)>;
 
 // The free variables of the box, scaled to 0 … 1.
 class Problem {
  public:
-  Problem(const Function& function, const std::vector<Interval>& box)
-      : function_(function), box_(box), best_{{}, std::numeric_limits<double>::infinity()} {
+  Problem(const Function& function, const std::vector<Interval>& box,
+          const std::atomic<bool>* stop = nullptr)
+      : function_(function),
+        box_(box),
+        stop_(stop),
+        best_{{}, std::numeric_limits<double>::infinity()} {
     for (std::size_t i = 0; i < box.size(); ++i) {
       point_.push_back(box[i].low);
       if (box[i].high > box[i].low) free_.push_back(i);
@@ -75,13 +81,16 @@ class Problem {
       // As far as the numbers go; the best point is kept.
     } catch (...) {
       if (failure_) std::rethrow_exception(failure_);
-      throw;
+      if (!stopped()) throw;
     }
   }
 
  private:
+  bool stopped() const { return stop_ != nullptr && stop_->load(); }
+
   // NLopt is C inside: what the function throws is carried past it.
   double guarded(const std::vector<double>& scaled) {
+    if (stopped() && !best_.at.empty()) throw nlopt::forced_stop();
     try {
       return (*this)(scaled);
     } catch (...) {
@@ -92,6 +101,7 @@ class Problem {
 
   const Function& function_;
   const std::vector<Interval>& box_;
+  const std::atomic<bool>* stop_;
   std::vector<std::size_t> free_;
   std::vector<double> point_;
   std::vector<double> best_scaled_;
@@ -106,10 +116,24 @@ const Minimum& found(const Problem& problem) {
   return problem.best();
 }
 
+Minimum from_start(Problem& problem, const std::vector<double>& start, nlopt::algorithm algorithm,
+                   int evaluations, double tolerance, double step) {
+  if (problem.dimensions() == 0) {
+    problem({});
+  } else {
+    const std::vector<double> scaled = problem.scaled(start);
+    problem(scaled);
+    problem.start_at(scaled);
+    problem.search(algorithm, evaluations, tolerance, step);
+  }
+  return found(problem);
+}
+
 }  // namespace
 
-Minimum minimise(const Function& function, const std::vector<Interval>& box, int evaluations) {
-  Problem problem(function, box);
+Minimum minimise(const Function& function, const std::vector<Interval>& box, int evaluations,
+                 const std::atomic<bool>* stop) {
+  Problem problem(function, box, stop);
   if (problem.dimensions() == 0) {
     problem({});
   } else {
@@ -119,18 +143,17 @@ Minimum minimise(const Function& function, const std::vector<Interval>& box, int
   return found(problem);
 }
 
+Minimum descend(const Function& function, const std::vector<Interval>& box,
+                const std::vector<double>& start, int evaluations, double tolerance,
+                const std::atomic<bool>* stop) {
+  Problem problem(function, box, stop);
+  return from_start(problem, start, nlopt::LN_SBPLX, evaluations, tolerance, wide_step);
+}
+
 Minimum refine(const Function& function, const std::vector<Interval>& box,
                const std::vector<double>& start, int evaluations) {
   Problem problem(function, box);
-  if (problem.dimensions() == 0) {
-    problem({});
-  } else {
-    const std::vector<double> scaled = problem.scaled(start);
-    problem(scaled);
-    problem.start_at(scaled);
-    problem.search(nlopt::LN_BOBYQA, evaluations, smooth, first_step);
-  }
-  return found(problem);
+  return from_start(problem, start, nlopt::LN_BOBYQA, evaluations, smooth, first_step);
 }
 
 }  // namespace reeve::numerics

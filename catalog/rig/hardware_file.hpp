@@ -4,15 +4,34 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
 
 namespace reeve::catalog {
 
+// Of [vary]: what may be chosen. Whether there is such a dimension, who chooses knows.
+struct GivenBounds {
+  std::string name;  // "sheath_angle[1]"
+  double low = 0;
+  double high = 0;
+  std::string place;  // "h.toml:3:1: vary"
+};
+struct GivenSame {
+  std::string text;  // "tips"
+  std::string place;
+};
+struct VaryTable {
+  std::vector<GivenBounds> bounds;
+  std::vector<GivenSame> same;
+};
+
 struct HardwareFile {
   Hardware hardware;
   UncertaintyRanges uncertainty;
+  VaryTable vary{};
 };
 
 // Both throw InputError with file, line, column, key, value and what was expected.

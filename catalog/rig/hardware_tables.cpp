@@ -147,6 +147,28 @@ UncertaintyRanges read_uncertainty(const TomlNode& file) {
   return ranges;
 }
 
+std::string place_of(const TomlNode& node) {
+  return fmt::format("{}:{}:{}: vary", *node.file, node.key_at.line, node.key_at.column);
+}
+
+VaryTable read_vary(const TomlNode& file) {
+  VaryTable vary;
+  const TomlNode* node = file.find("vary");
+  if (node == nullptr) return vary;
+  for (const TomlNode& entry : node->table().children) {
+    if (entry.key == "same") {
+      for (const TomlNode& item : entry.items()) vary.same.push_back({item.text(), place_of(item)});
+      continue;
+    }
+    if (entry.kind != TomlKind::array || entry.children.size() != 2) {
+      entry.fail_expected("the least and the greatest, such as [3, 9]");
+    }
+    vary.bounds.push_back({entry.key, entry.children[0].number_from_zero(),
+                           entry.children[1].number_from_zero(), place_of(entry)});
+  }
+  return vary;
+}
+
 }  // namespace
 
 void validate_at(const TomlNode& table, const Hardware& hardware) {
@@ -159,7 +181,7 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 
 std::vector<std::string_view> hardware_table_names() {
   return {"tube",   "bearing", "block",       "sheath", "lengths",
-          "finger", "contact", "uncertainty", "hand",   "motor"};
+          "finger", "contact", "uncertainty", "hand",   "motor", "vary"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
@@ -182,6 +204,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   read_motor(file, result.hardware);
   require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);
+  result.vary = read_vary(file);
   return result;
 }
 

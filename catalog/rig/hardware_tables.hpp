@@ -16,7 +16,8 @@ std::vector<std::string_view> hardware_table_names();
 HardwareFile read_hardware_tables(const TomlNode& file);
 
 // What read_hardware_tables reads back bit by bit.
-std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty);
+std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty,
+                          const VaryTable& vary = {});
 
 // Core knows the physical ranges; here its message gets the place in the file. Called after each
 // table, so that the place is that of the table at fault.

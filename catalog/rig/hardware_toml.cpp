@@ -40,9 +40,24 @@ std::string table(const ContactHardware& contact) {
          line("mu", contact.mu) + line("angle_rad", contact.angle_rad) + "\n";
 }
 
+std::string table(const VaryTable& vary) {
+  if (vary.bounds.empty() && vary.same.empty()) return "";
+  std::string text = "\n[vary]\n";
+  for (const GivenBounds& bounds : vary.bounds) {
+    text += fmt::format("\"{}\" = [{}, {}]\n", bounds.name, bounds.low, bounds.high);
+  }
+  if (vary.same.empty()) return text;
+  std::string list;
+  for (const GivenSame& same : vary.same) {
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", same.text);
+  }
+  return text + fmt::format("same = [{}]\n", list);
+}
+
 }  // namespace
 
-std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty) {
+std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty,
+                          const VaryTable& vary) {
   std::string text = table("tube", hardware.tube) + table("bearing", hardware.bearing);
   if (hardware.block) text += table("block", *hardware.block);
   text += table("sheath", hardware.sheath);
@@ -56,7 +71,7 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
   return text + "[uncertainty]\n" + line("tube_mu", uncertainty.tube_mu) +
          line("sheath_mu", uncertainty.sheath_mu) +
          line("bearing_mu_relative", uncertainty.bearing_mu_relative) +
-         line("sheath_angle_relative", uncertainty.sheath_angle_relative);
+         line("sheath_angle_relative", uncertainty.sheath_angle_relative) + table(vary);
 }
 
 }  // namespace reeve::catalog

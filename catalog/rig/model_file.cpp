@@ -39,7 +39,8 @@ ModelFile read_model_file(const std::filesystem::path& path) {
   names.insert(names.end(), {"conditions", "effect"});
   file.allow_only(names);
   const HardwareFile hardware = read_hardware_tables(file);
-  ModelFile result{{hardware.hardware, {}, read_conditions(file)}, hardware.uncertainty};
+  ModelFile result{
+      {hardware.hardware, {}, read_conditions(file)}, hardware.uncertainty, hardware.vary};
   if (const TomlNode* effects = file.find("effect")) {
     for (const TomlNode& effect : effects->tables()) read_effect(effect, result.model);
   }

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "catalog/rig/hardware_file.hpp"
 #include "causes/model.hpp"
 #include "core/uncertainty_ranges.hpp"
 
@@ -28,6 +29,7 @@ namespace reeve::catalog {
 struct ModelFile {
   Model model;
   UncertaintyRanges uncertainty;
+  VaryTable vary{};
 };
 
 // Throws InputError with file, line, column, key, value and what was expected.

@@ -10,7 +10,7 @@ namespace reeve::cli {
 // What the process returns to the shell.
 enum ExitCode : int {
   done = 0,
-  answer_is_no = 1,  // a check failed, or a log holds no reading
+  answer_is_no = 1,  // a check failed, a log holds no reading, or a target is out of reach
   bad_input = 2,
   interrupted = 3,  // or an internal error
 };
@@ -24,5 +24,6 @@ void add_compare(CLI::App& program, int& exit_code);
 void add_import(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
 void add_diagnose(CLI::App& program, int& exit_code);
+void add_size(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

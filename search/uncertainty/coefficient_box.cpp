@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "numerics/random.hpp"
+
 namespace reeve::search {
 namespace {
 
@@ -20,6 +22,15 @@ CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges&
   return {widened(ranges.tube_mu, nominal.tube.mu), widened(ranges.sheath_mu, nominal.sheath.mu),
           around(nominal.bearing.mu, ranges.bearing_mu_relative),
           around(nominal.sheath.angle_rad, ranges.sheath_angle_relative)};
+}
+
+std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, std::uint64_t draw) {
+  std::vector<double> point;
+  for (const Interval& interval : box) {
+    const double share = uniform(seed, static_cast<std::uint32_t>(point.size()), draw);
+    point.push_back(interval.low + (interval.high - interval.low) * share);
+  }
+  return point;
 }
 
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point) {

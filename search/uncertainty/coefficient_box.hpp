@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -21,6 +22,9 @@ namespace reeve::search {
 using CoefficientBox = std::array<Interval, 4>;
 
 CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges& ranges);
+
+// A point drawn uniformly: a function of seed and number alone.
+std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, std::uint64_t draw);
 
 // `point` has one value for each interval of the box.
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point);

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
-#include "numerics/random.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
@@ -50,13 +49,8 @@ RankDistribution distribution(std::vector<std::uint32_t> ranks) {
 }  // namespace
 
 Model draw_model(const UncertaintyOptions& options, std::uint64_t draw) {
-  std::vector<double> point;
-  for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {
-    const auto quantity = static_cast<std::uint32_t>(point.size());
-    const double share = uniform(options.seed, quantity, draw);
-    point.push_back(interval.low + (interval.high - interval.low) * share);
-  }
-  return at_point(options.nominal, point);
+  const CoefficientBox box = coefficient_box(options.nominal.hardware, options.ranges);
+  return at_point(options.nominal, drawn_point(box, options.seed, draw));
 }
 
 void validate(const UncertaintyOptions& options, std::size_t designs) {

@@ -202,6 +202,19 @@ TEST(GoldenRank, WithWhatThePageShows) {
   expect_json(read_text(folder.path() / "ranking.json"), "rank_page.json");
 }
 
+TEST(GoldenSize, OfTwoRoutingsForTheBadSideOfTheirGoal) {
+  expect_json(output_of({"size", "TR1", "TR7", "--vary", "sheath_angle=3..9", "--vary",
+                         "tip_angle=1..4", "--same", "tips", "--draws", "20", "--format", "json"}),
+              "size.json", fitted);
+}
+
+TEST(GoldenSize, OfAThumbThatPullsAsTwoFingers) {
+  expect_json(output_of({"size", "M-1-P-2-P-3-M", "--target", "1=2,others=1", "--vary",
+                         "sheath_angle=1..12", "--same", "sheath_angle[2,3]", "--draws", "20",
+                         "--format", "json"}),
+              "size_target.json", fitted);
+}
+
 TEST(GoldenExplore, OfTwoFingers) {
   const TemporaryFolder folder;
   output_of({"explore", "--fingers", "2", "--out", folder.path().string()});

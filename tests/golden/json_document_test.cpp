@@ -38,6 +38,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);
   collect(json_of(power), names);
+  collect(json_of(sizing), names);
   collect(json_of({"import", logged}), names);
   collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
   collect(json_of({"diagnose", seeds_readings}), names);

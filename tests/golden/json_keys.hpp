@@ -29,6 +29,12 @@ inline const std::vector<std::string> power{
     "simulate", "--routings", "TR5",    "--rows", "6",       "--cause", "sensor_gain[T3]",
     "--set",    "gain=1.3",   "--runs", "4",      "--power", "1"};
 
+inline const std::vector<std::string> sizing{"size",     "M-1-P-2-P-3-M",
+                                             "--target", "1=2,others=1",
+                                             "--vary",   "sheath_angle=1..12",
+                                             "--vary",   "tip_angle=1..4",
+                                             "--draws",  "5"};
+
 inline Json json_of(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"--format", "json"});
   return Json::parse(reeve(arguments).out);

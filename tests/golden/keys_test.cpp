@@ -188,6 +188,35 @@ TEST(KeysOfTheExploreSummary, HaveNullRankForAKnownRoutingThatIsNotAmongTheDesig
   EXPECT_EQ(tr7["dominated_by"], 0);
 }
 
+TEST(KeysOfSize, AreThePromisedOnes) {
+  const Json json = json_of(sizing);
+  EXPECT_EQ(keys(json), "designs partial notes settings version");
+  const Json& design = json["designs"][0];
+  EXPECT_EQ(keys(design),
+            "rank rank_before routing name target dimensions flat before sized hardware");
+  EXPECT_EQ(keys(design["target"]), "met least_miss nearest_shares");
+  EXPECT_EQ(keys(design["dimensions"][0]),
+            "dimension unit bounds before sized at_bound slope tolerance");
+  EXPECT_EQ(keys(design["dimensions"][0]["slope"]), "less more");
+  EXPECT_EQ(keys(design["dimensions"][0]["tolerance"]), "less more");
+  EXPECT_EQ(keys(design["flat"][0]), "moves loss");
+  EXPECT_EQ(keys(design["flat"][0]["moves"][0]), "dimension by");
+  EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares" + objectives);
+  EXPECT_EQ(keys(json["settings"]),
+            "goal target_shares better robust vary same starts evaluations " + common_settings);
+  EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
+}
+
+TEST(KeysOfSize, HaveNullWhereThereIsNoSuchThing) {
+  const Json json = json_of({"size", "M-1-T-2-F", "--vary", "sheath_angle=3..9", "--nominal"});
+  const Json& design = json["designs"][0];
+  EXPECT_TRUE(design["target"].is_null());
+  EXPECT_EQ(design["dimensions"][0]["at_bound"], "low");
+  EXPECT_TRUE(design["dimensions"][0]["tolerance"]["less"].is_null());
+  EXPECT_TRUE(json["settings"]["target_shares"].is_null());
+  EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
+}
+
 TEST(KeysOfCount, AreThePromisedOnes) {
   EXPECT_EQ(keys(json_of({"count"})), "all actuated one_tendon");
 }

@@ -35,7 +35,8 @@ std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
           {{"check"}, 6},
           {{"compare", readings}, 2},
           {{"diagnose", data, "--alpha", "0.1", "--replicates", "99"}, 1},
-          {{"simulate", "--routings", "TR1,TR7", "--power", "1"}, 1}};
+          {{"simulate", "--routings", "TR1,TR7", "--power", "1"}, 1},
+          {{"size", "TR1", "TR7", "--vary", "sheath_angle=3..9", "--nominal"}, 3}};
 }
 
 TEST(Formats, HaveTheSameTablesInMarkdownAndLatex) {
@@ -90,15 +91,16 @@ TEST(Formats, SayThatAnExplorationWasStopped) {
 }
 
 TEST(Formats, AreThoseOfTheHelp) {
-  for (const auto& [command, formats] : std::vector<std::pair<std::string, std::string>>{
-           {"rank", "{table,json,csv,markdown,latex}"},
-           {"show", "{table,json,dot,markdown,latex}"},
-           {"explore", "{table,json,markdown,latex}"},
-           {"count", "{table,json,markdown,latex}"},
-           {"check", "{table,json,markdown,latex}"},
-           {"compare", "{table,json,markdown,latex}"},
-           {"diagnose", "{table,json,markdown,latex}"},
-           {"simulate", "{table,json,markdown,latex}"}}) {
+  for (const auto& [command, formats] :
+       std::vector<std::pair<std::string, std::string>>{{"rank", "{table,json,csv,markdown,latex}"},
+                                                        {"show", "{table,json,dot,markdown,latex}"},
+                                                        {"explore", "{table,json,markdown,latex}"},
+                                                        {"count", "{table,json,markdown,latex}"},
+                                                        {"check", "{table,json,markdown,latex}"},
+                                                        {"compare", "{table,json,markdown,latex}"},
+                                                        {"diagnose", "{table,json,markdown,latex}"},
+                                                        {"simulate", "{table,json,markdown,latex}"},
+                                                        {"size", "{table,json,markdown,latex}"}}) {
     EXPECT_NE(reeve({command, "--help"}).out.find(formats), std::string::npos) << command;
   }
 }

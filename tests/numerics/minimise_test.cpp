@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace reeve {
 namespace {
@@ -66,6 +68,44 @@ TEST(Refine, GoesDownhillFromWhereItBegins) {
   };
   EXPECT_NEAR(refine(two_valleys, {{0, 1}}, {0.15}, 200).at[0], 0.2, 1e-4);
   EXPECT_NEAR(refine(two_valleys, {{0, 1}}, {0.95}, 200).at[0], 0.9, 1e-4);
+}
+
+TEST(Descend, GoesOverAShallowRidgeButNotAHighOne) {
+  const auto two_valleys = [](double ridge) {
+    return [ridge](const std::vector<double>& x) {
+      return std::min(std::abs(x[0] - 0.2) + ridge, 4 * std::abs(x[0] - 0.9));
+    };
+  };
+  EXPECT_NEAR(descend(two_valleys(0), {{0, 1}}, {0.2}, 500).at[0], 0.2, 1e-6);
+  EXPECT_NEAR(descend(two_valleys(0.5), {{0, 1}}, {0.7}, 500).at[0], 0.9, 1e-6);
+}
+
+TEST(Descend, EndsWhereItsStepsAreAsSmallAsAsked) {
+  int calls = 0;
+  const auto distance = [&](const std::vector<double>& x) {
+    ++calls;
+    return std::abs(x[0] - 0.3) + std::abs(x[1] - 0.6);
+  };
+  EXPECT_NEAR(descend(distance, {{0, 1}, {0, 1}}, {1, 0}, 2000, 1e-2).at[0], 0.3, 0.05);
+  const int coarse = std::exchange(calls, 0);
+  EXPECT_NEAR(descend(distance, {{0, 1}, {0, 1}}, {1, 0}, 2000).at[1], 0.6, 1e-7);
+  EXPECT_LT(coarse, calls);
+}
+
+TEST(Stopping, EndsASearchWithTheBestItHasSeen) {
+  std::atomic<bool> stop{false};
+  int calls = 0;
+  const auto counted = [&](const std::vector<double>& x) {
+    if (++calls == 20) stop = true;
+    return std::pow(x[0] - 0.3, 2);
+  };
+  const Minimum found = minimise(counted, {{0, 1}}, 100000, &stop);
+  EXPECT_EQ(calls, 20);
+  EXPECT_EQ(found.value, std::pow(found.at[0] - 0.3, 2));
+  // Set before, it leaves one look at the start.
+  calls = 0;
+  EXPECT_EQ(descend(counted, {{0, 1}}, {0.7}, 1000, 1e-9, &stop).at[0], 0.7);
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(Refine, BeginsWithinTheBox) {

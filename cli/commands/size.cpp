@@ -1,0 +1,267 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
+#include "cli/printing.hpp"
+#include "cli/supervision.hpp"
+#include "core/canonical.hpp"
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "core/notation.hpp"
+#include "reports/files.hpp"
+#include "reports/sizing/explored_settings.hpp"
+#include "reports/sizing/sizing_report.hpp"
+#include "studies/sizing/explored_designs.hpp"
+#include "studies/sizing/sizing_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct SizeFlags {
+  std::vector<std::string> routings;
+  std::string from;
+  CLI::Option* from_given = nullptr;
+  std::size_t top = 20;
+  std::vector<std::string> vary;
+  std::vector<std::string> same;
+  std::string goal = "uniformity*efficiency";
+  std::string target;
+  CLI::Option* target_given = nullptr;
+  std::string grasps = "single";
+  CLI::Option* grasps_given = nullptr;
+  std::string score = "authors";
+  bool nominal = false;
+  SizingOptions search;  // draws, seed, starts, evaluations, threads
+  std::string save;
+  CLI::Option* save_given = nullptr;
+  ModelOption model;
+  FormatOption format;
+};
+
+std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& catalogue) {
+  std::vector<Routing> routings;
+  for (const std::string& text : flags.routings) {
+    routings.push_back(read_actuated_routing(text, catalogue));
+  }
+  if (flags.from_given->count() > 0) {
+    for (Routing& routing :
+         for_option("--from", [&] { return explored_designs(flags.from, flags.top); })) {
+      for_option("--from", [&] { require_actuated(graph(expand(routing)), to_word(routing)); });
+      routings.push_back(std::move(routing));
+    }
+  }
+  if (routings.empty()) {
+    throw InputError({.where = "size",
+                      .what = "nothing to size",
+                      .expected = "routings, or --from with the folder of an exploration",
+                      .form = InputForm::unknown});
+  }
+  return routings;
+}
+
+void require_comparable(const std::vector<Routing>& routings) {
+  std::set<std::string> words;
+  const int fingers = finger_count(routings.front());
+  for (const Routing& routing : routings) {
+    const std::string word = to_word(routing);
+    const std::string where = fmt::format("routing '{}'", word);
+    const int own = finger_count(routing);
+    if (own == 0) {
+      throw InputError(
+          {.where = where, .what = "it has no fingers, so there is nothing to size it for"});
+    }
+    if (own != fingers) {
+      throw InputError(
+          {.where = where,
+           .what = fmt::format("it has {} finger{}", own, own == 1 ? "" : "s"),
+           .expected = fmt::format("as many as '{}' has: {}", to_word(routings.front()), fingers)});
+    }
+    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
+      throw InputError(fmt::format("routing '{}' is given twice", word));
+    }
+  }
+}
+
+// Those of the command line replace those of the file, so that a file's can be tried otherwise.
+void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& options) {
+  for (const std::string& text : flags.vary) {
+    options.varied.push_back(for_name("--", [&] { return parse_varied(text); }));
+    options.varied.back().text.insert(0, "--");
+  }
+  for (const std::string& text : flags.same) {
+    for (SameGroup& group : for_name("--", [&] { return parse_same(text); })) {
+      group.text.insert(0, "--");
+      options.same.push_back(std::move(group));
+    }
+  }
+  if (flags.vary.empty()) {
+    for (const GivenBounds& given : table.bounds) {
+      options.varied.push_back(varied_range(given.name, {given.low, given.high}, given.place));
+    }
+  }
+  if (flags.same.empty() && flags.vary.empty()) {
+    for (const GivenSame& given : table.same) {
+      for (SameGroup& group : for_option(given.place, [&] { return parse_same(given.text); })) {
+        group.text = given.place;
+        options.same.push_back(std::move(group));
+      }
+    }
+  }
+  if (options.varied.empty()) {
+    throw InputError({.where = "size",
+                      .what = "nothing to vary",
+                      .expected = "--vary, such as --vary sheath_angle=3..9, or [vary] in the "
+                                  "hardware file",
+                      .form = InputForm::unknown});
+  }
+}
+
+SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fingers) {
+  SizingOptions options = flags.search;
+  options.nominal = file.model;
+  options.ranges = file.uncertainty;
+  options.robust = !flags.nominal;
+  const bool targeted = flags.target_given->count() > 0;
+  // A target is of all fingers that close; with one held, friction in it turns.
+  const std::string grasps = targeted && flags.grasps_given->count() == 0 ? "none" : flags.grasps;
+  options.grasps = for_name("--", [&] { return parse_grasps(grasps, fingers); });
+  options.score = for_name("--", [&] { return parse_score(flags.score); });
+  options.goal = for_name("--", [&] {
+    return targeted ? parse_target(flags.target, fingers) : parse_goal(flags.goal);
+  });
+  read_bounds(flags, file.vary, options);
+  return options;
+}
+
+std::string read_text_if_there(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options) {
+  if (flags.from_given->count() == 0) return {};
+  const std::string differing =
+      differing_settings(read_text_if_there(std::filesystem::path(flags.from) / "summary.json"),
+                         options.nominal, options.grasps);
+  if (differing.empty()) return {};
+  return {fmt::format("the exploration in {} was made with other settings than these: {}",
+                      flags.from, differing)};
+}
+
+void print(const SizingReport& report, const SizeFlags& flags) {
+  std::cout << (flags.format.is("json") ? sizing_json(report)
+                                        : printed(sizing_sheet(report), flags.format));
+  if (flags.save_given->count() > 0 && flags.format.is("table")) {
+    std::cout << "\nHardware file: " << flags.save << '\n';
+  }
+}
+
+int run(const SizeFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const std::vector<Routing> routings = read_routings(flags, catalogue);
+  require_comparable(routings);
+  const ModelFile file = flags.model.read();
+  require_contacts_to_match(file.model.hardware, routings);
+  const SizingOptions options = read_options(flags, file, finger_count(routings.front()));
+  require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
+  if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
+  SizingReport report = supervised([&](const StudySupervision& supervision) {
+    return sizing_study(routings, options, catalogue, supervision);
+  });
+  report.notes = notes(flags, options);
+  if (flags.save_given->count() > 0) {
+    write_file(flags.save, sized_hardware_toml(report, file.vary));
+  }
+  print(report, flags);
+  if (report.partial) return interrupted;
+  return best_meets_target(report) ? done : answer_is_no;
+}
+
+void add_goal(CLI::App& command, SizeFlags& flags) {
+  CLI::Option* goal =
+      command
+          .add_option("--goal", flags.goal,
+                      "What to make the most of: an objective, or a product such as "
+                      "uniformity_worst*efficiency_worst; score: that of --score")
+          ->capture_default_str();
+  flags.target_given =
+      command
+          .add_option("--target", flags.target,
+                      "Instead: how hard the fingers are to pull, relative to each other, such as "
+                      "1=2,others=1")
+          ->excludes(goal);
+  command.add_option("--score", flags.score, "For --goal score: objectives with weights")
+      ->default_str("authors");
+  flags.grasps_given = command
+                           .add_option("--grasps", flags.grasps,
+                                       "As of rank; with --target none held, unless they are given")
+                           ->capture_default_str();
+  command.add_flag("--nominal", flags.nominal,
+                   "Size for the coefficients as they are, and not for the 5 % quantile over their "
+                   "ranges");
+}
+
+void add_search(CLI::App& command, SizeFlags& flags) {
+  SizingOptions& search = flags.search;
+  command.add_option("--draws", search.draws, "Draws of the coefficients")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
+      ->capture_default_str();
+  command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
+      ->check(not_negative)
+      ->capture_default_str();
+  command.add_option("--starts", search.starts, "Local searches, besides the global one")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--evaluations", search.evaluations, "At most, of each search")
+      ->check(CLI::Range(10, 1000000))
+      ->capture_default_str();
+  command
+      .add_option("--threads", search.threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_size(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "size", "The dimensions of a routing's parts that suit a goal best, with their tolerances");
+  auto flags = std::make_shared<SizeFlags>();
+  command->add_option("routing", flags->routings, "Catalogue names or words");
+  flags->from_given = command->add_option("--from", flags->from,
+                                          "Folder of an exploration: also the best of its designs");
+  command->add_option("--top", flags->top, "For --from: how many of them")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+      ->needs(flags->from_given)
+      ->capture_default_str();
+  command
+      ->add_option("--vary", flags->vary,
+                   "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
+                   "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
+                   "contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--same", flags->same,
+                   "What stays equal: tips, sheaths, strands, or dimensions such as "
+                   "'sheath_angle[2,3,4]'. May be given several times")
+      ->allow_extra_args(false);
+  add_goal(*command, *flags);
+  add_search(*command, *flags);
+  flags->save_given = command->add_option("--save-hardware", flags->save,
+                                          "Write the hardware, as it is sized, as a TOML file");
+  flags->model.add_to(*command);
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include "reports/json.hpp"
+#include "reports/sizing/sizing_report.hpp"
+
+namespace reeve::reports {
+namespace {
+
+Json way_json(const std::optional<double>& way) { return way ? Json(*way) : Json(nullptr); }
+
+Json bound_json(AtBound at) {
+  switch (at) {
+    case AtBound::low:
+      return "low";
+    case AtBound::high:
+      return "high";
+    case AtBound::no:
+      break;
+  }
+  return nullptr;
+}
+
+Json variable_json(const SizedVariable& sized, bool partial) {
+  const SizeVariable& about = sized.variable;
+  Json json{{"dimension", about.name},
+            {"unit", *about.unit == '\0' ? "1" : about.unit},
+            {"bounds", {about.bounds.low, about.bounds.high}},
+            {"before", about.nominal},
+            {"sized", sized.value},
+            {"at_bound", bound_json(sized.at)}};
+  if (partial) {
+    json["slope"] = nullptr;
+    json["tolerance"] = nullptr;
+    return json;
+  }
+  const Sensitivity& sensitivity = sized.sensitivity;
+  json["slope"] = {{"less", sensitivity.slope_less}, {"more", sensitivity.slope_more}};
+  json["tolerance"] = {{"less", way_json(sensitivity.less)}, {"more", way_json(sensitivity.more)}};
+  return json;
+}
+
+Json flat_json(const SizedDesign& design, const FlatDirection& flat) {
+  Json json{{"moves", Json::array()}, {"loss", flat.loss}};
+  for (std::size_t i = 0; i < flat.moves.size(); ++i) {
+    if (flat.moves[i] == 0) continue;
+    json["moves"].push_back(
+        {{"dimension", design.variables[i].variable.name}, {"by", flat.moves[i]}});
+  }
+  return json;
+}
+
+Json goal_json(const SizedGoal& goal) {
+  Json json{{"goal", goal.goal}, {"nominal_goal", goal.nominal}, {"finger_shares", goal.shares}};
+  add_objectives(json, goal.values);
+  return json;
+}
+
+Json target_json(const SizedDesign& design) {
+  if (!design.least_miss) return nullptr;
+  return {{"met", is_met(design)},
+          {"least_miss", *design.least_miss},
+          {"nearest_shares", design.nearest_shares}};
+}
+
+Json design_json(const SizedRouting& routing, bool partial) {
+  const SizedDesign& design = routing.design;
+  Json json{{"rank", routing.rank_after},    {"rank_before", routing.rank_before},
+            {"routing", routing.word},       {"name", text_or_null(routing.name)},
+            {"target", target_json(design)}, {"dimensions", Json::array()},
+            {"flat", Json::array()}};
+  for (const SizedVariable& variable : design.variables) {
+    json["dimensions"].push_back(variable_json(variable, partial));
+  }
+  for (const FlatDirection& flat : design.flat) json["flat"].push_back(flat_json(design, flat));
+  json["before"] = goal_json(design.before);
+  json["sized"] = goal_json(design.after);
+  json["hardware"] = to_json(design.hardware);
+  return json;
+}
+
+Json settings(const SizingReport& report) {
+  const SizingOptions& options = report.options;
+  Json json{{"goal", to_text(options.goal)},
+            {"target_shares", options.goal.is_target() ? Json(options.goal.target) : Json(nullptr)},
+            {"better", options.goal.better() == Better::higher ? "higher" : "lower"},
+            {"robust", options.robust}};
+  json["vary"] = Json::array();
+  for (const VariedRange& range : options.varied) {
+    json["vary"].push_back(
+        {{"dimension", to_text(range.name)}, {"bounds", {range.bounds.low, range.bounds.high}}});
+  }
+  json["same"] = Json::array();
+  for (const SameGroup& group : options.same) json["same"].push_back(to_text(group.name));
+  json["starts"] = options.starts;
+  json["evaluations"] = options.evaluations;
+  json.update(settings_json(Order(options.goal.factors), options.score, options.grasps,
+                            options.nominal, report.unconverged));
+  const UncertaintyOptions draws{options.nominal, options.ranges,
+                                 options.grasps,  Order(options.goal.factors),
+                                 options.draws,   options.seed};
+  json["uncertainty"] = options.robust ? to_json(draws) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+std::string sizing_json(const SizingReport& report) {
+  Json json{{"designs", Json::array()}};
+  for (const SizedRouting& routing : report.designs) {
+    json["designs"].push_back(design_json(routing, report.partial));
+  }
+  json["partial"] = report.partial;
+  json["notes"] = report.notes;
+  json["settings"] = settings(report);
+  json["version"] = version_json();
+  return print(json);
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,22 @@
+// Sized routings as a table, as JSON, and as a hardware file.
+#pragma once
+
+#include <string>
+
+#include "catalog/rig/hardware_file.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "reports/sheet/sheet.hpp"
+#include "studies/sizing/sizing_study.hpp"
+
+namespace reeve::reports {
+
+// The ranking, where there are several, and the best of them in full.
+Sheet sizing_sheet(const SizingReport& report);
+
+std::string sizing_json(const SizingReport& report);
+
+// The hardware of the best, with comments that say what it was sized for. `vary` goes along, so
+// that it can be sized again.
+std::string sized_hardware_toml(const SizingReport& report, const VaryTable& vary);
+
+}  // namespace reeve::reports

@@ -1,0 +1,44 @@
+// How much a goal depends on each variable about a point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "search/size/sizing_problem.hpp"
+
+namespace reeve::search {
+
+// A goal worse by this part of itself is lost; of a target, whose best is 0, shares that miss by so
+// much more.
+inline constexpr double tolerated_loss = 0.01;
+
+struct Sensitivity {
+  // Change of the goal per unit that the variable gets less, and more.
+  double slope_less = 0;
+  double slope_more = 0;
+  // How far it may be off, alone, before the tolerated part is lost. Nothing if that is further
+  // than the width of its bounds beyond them, or than there is hardware.
+  std::optional<double> less;
+  std::optional<double> more;
+};
+
+std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal& goal,
+                                       const SizingProblem::Point& point);
+
+// A direction in which the goal hardly changes: going a tenth of the box there, either way, costs
+// less than a tenth of what is tolerated.
+struct FlatDirection {
+  std::vector<double> moves;  // of each variable, in its unit
+  double loss = 0;            // of the goal, at the worse end
+};
+
+// Among the variables that stand at no bound: the directions of least curvature. Each variable that
+// does nothing is a direction by itself.
+std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const Goal& goal,
+                                           const SizingProblem::Point& point);
+
+enum class AtBound : std::uint8_t { no, low, high };
+AtBound at_bound(const Interval& bounds, double value);
+
+}  // namespace reeve::search

@@ -1,0 +1,51 @@
+#include "studies/sizing/sizing_study.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "catalog/names.hpp"
+#include "core/notation.hpp"
+#include "search/judge/ranking.hpp"
+
+namespace reeve::studies {
+namespace {
+
+using GoalOf = SizedGoal SizedDesign::*;
+
+// On the grid, so that equal goals tie.
+auto key(const SizedRouting& routing, GoalOf of, Better better) {
+  const SizedGoal& goal = routing.design.*of;
+  const double loss = on_grid(better == Better::higher ? -goal.goal : goal.goal);
+  return std::make_tuple(loss, part_total(goal.values), std::string_view(routing.word));
+}
+
+void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
+  std::sort(designs.begin(), designs.end(), [&](const SizedRouting& a, const SizedRouting& b) {
+    return key(a, of, better) < key(b, of, better);
+  });
+}
+
+}  // namespace
+
+bool best_meets_target(const SizingReport& report) { return is_met(report.designs.front().design); }
+
+SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
+                          const Catalogue& catalogue, const StudySupervision& supervision) {
+  SizingResult result = size(routings, options, supervision.during("sizing"));
+  SizingReport report{options, {}, result.partial, result.unconverged};
+  for (SizedDesign& design : result.designs) {
+    const std::string word = to_word(design.routing);
+    const std::string name = name_of(catalogue, design.routing);
+    report.designs.push_back({std::move(design), word, name, 0, 0});
+  }
+  const Better better = options.goal.better();
+  std::vector<SizedRouting>& designs = report.designs;
+  sort(designs, &SizedDesign::before, better);
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].rank_before = i + 1;
+  sort(designs, &SizedDesign::after, better);
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].rank_after = i + 1;
+  return report;
+}
+
+}  // namespace reeve::studies

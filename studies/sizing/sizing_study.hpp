@@ -1,0 +1,39 @@
+// Routings with the dimensions that suit a goal best, ranked by it before and after.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "core/routing.hpp"
+#include "search/size/size.hpp"
+#include "studies/study_supervision.hpp"
+
+namespace reeve::studies {
+
+struct SizedRouting {
+  SizedDesign design;
+  std::string word;
+  std::string name;  // "" if it has none
+  // By the goal, then by fewer parts, then by word; from 1.
+  std::size_t rank_before = 0;
+  std::size_t rank_after = 0;
+};
+
+struct SizingReport {
+  SizingOptions options;
+  std::vector<SizedRouting> designs;  // best after sizing first
+  bool partial = false;
+  std::uint64_t unconverged = 0;  // tension solves
+  std::vector<std::string> notes{};
+};
+
+// Of a goal of any other kind it is met always.
+bool best_meets_target(const SizingReport& report);
+
+SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
+                          const Catalogue& catalogue, const StudySupervision& supervision = {});
+
+}  // namespace reeve::studies

@@ -1,0 +1,104 @@
+// `reeve size` with what it must refuse.
+#include <gtest/gtest.h>
+
+#include "tests/cli/bad_line.hpp"
+
+namespace reeve::testing {
+namespace {
+
+BadLine size_tr1(Arguments options, const std::string& message) {
+  options.insert(options.begin(), {"size", "TR1"});
+  return {options, message, {}};
+}
+
+BadLine varied(Arguments options, const std::string& message) {
+  options.insert(options.begin(), {"--vary", "tip_angle=1..4"});
+  return size_tr1(options, message);
+}
+
+TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      size_tr1({},
+               "size: nothing to vary; expected --vary, such as --vary sheath_angle=3..9, or "
+               "[vary] in the hardware file"),
+      size_tr1({"--vary", "tip_angle"},
+               "--vary 'tip_angle': expected a dimension and its bounds, such as "
+               "sheath_angle[1]=3..9"),
+      size_tr1({"--vary", "angle=1..2"},
+               "--vary 'angle=1..2': dimension 'angle': expected one of sheath_angle[1], "),
+      size_tr1({"--vary", "tip_angle=4..1"},
+               "--vary 'tip_angle=4..1': tip_angle = 4..1: expected the least and the greatest"),
+      size_tr1({"--vary", "sheath_angle[2]=1..4"},
+               "--vary 'sheath_angle[2]=1..4': expected dimensions of M-1-T-2-F: sheath_angle[1]"),
+      varied({"--vary", "tip_angle=1..3"},
+             "--vary 'tip_angle=1..3': what --vary 'tip_angle=1..4' varies is varied again"),
+      varied({"--same", "sheaths"}, "--same 'sheaths': expected dimensions that are varied"),
+      varied({"--same", "thumbs"}, "--same 'thumbs': expected tips, sheaths, strands"),
+      size_tr1({"--vary", "sheath_angle=1..50"},
+               "at the upper end of the bounds and of the uncertainty's ranges: hardware: finger.1 "
+               "sheath: mu * angle = 12: expected at most 10"),
+  });
+}
+
+TEST(BadSizing, OfBoundsInAFileIsNamedWithItsPlace) {
+  expect_all_bad({
+      size_tr1({"--hardware", "vary.toml"},
+               "vary.toml:2:1: vary: tip_angle = 4..1: expected the least and the greatest"),
+      size_tr1({"--hardware", "vary_name.toml"},
+               "vary_name.toml:2:1: vary: dimension 'angle': expected one of sheath_angle[1]"),
+      size_tr1({"--hardware", "vary_finger.toml"},
+               "vary_finger.toml:2:1: vary: expected dimensions of M-1-T-2-F: sheath_angle[1]"),
+      size_tr1({"--hardware", "vary_same.toml"},
+               "vary_same.toml:3:9: vary: same 'all': expected tips, sheaths, strands"),
+  });
+}
+
+TEST(BadSizing, OfAGoalIsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      varied({"--goal", "speed"}, "--goal 'speed': unknown objective 'speed'; expected one of "),
+      varied({"--goal", "sheaths"},
+             "--goal 'sheaths': 'sheaths' is a count, which no dimension changes"),
+      varied({"--goal", "uniformity*travel"}, "--goal 'uniformity*travel': of 'travel' lower"),
+      varied({"--target", "1=2"},
+             "--target '1=2': expected a pull from 0.001 to 1000 for each of "
+             "the 2 fingers once, such as 1=2,others=1"),
+      varied({"--target", "1=2,2=1", "--goal", "uniformity"}, "excludes"),
+      varied({"--grasps", "3"}, "--grasps '3': '3': expected none, or finger numbers from 1 to 2"),
+      varied({"--score", "speed"}, "--score 'speed': unknown objective 'speed'"),
+      varied({"--draws", "0"}, "--draws: Value 0 not in range 1 to 10000"),
+      varied({"--starts", "0"}, "--starts: Value 0 not in range 1 to 1000"),
+      varied({"--seed", "-1"}, "--seed: Value -1 is negative"),
+      varied({"--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
+  });
+}
+
+TEST(BadSizing, OfRoutingsIsNamed) {
+  const Arguments vary{"--vary", "tip_angle=1..4"};
+  const auto line = [&](Arguments options, const std::string& message) {
+    options.insert(options.begin(), "size");
+    options.insert(options.end(), vary.begin(), vary.end());
+    return BadLine{options, message, {}};
+  };
+  expect_all_bad({
+      line({},
+           "size: nothing to size; expected routings, or --from with the folder of an "
+           "exploration"),
+      line({"TR9"}, "routing 'TR9': no such name in the catalogue"),
+      line({"TR1", "M-1-T-2-F"}, "routing 'M-1-T-2-F' is given twice"),
+      line({"TR1", "M-1-F"},
+           "routing 'M-1-F': it has 1 finger: expected as many as 'M-1-T-2-F' has: 2"),
+      line({"M-F"}, "routing 'M-F': it has no fingers, so there is nothing to size it for"),
+      line({"TR1", "--top", "3"}, "--top requires --from"),
+      line({"--from", "missing"}, "--from: missing/designs.csv: cannot be read: No such file"),
+      line({"--from", "explored"},
+           "--from: explored/designs.csv:3: routing 'M-1-Q', column 5: unknown token 'Q'"),
+      line({"TR1", "--hardware", "contact.toml"}, "hardware: contact 'a-T9'"),
+      line({"TR1", "--save-hardware", "missing/h.toml"},
+           "--save-hardware 'missing/h.toml': expected a file in a folder that can be written to"),
+      line({"TR1", "--save-hardware", "explored"},
+           "--save-hardware 'explored': expected the name of a file, not a folder"),
+  });
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,130 @@
+// `reeve size` from end to end: what it says, writes, and how it ends.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Sized {
+  TemporaryFolder folder;
+  ProcessResult result;
+
+  explicit Sized(Arguments arguments, ProcessOptions options = {}) {
+    run(std::move(arguments), std::move(options));
+  }
+
+  void run(Arguments arguments, ProcessOptions options = {}) {
+    options.directory = folder.path();
+    arguments.insert(arguments.begin(), "size");
+    result = reeve(arguments, options);
+  }
+  Json json() const { return Json::parse(result.out); }
+};
+
+TEST(Size, WritesAHardwareFileThatGivesTheSameFigures) {
+  const Sized sized({"TR5", "--vary", "sheath_angle=3..9", "--vary", "contact_angle[T1-T2]=1..4",
+                     "--draws", "10", "--save-hardware", "h.toml", "--format", "json"});
+  ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
+  const std::string file = (sized.folder.path() / "h.toml").string();
+  const Json ranked =
+      Json::parse(reeve({"rank", "TR5", "--hardware", file, "--format", "json"}).out);
+  const Json design = sized.json()["designs"][0];
+  EXPECT_EQ(ranked["designs"][0]["uniformity"], design["sized"]["uniformity"]);
+  EXPECT_EQ(ranked["designs"][0]["efficiency"], design["sized"]["efficiency"]);
+  EXPECT_EQ(ranked["settings"]["hardware"], design["hardware"]);
+  EXPECT_TRUE(read_text(file).starts_with("# Sized by reeve "));
+}
+
+TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
+  Sized sized({});
+  sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n");
+  sized.run({"TR1", "--hardware", "h.toml", "--nominal", "--save-hardware", "sized.toml"});
+  ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
+  EXPECT_NE(sized.result.out.find("tip_angle[1,2]"), std::string::npos);
+  EXPECT_NE(sized.result.out.find("\nHardware file: sized.toml\n"), std::string::npos);
+  const std::string once = sized.result.out.substr(0, sized.result.out.find("\nHardware"));
+  sized.run({"TR1", "--hardware", "sized.toml", "--nominal"});
+  EXPECT_EQ(sized.result.exit_code, 0);
+  EXPECT_NE(sized.result.out.find("(+0.0 %)"), std::string::npos) << sized.result.out;
+  EXPECT_NE(once, sized.result.out);
+}
+
+TEST(Size, OfATargetOutOfReachSaysByHowMuchAndExitsWithOne) {
+  const Sized sized(
+      {"TR1", "--target", "1=0.4,2=0.6", "--vary", "contact_angle[T2-T3]=1..9", "--nominal"});
+  EXPECT_EQ(sized.result.exit_code, 1);
+  EXPECT_EQ(sized.result.err, "");
+  EXPECT_NE(sized.result.out.find("shares miss it by 0.3934 at best, where finger 1 has 0.6782 "
+                                  "of all pull instead of 0.4"),
+            std::string::npos)
+      << sized.result.out;
+}
+
+TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {
+  Sized sized({});
+  ProcessOptions options;
+  options.directory = sized.folder.path();
+  ASSERT_EQ(reeve({"explore", "--out", "explored", "--grasps", "paper"}, options).exit_code, 0);
+  const Arguments size{"--from",    "explored", "--top", "3", "--vary", "sheath_angle=3..9",
+                       "--nominal", "--format", "json"};
+  sized.run(size);
+  ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
+  Json json = sized.json();
+  ASSERT_EQ(json["designs"].size(), 3U);
+  std::vector<std::size_t> before;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(json["designs"][i]["rank"], i + 1);
+    before.push_back(json["designs"][i]["rank_before"]);
+  }
+  std::sort(before.begin(), before.end());
+  EXPECT_EQ(before, (std::vector<std::size_t>{1, 2, 3}));
+  // It was made with another set of grasps.
+  ASSERT_EQ(json["notes"].size(), 1U);
+  EXPECT_EQ(json["notes"][0],
+            "the exploration in explored was made with other settings than these: grasps");
+  Arguments same = size;
+  same.insert(same.end(), {"--grasps", "paper"});
+  sized.run(same);
+  EXPECT_TRUE(sized.json()["notes"].empty());
+}
+
+TEST(Size, WritesTheSameBytesForAnyNumberOfThreads) {
+  const Arguments line{
+      "TR5", "TR6",      "--vary", "sheath_angle=3..9", "--vary", "strand_mm=50..90", "--draws",
+      "8",   "--format", "json",   "--threads"};
+  const auto with = [&](const std::string& threads) {
+    Arguments arguments = line;
+    arguments.push_back(threads);
+    return Sized(arguments).result.out;
+  };
+  const std::string one = with("1");
+  EXPECT_FALSE(one.empty());
+  EXPECT_TRUE(with("3") == one);
+}
+
+TEST(Size, StoppedGivesTheBestSoFarAndSaysPartial) {
+  ProcessOptions options;
+  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 500ms)};
+  const Sized sized({"M-1-P-2-P-3-P-4-P-5-F", "--vary", "sheath_angle=3..9", "--vary",
+                     "tip_angle=1..4", "--draws", "10000", "--evaluations", "1000000", "--threads",
+                     "2", "--save-hardware", "h.toml"},
+                    options);
+  ASSERT_FALSE(sized.result.timed_out);
+  EXPECT_EQ(sized.result.exit_code, 3);
+  EXPECT_TRUE(sized.result.out.starts_with("PARTIAL: stopped; the best so far"))
+      << sized.result.out;
+  EXPECT_NE(read_text(sized.folder.path() / "h.toml").find("# The search was stopped"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace reeve::testing

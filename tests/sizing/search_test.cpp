@@ -1,0 +1,201 @@
+// What is found, against what a dense grid and blind probing find, with the goal computed apart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <random>
+
+#include "core/mechanics.hpp"
+#include "core/tension/tension.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/uncertainty/uncertainty.hpp"
+#include "tests/sizing/sizing_of.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// Sheath angles of the fingers 1, 2, …
+Hardware with_sheaths(Hardware hardware, const std::vector<double>& angles, double factor = 1) {
+  hardware.fingers.clear();
+  for (std::size_t f = 0; f < angles.size(); ++f) {
+    hardware.fingers.push_back({static_cast<int>(f) + 1, {}, {}, {}, angles[f] * factor, {}, 1});
+  }
+  return hardware;
+}
+
+double product(const std::string& word, const Hardware& hardware) {
+  return uniformity_times_efficiency(
+      DesignEvaluator(hardware, single_grasps(2)).evaluate(parse_routing(word)));
+}
+
+double miss(const std::string& word, const Hardware& hardware, const std::vector<double>& target) {
+  const Network network = expand(parse_routing(word));
+  const TensionState state = tensions(network, mechanics(network, hardware), Grasp{});
+  std::vector<double> pull(target.size(), 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    if (network.segments[i].kind != SegmentKind::strand) continue;
+    pull[static_cast<std::size_t>(network.segments[i].finger) - 1] += state.tension[i];
+    sum += state.tension[i];
+  }
+  double squares = 0;
+  for (std::size_t f = 0; f < target.size(); ++f) {
+    squares += std::pow(pull[f] / sum - target[f], 2);
+  }
+  return std::sqrt(squares);
+}
+
+// Between neighbours, as quantiles are drawn.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double at = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+template <typename Goal>
+double over_draws(std::size_t draws, double share, const std::vector<double>& angles, Goal goal) {
+  UncertaintyOptions options;
+  std::vector<double> goals;
+  for (std::size_t d = 0; d < draws; ++d) {
+    const Hardware drawn = draw_model(options, d).hardware;
+    const double factor = drawn.sheath.angle_rad / Hardware{}.sheath.angle_rad;
+    goals.push_back(goal(with_sheaths(drawn, angles, factor)));
+  }
+  return quantile(goals, share);
+}
+
+TEST(RobustGoal, IsTheQuantileOverTheDrawsOfTheUncertainty) {
+  SizingOptions options = sizing("uniformity*efficiency", {"sheath_angle=3..9"});
+  options.robust = true;
+  options.draws = 37;
+  const SizingProblem problem(parse_routing("M-1-P-2-M"), options);
+  const double expected = over_draws(
+      37, 0.05, {4, 7}, [](const Hardware& hardware) { return product("M-1-P-2-M", hardware); });
+  EXPECT_NEAR(problem.goal({4, 7}), expected, 1e-9);
+  EXPECT_NEAR(problem.nominal_goal({4, 7}), product("M-1-P-2-M", with_sheaths({}, {4, 7})), 1e-12);
+  UncertaintyOptions uncertainty;
+  std::vector<double> plain;
+  for (std::size_t d = 0; d < 37; ++d) {
+    plain.push_back(product("M-1-P-2-M", draw_model(uncertainty, d).hardware));
+  }
+  EXPECT_NEAR(problem.goal(), quantile(plain, 0.05), 1e-9);
+}
+
+TEST(Sizing, IsAtLeastAsGoodAsADenseGrid) {
+  SizingOptions options = aiming("1=0.6,2=0.4", {"sheath_angle=2..11"});
+  options.robust = true;
+  options.draws = 20;
+  const SizedDesign found = sized("M-1-P-2-M", options);
+  double least = 1;
+  constexpr int steps = 36;
+  for (int i = 0; i <= steps; ++i) {
+    for (int k = 0; k <= steps; ++k) {
+      least = std::min(least, over_draws(20, 0.95, {2 + 9.0 * i / steps, 2 + 9.0 * k / steps},
+                                         [](const Hardware& hardware) {
+                                           return miss("M-1-P-2-M", hardware, {0.6, 0.4});
+                                         }));
+    }
+  }
+  EXPECT_LE(found.after.goal, least + 1e-9);
+  EXPECT_GT(found.after.goal, least - 0.01);
+  EXPECT_NEAR(found.after.goal,
+              over_draws(20, 0.95, values_of(found),
+                         [](const Hardware& hardware) {
+                           return miss("M-1-P-2-M", hardware, {0.6, 0.4});
+                         }),
+              1e-12);
+}
+
+TEST(Sizing, IsNotImprovedByTenThousandRandomProbes) {
+  for (const char* goal : {"uniformity*efficiency", "uniformity_worst", "reliability",
+                           "torsional_balance*efficiency_worst"}) {
+    SizingOptions options =
+        sizing(goal, {"sheath_angle=2..11", "tip_angle=0.5..5", "closing[2]=0.5..2"});
+    const SizedDesign found = sized("M-1-P-2-M", options);
+    const SizingProblem problem(parse_routing("M-1-P-2-M"), options);
+    std::mt19937 random(7);
+    double best = -1e9;
+    for (int i = 0; i < 10000; ++i) {
+      std::vector<double> point;
+      for (const Interval& interval : problem.box()) {
+        point.push_back(std::uniform_real_distribution(interval.low, interval.high)(random));
+      }
+      best = std::max(best, problem.nominal_goal(point));
+    }
+    EXPECT_GE(found.after.goal, best - 1e-9) << goal;
+    EXPECT_GE(found.after.goal, found.before.goal - 1e-9) << goal;
+  }
+}
+
+TEST(Sizing, OfAGoalOfWhichLessIsBetterLessensIt) {
+  const SizedDesign design =
+      sized("M-Y1+1x-Y1-2x", sizing("travel", {"closing[1]=0.5..2", "closing[2]=0.5..2"}));
+  EXPECT_LE(design.after.goal, design.before.goal);
+}
+
+TEST(SizingThreads, DoNotChangeTheResult) {
+  SizingOptions options =
+      sizing("uniformity*efficiency_worst", {"sheath_angle=3..9", "strand_mm=50..90"});
+  options.robust = true;
+  options.draws = 10;
+  const std::vector<Routing> routings{parse_routing("M-1-P-2-M"), parse_routing("1-T-2-P-1")};
+  const SizingResult one = size(routings, options);
+  for (const int threads : {2, 3, 8}) {
+    options.threads = threads;
+    const SizingResult several = size(routings, options);
+    for (std::size_t i = 0; i < routings.size(); ++i) {
+      EXPECT_EQ(values_of(several.designs[i]), values_of(one.designs[i]));
+      EXPECT_EQ(several.designs[i].after.goal, one.designs[i].after.goal);
+      EXPECT_EQ(several.designs[i].after.values, one.designs[i].after.values);
+    }
+  }
+}
+
+TEST(Sizing, StoppedGivesTheBestSoFar) {
+  const std::atomic<bool> stop{true};
+  SizingOptions options = sizing("efficiency", {"sheath_angle[1]=3..9"});
+  const SizingResult result = size({parse_routing("M-1-T-2-F")}, options, {{}, &stop});
+  EXPECT_TRUE(result.partial);
+  const SizedDesign& design = result.designs.at(0);
+  EXPECT_EQ(values_of(design).size(), 1U);
+  EXPECT_GE(design.after.goal, design.before.goal);
+}
+
+TEST(Sizing, TellsHowFarItIs) {
+  std::uint64_t last = 0;
+  std::uint64_t total = 0;
+  SizingOptions options = sizing("efficiency", {"sheath_angle[1]=3..9"});
+  size({parse_routing("M-1-T-2-F")}, options,
+       {[&](const Progress& progress) {
+          EXPECT_EQ(progress.done, last + 1);
+          last = progress.done;
+          total = progress.total;
+        },
+        nullptr});
+  EXPECT_EQ(last, total);
+  EXPECT_EQ(total, static_cast<std::uint64_t>(options.starts) + 2);
+}
+
+TEST(Sizing, WithoutAnyDimensionOfItsOwnARoutingStaysAsItIs) {
+  const SizedDesign design =
+      sized("F-1-P-2-F", sizing("efficiency", {"contact_angle[h1-h2]=1..2"}));
+  EXPECT_TRUE(design.variables.empty());
+  EXPECT_EQ(design.after.goal, design.before.goal);
+}
+
+TEST(Sizing, RefusesBoundsBeyondAnyContact) {
+  SizingOptions options = sizing("efficiency", {"sheath_angle[1]=3..60"});
+  EXPECT_THROW(sized("M-1-T-2-F", options), InputError);
+  options = sizing("efficiency", {"sheath_angle[1]=3..45"});
+  options.evaluations = 20;
+  options.starts = 1;
+  EXPECT_NO_THROW(sized("M-1-T-2-F", options));
+  options.robust = true;  // with 0.2 and a fifth more angle
+  EXPECT_THROW(sized("M-1-T-2-F", options), InputError);
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,180 @@
+#include "search/size/size_space.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/notation.hpp"
+#include "tests/support/input_error.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::string names(const std::string& word, Quantity quantity, const Hardware& hardware = {}) {
+  std::string list;
+  for (const PlacedDimension& placed :
+       dimensions_of(expand(parse_routing(word)), hardware, quantity)) {
+    list += (list.empty() ? "" : " ") + to_text(placed.dimension);
+  }
+  return list;
+}
+
+SizeSpace space_of(const std::string& word, const std::vector<std::string>& vary,
+                   const std::vector<std::string>& same = {}, const Hardware& hardware = {}) {
+  std::vector<VariedRange> ranges;
+  for (const std::string& text : vary) ranges.push_back(parse_varied(text));
+  std::vector<SameGroup> groups;
+  for (const std::string& text : same) {
+    for (const SameGroup& group : parse_same(text)) groups.push_back(group);
+  }
+  require_ranges_to_match({parse_routing(word)}, hardware, ranges, groups);
+  return size_space(expand(parse_routing(word)), hardware, ranges, groups);
+}
+
+std::string variables(const SizeSpace& space) {
+  std::string list;
+  for (const SizeVariable& variable : space.variables) {
+    list += (list.empty() ? "" : " ") + variable.name;
+  }
+  return list;
+}
+
+std::string error_of(const std::string& word, const std::vector<std::string>& vary,
+                     const std::vector<std::string>& same = {}) {
+  try {
+    space_of(word, vary, same);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Dimensions, AreThoseThatARoutingHas) {
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::sheath_angle), "sheath_angle[1]");
+  EXPECT_EQ(names("1-P-2-P-1", Quantity::sheath_angle), "sheath_angle[1] sheath_angle[2]");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::tip_angle), "tip_angle[1] tip_angle[2]");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::contact_angle),
+            "contact_angle[a-T1] contact_angle[T1-T2] contact_angle[T2-T3] contact_angle[T3-T4]");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::hand_mm), "");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::motor_side_mm), "motor_side_mm");
+  EXPECT_EQ(names("1x-P-2x", Quantity::tip_angle), "");
+}
+
+TEST(Dimensions, OfASheathThatLeadsToNoFingerAreThatOfItsContact) {
+  EXPECT_EQ(names("M-Y1+1x-Y1-2x", Quantity::sheath_angle), "contact_angle[a-h1]");
+  EXPECT_TRUE(dimensions_of(expand(parse_routing("M-Y1+1x-Y1-2x")), {}, Quantity::sheath_angle)
+                  .at(0)
+                  .of_sheath);
+}
+
+TEST(Dimensions, BeginWithWhatTheHardwareSays) {
+  Hardware hardware;
+  hardware.fingers.push_back({2, {}, 1.5, {}, {}, 80.0, 2});
+  hardware.contacts.push_back({"T2", "T1", {}, 2.5});
+  const Network network = expand(parse_routing("M-1-T-2b-F"));
+  const auto tips = dimensions_of(network, hardware, Quantity::tip_angle);
+  ASSERT_EQ(tips.size(), 1U);  // that of finger 1 is its contact's
+  EXPECT_EQ(tips[0].dimension.finger, 2);
+  EXPECT_EQ(tips[0].nominal, 1.5);
+  const auto contacts = dimensions_of(network, hardware, Quantity::contact_angle);
+  EXPECT_EQ(contacts.at(1).nominal, 2.5);
+  EXPECT_EQ(contacts.at(3).nominal, 1.5);
+  EXPECT_EQ(dimensions_of(network, hardware, Quantity::strand_mm).at(1).nominal, 80);
+  EXPECT_EQ(dimensions_of(network, hardware, Quantity::closing).at(1).nominal, 2);
+  EXPECT_EQ(dimensions_of(network, hardware, Quantity::closing).at(0).nominal, 1);
+}
+
+TEST(Dimensions, AreSetWhereTheyAreReadFrom) {
+  const Network network = expand(parse_routing("M-1-T-2-T-3-M"));
+  for (const QuantityRow& about : quantity_table()) {
+    Hardware hardware;
+    hardware.fingers.push_back({3, {}, {}, {}, {}, {}, 1});
+    double value = 2;
+    for (const PlacedDimension& placed : dimensions_of(network, hardware, about.quantity)) {
+      set(hardware, placed.dimension, value += 0.25);
+    }
+    value = 2;
+    for (const PlacedDimension& placed : dimensions_of(network, hardware, about.quantity)) {
+      EXPECT_EQ(placed.nominal, value += 0.25) << to_text(placed.dimension);
+    }
+    EXPECT_NO_THROW(validate(hardware));
+  }
+}
+
+TEST(SizeSpace, HasAVariableForEachDimensionThatIsVaried) {
+  const SizeSpace space = space_of("M-1-T-2-M", {"tip_angle=1..4", "sheath_angle[2]= 3 .. 9"});
+  EXPECT_EQ(variables(space), "tip_angle[1] tip_angle[2] sheath_angle[2]");
+  EXPECT_EQ(space.variables[2].bounds.low, 3);
+  EXPECT_EQ(space.variables[2].bounds.high, 9);
+}
+
+TEST(SizeSpace, BoundsOfOneDimensionRuleOverThoseOfAll) {
+  const SizeSpace space = space_of("M-1-T-2-M", {"tip_angle[2]=2..3", "tip_angle=1..4"});
+  EXPECT_EQ(variables(space), "tip_angle[1] tip_angle[2]");
+  EXPECT_EQ(space.variables[0].bounds.high, 4);
+  EXPECT_EQ(space.variables[1].bounds.high, 3);
+}
+
+TEST(SizeSpace, MakesOneVariableOfWhatStaysEqual) {
+  const SizeSpace space =
+      space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9", "tip_angle=1..4", "tip_angle[3]=2..6"},
+               {"tips", "sheath_angle[2,3]"});
+  EXPECT_EQ(variables(space), "sheath_angle[1] sheath_angle[2,3] tip_angle[1,2,3]");
+  EXPECT_EQ(space.variables[2].bounds.low, 2);
+  EXPECT_EQ(space.variables[2].bounds.high, 4);
+}
+
+TEST(SizeSpace, WhatIsEqualToTheSameIsEqual) {
+  EXPECT_EQ(variables(space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9"},
+                               {"sheath_angle[1,2]", "sheath_angle[2,3]"})),
+            "sheath_angle[1,2,3]");
+}
+
+TEST(SizeSpace, IsRefusedWhereNothingCanBeVariedSo) {
+  EXPECT_EQ(error_of("M-1-T-2-F", {"sheath_angle[2]=3..9"}),
+            "vary 'sheath_angle[2]=3..9': expected dimensions of M-1-T-2-F: sheath_angle[1], "
+            "tip_angle[1], tip_angle[2], strand_mm[1], strand_mm[2], closing[1], closing[2], "
+            "contact_angle[a-T1], contact_angle[T1-T2], contact_angle[T2-T3], "
+            "contact_angle[T3-T4], motor_side_mm");
+  EXPECT_EQ(error_of("M-1-T-2-M", {"sheath_angle=3..9", "sheath_angle=3..8"}),
+            "vary 'sheath_angle=3..8': what vary 'sheath_angle=3..9' varies is varied again");
+  EXPECT_EQ(
+      error_of("M-1-T-2-F", {"tip_angle[1]=1..4", "contact_angle[T2-T1]=1..2"}),
+      "varied dimension 'tip_angle[1]': expected no contact_angle of the same contacts beside it");
+  EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle=1..4"}, {"sheaths"}),
+            "same 'sheaths': expected dimensions that are varied");
+  EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle[1]=1..2", "tip_angle[2]=3..4"}, {"tips"}),
+            "same 'tips': expected bounds that tip_angle[1,2] have in common");
+}
+
+TEST(VariedRange, IsRefusedWithWhatWasExpected) {
+  const std::string shape = ": expected a dimension and its bounds, such as sheath_angle[1]=3..9";
+  for (const char* text : {"", "tip_angle", "tip_angle=3", "tip_angle=3..", "tip_angle=..3",
+                           "tip_angle=1..x", "tip_angle=1..inf", "tip_angle=nan..2"}) {
+    EXPECT_EQ(input_error([&] { parse_varied(text); }), "vary '" + std::string(text) + "'" + shape);
+  }
+  EXPECT_EQ(input_error([&] { parse_varied("tip_angle=4..1"); }),
+            "vary 'tip_angle=4..1': tip_angle = 4..1: expected the least and the greatest, from 0 "
+            "to 1000 rad");
+  EXPECT_EQ(input_error([&] { parse_varied("closing[1]=0..2"); }),
+            "vary 'closing[1]=0..2': closing = 0..2: expected the least and the greatest, from "
+            "0.001 to 1000");
+  for (const char* name :
+       {"angle", "tip_angle[", "tip_angle[0]", "tip_angle[1,]", "tip_angle[65]", "tip_angle[1,1]",
+        "contact_angle", "contact_angle[T1]", "contact_angle[T1-Q]", "hand_mm[1]", "tip_angle[]"}) {
+    const std::string text = std::string(name) + "=1..2";
+    const std::string said = input_error([&] { parse_varied(text); });
+    EXPECT_TRUE(said.starts_with("vary '" + text + "': dimension '" + name + "': expected "))
+        << said;
+  }
+}
+
+TEST(SameGroup, IsRefusedWithWhatWasExpected) {
+  for (const char* text : {"", "fingers", "tips,", "sheath_angle[2", "tips;sheaths"}) {
+    EXPECT_EQ(input_error([&] { parse_same(text); }),
+              "same '" + std::string(text) +
+                  "': expected tips, sheaths, strands, or dimensions of one quantity such as "
+                  "sheath_angle[2,3,4]");
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
