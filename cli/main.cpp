@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
   add_import(program, exit_code);
   add_simulate(program, exit_code);
   add_diagnose(program, exit_code);
-  program.footer("Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 interrupted.");
+  program.footer("Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted.");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

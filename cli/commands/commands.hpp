@@ -10,7 +10,7 @@ namespace reeve::cli {
 // What the process returns to the shell.
 enum ExitCode : int {
   done = 0,
-  answer_is_no = 1,  // a check failed, or a log holds no reading
+  answer_is_no = 1,  // a check failed, a log holds no reading, no design meets the constraints
   bad_input = 2,
   interrupted = 3,  // or an internal error
 };

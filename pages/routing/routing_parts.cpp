@@ -132,6 +132,7 @@ HtmlTable objective_table(const ShownRouting& report) {
                text_column("meaning")},
               {}};
   for (const ObjectiveRow& row : search::objective_table()) {
+    if (row.objective == Objective::cost) continue;  // there are no prices here
     table.add({objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};

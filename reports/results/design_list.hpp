@@ -17,6 +17,9 @@ namespace reeve::reports {
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score);
 
+// Without those for which another one stands: a line of a table is for all designs that are alike.
+std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs);
+
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");
 

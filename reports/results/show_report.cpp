@@ -126,6 +126,7 @@ Table objective_list(const ObjectiveValues& values) {
                text_column("meaning")},
               {}};
   for (const ObjectiveRow& row : objective_table()) {
+    if (row.objective == Objective::cost) continue;  // there are no prices here
     table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
   }
   return table;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,10 @@ enum class Objective : std::uint8_t {
   blocks,
   finger_uniformity_mean,
   finger_uniformity_worst,
+  parts,
+  cost,
 };
-inline constexpr std::size_t objective_count = 20;
+inline constexpr std::size_t objective_count = 22;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -61,6 +64,9 @@ struct DesignOutcome {
   // close: without blocks, strands / motor-side segments. 0 without strands, infinite where blocks
   // keep all of them from moving.
   double travel = 0;
+  // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
+  // equal themselves.)
+  double cost = std::numeric_limits<double>::infinity();
 };
 
 // One row for each objective. Rows that differ in `part` only (mean, worst) are one thing for
