@@ -7,6 +7,7 @@
 #include "cli/supervision.hpp"
 #include "pages/exploration/exploration_page.hpp"
 #include "pages/shell/figure_files.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
 #include "studies/shown_routing.hpp"
@@ -39,6 +40,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   write_file(directory / "designs.csv", design_csv(report.top, note));
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
+  write_file(directory / "ladder.csv", ladder_csv(report.ladder, note));
   StageLine stage;
   if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   const PageFiles page = exploration_page(view(report, command, catalogue, details));

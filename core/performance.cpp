@@ -68,14 +68,42 @@ double return_friction(const Performance& pull, const Performance& release) {
   return pull.efficiency * release.efficiency;
 }
 
+namespace {
+
+void count_bearing(const Contact& contact, PartCount& count) {
+  ++count.pulleys;
+  if (contact.place == ContactPlace::tip) ++count.tip_bearings;
+  if (contact.place == ContactPlace::hand_join) ++count.fixed_pulleys;
+  if (contact.place == ContactPlace::carriage) ++count.movable_pulleys;
+}
+
+// An end that is tied neither to the carriage nor to a block: at the hand, or at a fingertip.
+bool is_untied(const Network& network, const TendonEnd& end, std::size_t segment) {
+  return end.tie == EndTie::none && network.segments[segment].kind != SegmentKind::motor_side;
+}
+
+int untied_ends(const Network& network) {
+  int ends = 0;
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.closed) continue;
+    if (is_untied(network, tendon.left, tendon.first_segment)) ++ends;
+    if (is_untied(network, tendon.right, tendon.first_segment + tendon.segments - 1)) ++ends;
+  }
+  return ends;
+}
+
+}  // namespace
+
 PartCount parts(const Network& network) {
   PartCount count;
   for (const Contact& contact : network.contacts) {
     if (contact.kind == ContactKind::sheath) ++count.sheaths;
-    if (contact.kind == ContactKind::bearing) ++count.pulleys;
+    if (contact.kind == ContactKind::tube) ++count.tubes;
+    if (contact.kind == ContactKind::bearing) count_bearing(contact, count);
   }
   for (const Block& block : network.blocks) ++(block.is_bar ? count.bars : count.blocks);
   count.anchors = network.fingers - tips(network);
+  count.fixed_ends = untied_ends(network) - count.anchors;
   count.knots = static_cast<int>(std::count_if(network.tendons.begin(), network.tendons.end(),
                                                [](const TendonSpan& t) { return t.closed; }));
   return count;

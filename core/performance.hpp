@@ -58,6 +58,12 @@ struct PartCount {
   int blocks = 0;  // floating blocks at the hand
   int bars = 0;
   int anchors = 0;  // fingertips to which a tendon is tied
+  // What prices tell apart (part_prices.hpp); the first three are among the pulleys.
+  int tip_bearings = 0;
+  int fixed_pulleys = 0;    // B
+  int movable_pulleys = 0;  // P
+  int tubes = 0;            // fingertips without a bearing, and T
+  int fixed_ends = 0;       // F
 
   int total() const { return sheaths + pulleys + knots + blocks + bars + anchors; }
 };

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
+#include "search/decide/ladder_archive.hpp"
 #include "search/judge/archive.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
@@ -30,6 +31,7 @@ struct Slot {
   ObjectiveValues values{};
   std::size_t failed_constraint = 0;  // its number, from 1; 0: none
   bool may_rank = false;
+  bool may_be_rung = false;
   bool sampled = false;
 };
 
@@ -41,11 +43,12 @@ class Exploration {
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         archive_(options.order, options.top),
+        ladder_(options.order, options.ladder.by),
         sample_(options.sample),
         constraint_failures_(options.constraints.size(), 0),
         deciding_(extent_for(deciding_objectives(options), options.score)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      evaluators_.emplace_back(options.model, options.grasps, options.score);
+      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
     }
     // What there is none of need not be worked out later.
     if (!evaluators_[0].has_hand()) deciding_.hand = true;
@@ -55,6 +58,7 @@ class Exploration {
       reference_goodness_.push_back(
           goodness(references_.back().design.values, options.order.objectives));
     }
+    reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::uint64_t>(references_.size(), 0));
     slots_.resize(batch_size);
   }
@@ -102,10 +106,13 @@ class Exploration {
       Slot& slot = slots_[i];
       slot.values = evaluator.evaluate(slot.routing, deciding_);
       slot.failed_constraint = first_failure(slot.values);
+      if (slot.failed_constraint > 0) reaches_[block.worker].add(options_.constraints, slot.values);
       slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
+      slot.may_be_rung = slot.failed_constraint == 0 && ladder_.may_be_rung(slot.values);
       slot.sampled = slot.failed_constraint == 0 && sample_.would_enter(slot.place);
       // What decides nothing here only what is kept needs.
-      if (slot.may_rank && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
+      const bool kept = slot.may_rank || slot.may_be_rung;
+      if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
       compare_with_references(slot, block.worker);
     }
   }
@@ -144,6 +151,7 @@ class Exploration {
       const Slot& slot = slots_[i];
       if (slot.failed_constraint > 0) ++constraint_failures_[slot.failed_constraint - 1];
       if (slot.may_rank) archive_.add({to_word(slot.routing), slot.values});
+      if (slot.may_be_rung) ladder_.add({to_word(slot.routing), slot.values});
       if (slot.sampled) sample_.add(slot.place, slot.routing);
     }
   }
@@ -171,6 +179,12 @@ class Exploration {
     for (const RankedDesign& ranked : listed) {
       result.routings.push_back(parse_routing(ranked.design.word));
     }
+    if (content.ranked.empty()) {
+      if (!result.partial) result.unmet = unmet();
+    } else {
+      result.ladder = ladder(ladder_.candidates(), content.ranked.front().design, options_.order,
+                             options_.ladder);
+    }
     result.sample = sampled();
     place_references(content.ranked);
     result.references = references_;
@@ -178,6 +192,14 @@ class Exploration {
       result.unconverged += evaluator.unconverged();
     }
     return result;
+  }
+
+  // Nothing where nothing was evaluated, so that no constraint is to blame.
+  std::vector<ConstraintReach> unmet() const {
+    if (evaluated_ == 0) return {};
+    ConstraintReaches all(options_.constraints.size());
+    for (const ConstraintReaches& reaches : reaches_) all.add(reaches);
+    return all.list();
   }
 
   // Most of what was sampled on the way is not in the sample, so what decides nothing waits.
@@ -216,10 +238,12 @@ class Exploration {
   ShardRange range_;
   Workers workers_;
   Archive archive_;
+  LadderArchive ladder_;
   DesignSample sample_;
   std::vector<std::uint64_t> constraint_failures_;
   Extent deciding_;
   std::vector<DesignEvaluator> evaluators_;
+  std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<ReferenceStanding> references_;
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::uint64_t>> dominators_;  // [worker][reference]

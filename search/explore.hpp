@@ -14,6 +14,9 @@
 
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
+#include "core/parts/part_prices.hpp"
+#include "search/decide/ladder.hpp"
+#include "search/decide/unmet.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/judge/ranking.hpp"
 #include "search/judge/score.hpp"
@@ -40,6 +43,8 @@ struct ExploreOptions {
   std::size_t sample = 2000;        // designs drawn at random, to show what the best stand out from
   int threads = 0;                  // 0: all
   std::vector<Routing> references;  // canonical routings whose place among the others is wanted
+  std::optional<PartPrices> prices;
+  LadderOptions ladder;
 };
 
 struct Progress {
@@ -83,6 +88,8 @@ struct ExploreResult {
   std::uint64_t front_equals_left_out = 0;
   std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;
+  Ladder ladder;                       // without rungs where there is no design
+  std::vector<ConstraintReach> unmet;  // parallel to the constraints, if nothing meets all of them
 };
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {});

@@ -23,6 +23,11 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   report.options = options;
   report.top = list_designs(result.top, result.routings, distributions, catalogue);
   report.front = list_designs(result.front, result.routings, distributions, catalogue);
+  mark_alike(report.top, options.order, options.generator.identity);
+  mark_alike(report.front, options.order, options.generator.identity);
+  report.ladder = list_ladder(result.ladder,
+                              report.front.size() > report.top.size() ? report.front : report.top,
+                              options.prices, catalogue);
   for (const Routing& reference : options.references) {
     report.reference_names.push_back(name_of(catalogue, reference));
   }

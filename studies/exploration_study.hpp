@@ -19,6 +19,7 @@ struct ExploreReport {
   std::vector<ListedDesign> front;
   std::vector<ListedDesign> top;
   std::vector<std::string> reference_names;  // parallel to result.references
+  ListedLadder ladder;
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
   bool draws_stopped = false;  // before there were distributions

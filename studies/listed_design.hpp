@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "core/canonical.hpp"
+#include "core/parts/part_prices.hpp"
 #include "core/routing.hpp"
+#include "search/decide/ladder.hpp"
 #include "search/judge/ranking.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
@@ -18,6 +21,19 @@ struct ListedDesign {
   std::string name;  // "" if it has none
   // Only where uncertainty was asked for.
   std::optional<RankDistribution> distribution;
+  // Designs that differ in bearings alone, which change nothing (search/decide/alike.hpp): of the
+  // first of them the words of the others that are listed, and of these its word.
+  std::vector<std::string> alike = {};
+  std::string same_as = {};
+};
+
+// A ladder with what is known of its designs. Ranks and fronts are 0 where they are beyond the
+// list.
+struct ListedLadder {
+  Ladder ladder;
+  std::vector<ListedDesign> rungs;  // parallel to the ladder's
+  std::optional<ListedDesign> affordable;
+  std::string cost_unit;  // of the prices; "" if there are none, or nobody says
 };
 
 // `routings` begins parallel to `ranked`, and so does `distributions` or is empty.
@@ -25,5 +41,11 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<Routing>& routings,
                                        const std::vector<RankDistribution>& distributions,
                                        const Catalogue& catalogue);
+
+void mark_alike(std::vector<ListedDesign>& designs, const Order& order, FingerIdentity identity);
+
+// `listed` is where ranks are looked up.
+ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
+                         const std::optional<PartPrices>& prices, const Catalogue& catalogue);
 
 }  // namespace reeve::studies

@@ -3,13 +3,14 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "search/decide/ladder_archive.hpp"
 #include "search/judge/evaluation.hpp"
 
 namespace reeve::studies {
 namespace {
 
 std::vector<RankedDesign> ranked(const RankRequest& request, std::uint64_t& unconverged) {
-  DesignEvaluator evaluator(request.model, request.grasps, request.score);
+  DesignEvaluator evaluator(request.model, request.grasps, request.score, request.prices);
   std::vector<Design> designs;
   for (const Routing& routing : request.routings) {
     designs.push_back({to_word(routing), evaluator.evaluate(routing)});
@@ -19,8 +20,8 @@ std::vector<RankedDesign> ranked(const RankRequest& request, std::uint64_t& unco
 }
 
 UncertaintyOptions uncertainty(const RankRequest& request) {
-  return {request.model,        request.ranges,      request.grasps,  request.order,
-          request.draws->count, request.draws->seed, request.threads, request.score};
+  return {request.model,       request.ranges,  request.grasps, request.order, request.draws->count,
+          request.draws->seed, request.threads, request.score,  request.prices};
 }
 
 std::vector<Routing> in_order(const std::vector<Routing>& routings,
@@ -28,6 +29,12 @@ std::vector<Routing> in_order(const std::vector<Routing>& routings,
   std::vector<Routing> ordered;
   for (const RankedDesign& entry : designs) ordered.push_back(routings[entry.given]);
   return ordered;
+}
+
+Ladder ladder_of(const RankRequest& request, const std::vector<RankedDesign>& designs) {
+  LadderArchive archive(request.order, request.ladder.by);
+  for (const RankedDesign& entry : designs) archive.add(entry.design);
+  return ladder(archive.candidates(), designs.front().design, request.order, request.ladder);
 }
 
 RankDetails details(const RankRequest& request, const std::vector<RankedDesign>& designs,
@@ -66,6 +73,11 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
     if (!report.margins) return std::nullopt;
   }
   report.designs = list_designs(designs, routings, drawn, catalogue);
+  // Fingers are told apart here: a finger of another number is no superfluous bearing.
+  mark_alike(report.designs, request.order, FingerIdentity::distinct);
+  report.ladder =
+      list_ladder(ladder_of(request, designs), report.designs, request.prices, catalogue);
+  report.prices = request.prices;
   if (request.details) report.details = details(request, designs, routings, catalogue);
   return report;
 }

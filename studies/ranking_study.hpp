@@ -41,6 +41,8 @@ struct RankRequest {
   bool margins = false;  // needs the order of mean uniformity and mean efficiency
   bool details = false;
   int threads = 0;
+  std::optional<PartPrices> prices;
+  LadderOptions ladder;
 };
 
 // What the page shows besides the ranking.
@@ -61,6 +63,8 @@ struct RankReport {
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;
   std::optional<RankDetails> details;
+  ListedLadder ladder;
+  std::optional<PartPrices> prices;
 };
 
 // Nothing if it was stopped. The details have no distributions yet.

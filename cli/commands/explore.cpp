@@ -12,6 +12,7 @@
 #include "cli/exploration_files.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
+#include "cli/ladder_flags.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct ExploreFlags {
   GeneratorFlags generator;
   RankingFlags ranking;
+  LadderFlags ladder;
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
@@ -72,6 +74,9 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
     }
     options.constraints.push_back(constraint);
   }
+  options.prices = flags.ladder.read_prices();
+  options.ladder = flags.ladder.read();
+  flags.ladder.require_prices(options.order, options.score, options.constraints);
   options.top = flags.top;
   options.threads = flags.ranking.threads;
   options.references = known_routings(options.generator, catalogue);
@@ -81,7 +86,8 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
   return {file.model,          file.uncertainty,   options.grasps,        options.order,
-          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score};
+          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score,
+          options.prices};
 }
 
 int run(const ExploreFlags& flags, const CLI::App& command) {
@@ -101,9 +107,10 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   std::cout << announced(
-      "index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures", flags.out,
-      flags.format);
-  return partial_note(report).empty() ? done : interrupted;
+      "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and figures",
+      flags.out, flags.format);
+  if (!partial_note(report).empty()) return interrupted;
+  return report.result.unmet.empty() ? done : answer_is_no;
 }
 
 }  // namespace
@@ -114,6 +121,7 @@ void add_explore(CLI::App& program, int& exit_code) {
   auto flags = std::make_shared<ExploreFlags>();
   flags->generator.add_to(*command, true);
   flags->ranking.add_to(*command);
+  flags->ladder.add_to(*command);
   command
       ->add_option("--constraint", flags->constraints,
                    "Keep only designs with, such as 'sheaths<=2'; may be given several times")
@@ -134,7 +142,8 @@ void add_explore(CLI::App& program, int& exit_code) {
   command
       ->add_option(
           "--out", flags->out,
-          "Folder for index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures")
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
+          "figures")
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));

@@ -15,6 +15,7 @@
 #include "cli/friction_cases.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
+#include "cli/ladder_flags.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/reading_flags.hpp"
@@ -25,6 +26,7 @@
 #include "pages/ranking/ranking_page.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/rank_report.hpp"
@@ -46,6 +48,7 @@ struct RankFlags {
   ReadingFlags readings;
   std::string mu = "0.18,0.09";
   RankingFlags ranking;
+  LadderFlags ladder;
   ModelOption model;
   FormatOption format;
 };
@@ -176,6 +179,7 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
                 const std::string& command) {
   const RankingPage page = ranking_page(report, command);
   write_figures(folder, page.figures);
+  write_file(folder / "ladder.csv", ladder_csv(report.ladder));
   write_file(folder / "ranking.json", rank_json(report));
   write_file(folder / "index.html", page.html);
 }
@@ -195,6 +199,9 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   request.margins = flags.margin;
   request.details = flags.out.is_given();
   request.threads = flags.ranking.threads;
+  request.prices = flags.ladder.read_prices();
+  request.ladder = flags.ladder.read();
+  flags.ladder.require_prices(request.order, request.score, {});
   return request;
 }
 
@@ -208,7 +215,7 @@ int run(const RankFlags& flags, const CLI::App& command) {
     distributions =
         tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
     folder = flags.out.prepare();
-    for (const char* file : {"index.html", "ranking.json"}) {
+    for (const char* file : {"index.html", "ladder.csv", "ranking.json"}) {
       if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
     }
   }
@@ -223,7 +230,8 @@ int run(const RankFlags& flags, const CLI::App& command) {
   }
   print(*report, flags.format);
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, ranking.json and figures", folder, flags.format);
+    std::cout << announced("index.html, ladder.csv, ranking.json and figures", folder,
+                           flags.format);
   }
   return done;
 }
@@ -251,7 +259,7 @@ void add_rank(CLI::App& program, int& exit_code) {
                     "Search the ranges of the coefficients for where the first design's lead over "
                     "each other one is least");
   CLI::Option* out =
-      flags->out.add_to(*command, "a page, index.html, with ranking.json and figures/");
+      flags->out.add_to(*command, "a page, index.html, with ladder.csv, ranking.json and figures/");
   flags->data_given =
       command
           ->add_option("--data", flags->data,
@@ -267,6 +275,7 @@ void add_rank(CLI::App& program, int& exit_code) {
       ->needs(out)
       ->capture_default_str();
   flags->ranking.add_to(*command);
+  flags->ladder.add_to(*command);
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json", "csv"}));
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

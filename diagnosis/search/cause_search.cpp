@@ -15,17 +15,21 @@ namespace {
 // an accepted cause defends its place.
 constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
+// Times what chance gains at most when mountings are drawn to second order: what they do beyond it
+// was seen to gain ten times as much.
+constexpr double far_beyond = 30;
 constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
 
 class Search {
  public:
   Search(Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
-         const CauseSearchOptions& options, Workers& workers,
+         const CauseSearchOptions& options, const MountingScatter& mounting, Workers& workers,
          const std::function<void(Problem&, const Model&)>& changed,
          const std::function<bool()>& stop)
       : problem_(problem),
         candidates_(candidates),
         options_(options),
+        mounting_(mounting),
         workers_(workers),
         changed_(changed),
         stop_(stop) {
@@ -48,13 +52,7 @@ class Search {
   bool accept_one() {
     const Outlook outlook(problem_, result_.model, candidates_, workers_);
     if (outlook.candidates().empty()) return false;
-    const NullModel null_model(problem_, outlook.projection(), outlook.at(),
-                               streams::seed_of_step(options_.seed, result_.accepted.size()),
-                               options_.replicates);
-    std::vector<double> greatest(null_model.replicates());
-    null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
-      greatest[replicate] = outlook.screening().greatest_gain(drawn);
-    });
+    std::vector<double> greatest = greatest_by_chance(outlook, nullptr);
     const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
     std::vector<Fit> fits(which.size());
     const auto is_no_line = [](const Candidate& candidate) {
@@ -78,11 +76,14 @@ class Search {
     for (const std::size_t i : fit_those(true)) {
       observed = std::max(observed, gain(before, fits[i].misfit));
     }
-    result_.p_value_of_next = p_value(observed, greatest);
     const double alpha = result_.accepted.empty() ? options_.alpha : options_.further_alpha;
-    std::sort(greatest.begin(), greatest.end());
-    critical_gain_ =
-        greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
+    judge(observed, alpha, greatest);
+    if (result_.p_value_of_next <= alpha && !problem_.shared.empty() &&
+        observed < far_beyond * greatest.back()) {
+      const MountedDraws mounted(*problem_.dataset, result_.model, mounting_);
+      greatest = greatest_by_chance(outlook, &mounted);
+      judge(observed, alpha, greatest);
+    }
     if (result_.p_value_of_next > alpha || stop_()) return false;
     fit_those(false);
     const std::size_t best = likeliest(problem_, fits);
@@ -92,6 +93,26 @@ class Search {
     result_.accepted.push_back({effect, result_.p_value_of_next});
     settle();
     return true;
+  }
+
+  std::vector<double> greatest_by_chance(const Outlook& outlook,
+                                         const MountedDraws* mounted) const {
+    const NullModel null_model(problem_, outlook.projection(), outlook.at(),
+                               streams::seed_of_step(options_.seed, result_.accepted.size()),
+                               options_.replicates, mounted);
+    std::vector<double> greatest(null_model.replicates());
+    null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
+      greatest[replicate] = outlook.screening().greatest_gain(drawn);
+    });
+    return greatest;
+  }
+
+  // Sorts the gains of chance.
+  void judge(double observed, double alpha, std::vector<double>& greatest) {
+    result_.p_value_of_next = p_value(observed, greatest);
+    std::sort(greatest.begin(), greatest.end());
+    critical_gain_ =
+        greatest[static_cast<std::size_t>((1 - alpha) * static_cast<double>(greatest.size() - 1))];
   }
 
   // Where a cause is accepted and loses its place at once, the next step would do the same again.
@@ -193,6 +214,7 @@ class Search {
   Problem& problem_;
   const std::vector<Candidate>& candidates_;
   const CauseSearchOptions& options_;
+  const MountingScatter& mounting_;
   Workers& workers_;
   const std::function<void(Problem&, const Model&)>& changed_;
   const std::function<bool()>& stop_;
@@ -206,9 +228,9 @@ class Search {
 
 std::optional<CauseSearchResult> search_causes(
     Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
-    const CauseSearchOptions& options, Workers& workers,
+    const CauseSearchOptions& options, const MountingScatter& mounting, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop) {
-  return Search(problem, base, candidates, options, workers, changed, stop).run();
+  return Search(problem, base, candidates, options, mounting, workers, changed, stop).run();
 }
 
 }  // namespace reeve::diagnosis

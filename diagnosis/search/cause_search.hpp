@@ -2,7 +2,9 @@
 //
 // A step screens every cause to first order, fits the promising causes of the hardware in full,
 // judges the greatest gain by what the whole screening finds in data simulated from the current
-// model, fits the other promising causes, and accepts the likeliest. Afterwards each accepted cause
+// model, fits the other promising causes, and accepts the likeliest. Where mountings differ, the
+// data are simulated to second order, and a gain that is not far beyond those is judged again by
+// mountings that the model solves (mounted_draws.hpp). Afterwards each accepted cause
 // has to defend its place: against others (one that explains more takes it), and against nothing
 // (one that no longer gains enough goes). What the base model has already (coefficients that are
 // free in every model, calibration.hpp) is fitted again each time, and stays.
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "diagnosis/model/fit.hpp"
+#include "diagnosis/model/mounting_scatter.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 
@@ -39,10 +42,10 @@ struct CauseSearchResult {
 };
 
 // Returns nothing if `stop` says so. `changed` is called after each step with the current model,
-// and may give the problem other standard deviations.
+// and may give the problem other standard deviations, and `mounting` what mountings do then.
 std::optional<CauseSearchResult> search_causes(
     Problem& problem, const Model& base, const std::vector<Candidate>& candidates,
-    const CauseSearchOptions& options, Workers& workers,
+    const CauseSearchOptions& options, const MountingScatter& mounting, Workers& workers,
     const std::function<void(Problem&, const Model&)>& changed, const std::function<bool()>& stop);
 
 }  // namespace reeve::diagnosis

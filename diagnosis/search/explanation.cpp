@@ -53,7 +53,7 @@ class Explaining {
     const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
                                      options_.replicates, result_.most_causes, options_.seed};
     auto found = search_causes(
-        result_.problem, result_.base, causes_, options, workers,
+        result_.problem, result_.base, causes_, options, result_.scatter.mounting, workers,
         [this](Problem& problem, const Model& model) { rescatter(problem, model); },
         [&] { return stop("searching for causes"); });
     if (!found) return false;

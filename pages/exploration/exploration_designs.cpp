@@ -92,6 +92,8 @@ std::vector<Objective> page_objectives(const ExploreReport& report) {
       search::shown_objectives(report.options.order, report.options.score);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && report.options.generator.parts.blocks > 0) shown.push_back(Objective::blocks);
+  const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
+  if (!priced && report.options.prices) shown.push_back(Objective::cost);
   return shown;
 }
 

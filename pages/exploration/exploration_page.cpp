@@ -15,7 +15,10 @@
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/compressed.hpp"
+#include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
+#include "reports/decision/decision_words.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
 namespace reeve::pages {
@@ -222,6 +225,23 @@ Json words_json(const ExploreReport& report) {
           {"caveats", words.caveats}};
 }
 
+// What more parts buy.
+Json ladder_body(const ExploreReport& report) {
+  const Section section = ladder_section(report.ladder);
+  if (!section.table) return {{"has_ladder", false}};
+  Json body{{"has_ladder", true}, {"ladder_title", section.title}};
+  body["ladder_lines"] = Json::array();
+  for (const SheetLine& line : answer_lines(report.top, report.ladder)) {
+    body["ladder_lines"].push_back(line.text + ".");
+  }
+  body["ladder_table"] = html({"ladder-table",
+                               "Gains are against the line above; kept is what is "
+                               "left of the first design in the objective that "
+                               "loses most.",
+                               *section.table});
+  return body;
+}
+
 }  // namespace
 
 PageFiles exploration_page(const ExplorationView& view) {
@@ -232,6 +252,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   std::vector<FigureFile> figures = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));
+  body.update(ladder_body(report));
   const auto sampled =
       std::count_if(held.designs.begin(), held.designs.end(),
                     [](const PageDesign& design) { return design.kind == Kind::sample; });

@@ -10,6 +10,7 @@
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/results/explore_report.hpp"
@@ -133,7 +134,13 @@ std::string known_text(const ExploreReport& report) {
 
 std::vector<std::string> won(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
-  if (listed.empty()) return {"No design is left to rank: every routing was rejected."};
+  if (listed.empty()) {
+    std::vector<std::string> text{"No design is left to rank: every routing was rejected."};
+    for (const SheetLine& line : unmet_lines(report.options, report.result)) {
+      text.push_back(line.text + ".");
+    }
+    return text;
+  }
   std::vector<std::string> text{
       fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
                   plural(ranked_designs(report), "design"),

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "reports/csv_field.hpp"
@@ -29,12 +31,24 @@ bool has_blocks(const std::vector<ListedDesign>& designs) {
   });
 }
 
-// Blocks are told of where there are any.
+bool has_alike(const std::vector<ListedDesign>& designs) {
+  return std::any_of(designs.begin(), designs.end(),
+                     [](const ListedDesign& design) { return !design.alike.empty(); });
+}
+
+bool has_cost(const std::vector<ListedDesign>& designs) {
+  return !designs.empty() &&
+         std::isfinite(value(designs.front().ranked.design.values, Objective::cost));
+}
+
+// Blocks are told of where there are any, and the cost where it is known.
 std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
                                           const Order& order, const Score& score) {
   std::vector<Objective> shown = shown_objectives(order, score);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
+  const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
+  if (!priced && has_cost(designs)) shown.push_back(Objective::cost);
   std::vector<ColumnRows> columns;
   for (const Objective objective : shown) {
     const ObjectiveRow& about = row(objective);
@@ -60,9 +74,11 @@ std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values
   return cell;
 }
 
-std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool uncertain) {
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike,
+                                 bool uncertain) {
   std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
                                    text_column("name"), text_column("routing")};
+  if (alike) columns.push_back(number_column("alike", "", 1));
   for (const ColumnRows& rows : objectives) columns.push_back(objective_column(*rows.front()));
   if (!uncertain) return columns;
   for (const char* heading : {"first", "median", "5–95 %"}) {
@@ -77,11 +93,13 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score) {
   const bool uncertain = with_distributions(designs);
   const std::vector<ColumnRows> objectives = objective_columns(designs, order, score);
-  Table table{columns(objectives, uncertain), {}};
+  const bool alike = has_alike(designs);
+  Table table{columns(objectives, alike, uncertain), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
         std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
         design.name.empty() ? "-" : design.name, design.ranked.design.word};
+    if (alike) cells.push_back(design.alike.empty() ? "" : fmt::format("+{}", design.alike.size()));
     for (const ColumnRows& rows : objectives) {
       cells.push_back(objective_cell(rows, design.ranked.design.values));
     }
@@ -96,10 +114,14 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
   return table;
 }
 
-namespace {
+std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs) {
+  std::vector<ListedDesign> firsts;
+  std::copy_if(designs.begin(), designs.end(), std::back_inserter(firsts),
+               [](const ListedDesign& design) { return design.same_as.empty(); });
+  return firsts;
+}
 
-// The objectives that there are, of the first design as of all others.
-std::string csv_headings(const ObjectiveValues& values) {
+std::string objective_headings(const ObjectiveValues& values) {
   std::string text;
   for (const ObjectiveRow& row : objective_table()) {
     if (is_there(row, values)) text += std::string(",") + row.name;
@@ -107,22 +129,20 @@ std::string csv_headings(const ObjectiveValues& values) {
   return text;
 }
 
-std::string csv_cells(const ObjectiveValues& values) {
+std::string objective_cells(const ObjectiveValues& values) {
   std::string text;
   for (const ObjectiveRow& row : objective_table()) {
-    if (is_there(row, values)) text += fmt::format(",{}", value(values, row.objective));
+    if (is_there(row, values)) text += "," + csv_number(value(values, row.objective));
   }
   return text;
 }
 
-}  // namespace
-
 std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
   std::string csv = note.empty() ? "" : "# " + note + "\n";
-  csv += "routing" + csv_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
+  csv += "routing" + objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
   csv += '\n';
   for (const Design& design : designs) {
-    csv += design.word + csv_cells(design.values);
+    csv += design.word + objective_cells(design.values);
     csv += '\n';
   }
   return csv;
@@ -132,19 +152,19 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   const bool uncertain = with_distributions(designs);
   std::string csv = note.empty() ? "" : "# " + note + "\n";
   csv += "rank,front,routing,name";
-  csv += csv_headings(designs.empty() ? ObjectiveValues{} : designs.front().ranked.design.values);
-  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95\n" : "\n";
+  csv += objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().ranked.design.values);
+  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as\n" : ",same_as\n";
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
                        design.ranked.design.word, csv_field(design.name));
-    csv += csv_cells(design.ranked.design.values);
+    csv += objective_cells(design.ranked.design.values);
     if (design.distribution) {
       const RankDistribution& d = *design.distribution;
       csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);
     } else if (uncertain) {
       csv += ",,,,";
     }
-    csv += '\n';
+    csv += "," + design.same_as + '\n';
   }
   return csv;
 }
@@ -155,6 +175,8 @@ Json to_json(const ListedDesign& design) {
             {"routing", design.ranked.design.word},
             {"name", text_or_null(design.name)}};
   add_objectives(json, design.ranked.design.values);
+  json["alike"] = design.alike;
+  json["same_as"] = text_or_null(design.same_as);
   if (design.distribution) {
     json["rank_distribution"] = {{"first_share", design.distribution->first},
                                  {"median", design.distribution->median},

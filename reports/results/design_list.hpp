@@ -17,6 +17,13 @@ namespace reeve::reports {
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score);
 
+// Without those for which another one stands: a line of a table is for all designs that are alike.
+std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs);
+
+// ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
+std::string objective_headings(const ObjectiveValues& values);
+std::string objective_cells(const ObjectiveValues& values);
+
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");
 

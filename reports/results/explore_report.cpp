@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "reports/decision/decision_words.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 
@@ -12,9 +14,11 @@ namespace {
 
 constexpr std::size_t shown_at_most = 10;
 
+// As many lines of a table.
 std::vector<ListedDesign> first(const std::vector<ListedDesign>& designs, std::size_t count) {
-  return {designs.begin(),
-          designs.begin() + static_cast<std::ptrdiff_t>(std::min(count, designs.size()))};
+  std::vector<ListedDesign> lines = one_of_each(designs);
+  if (lines.size() > count) lines.resize(count);
+  return lines;
 }
 
 double rate(const ExploreResult& result) {
@@ -39,7 +43,11 @@ Section front_section(const ExploreReport& report) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
-  if (report.front.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
+  const std::vector<ListedDesign> lines = one_of_each(report.front);
+  if (lines.size() < report.front.size()) {
+    text += fmt::format(", {} but for bearings that change nothing", lines.size());
+  }
+  if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
   return {
       text,
       design_table(first(report.front, shown_at_most), report.options.order, report.options.score),
@@ -88,6 +96,12 @@ std::vector<SheetLine> opening_lines(const ExploreReport& report) {
   return lines;
 }
 
+Section answer_section(const ExploreReport& report) {
+  std::vector<SheetLine> lines = unmet_lines(report.options, report.result);
+  for (const SheetLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  return {"", std::nullopt, lines};
+}
+
 Json known_json(const ExploreReport& report) {
   Json json = Json::array();
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
@@ -103,6 +117,25 @@ Json known_json(const ExploreReport& report) {
                 })}};
     add_objectives(entry, reference.design.values);
     json.push_back(entry);
+  }
+  return json;
+}
+
+Json nearest_json(const Nearest& nearest) {
+  const auto json = [](double value) { return number(value); };
+  return {{"below", value_or_null(nearest.below, json)},
+          {"above", value_or_null(nearest.above, json)}};
+}
+
+Json unmet_json(const ExploreReport& report) {
+  Json json = Json::array();
+  for (std::size_t c = 0; c < report.result.unmet.size(); ++c) {
+    const ConstraintReach& reach = report.result.unmet[c];
+    json.push_back(
+        {{"constraint", report.options.constraints[c].text},
+         {"met_by_any", reach.met},
+         {"nearest", nearest_json(reach.of_all)},
+         {"nearest_with_the_others_met", nearest_json(reach.of_those_that_meet_the_others)}});
   }
   return json;
 }
@@ -128,6 +161,7 @@ Json explore_settings(const ExploreReport& report) {
   json.update(settings_json(options.order, options.score, options.grasps, options.model,
                             report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  add_ladder_settings(json, options.ladder, options.prices);
   return json;
 }
 
@@ -136,10 +170,11 @@ Json explore_settings(const ExploreReport& report) {
 Sheet explore_sheet(const ExploreReport& report) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   Sheet sheet{{{"", std::nullopt, opening_lines(report)},
+               answer_section(report),
                front_section(report),
                {fmt::format("Top {}", top.size()),
-                design_table(top, report.options.order, report.options.score),
-                {}}}};
+                design_table(top, report.options.order, report.options.score), alike_lines(top)}}};
+  sheet.add(ladder_section(report.ladder));
   sheet.add(known_section(report));
   return sheet;
 }
@@ -188,6 +223,8 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["top"] = to_json(report.top);
   json["best"] = to_json(report.result.best);
   json["known"] = known_json(report);
+  json["ladder"] = ladder_json(report.ladder);
+  json["unmet"] = unmet_json(report);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();
   return print(json);

@@ -1,5 +1,7 @@
 #include "reports/results/rank_report.hpp"
 
+#include "reports/decision/decision_words.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/json.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/distribution_report.hpp"
@@ -68,8 +70,13 @@ Sheet rank_sheet(const RankReport& report) {
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
+  const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(report.designs, report.order, report.score), {}}}};
+               {"", design_table(shown, report.order, report.score), alike_lines(shown)}}};
+  if (report.designs.size() > 1) {
+    sheet.add({"", std::nullopt, answer_lines(report.designs, report.ladder)});
+  }
+  sheet.add(ladder_section(report.ladder));
   sheet.add(margin_section(report));
   return sheet;
 }
@@ -80,6 +87,8 @@ std::string rank_json(const RankReport& report) {
                                        report.unconverged)}};
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  add_ladder_settings(json["settings"], report.ladder.ladder.options, report.prices);
+  json["ladder"] = ladder_json(report.ladder);
   if (report.margins) json["margins"] = margins_json(*report.margins);
   if (report.details) add_details(json, *report.details);
   json["version"] = version_json();

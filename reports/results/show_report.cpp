@@ -128,6 +128,7 @@ Table objective_list(const ObjectiveValues& values) {
               {}};
   for (const ObjectiveRow& row : objective_table()) {
     if (!is_there(row, values)) continue;
+    if (row.objective == Objective::cost) continue;  // there are no prices here
     table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
   }
   return table;

@@ -32,13 +32,15 @@ Extent extent_for(const std::vector<Objective>& objectives, const Score& score) 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
     : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
 
-DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score)
+DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score,
+                                 std::optional<PartPrices> prices)
     : model_(std::make_shared<const Model>(model)),
       needs_word_(reaches(model, Reach::contact)),
       builder_(possible_hardware(model)),
       hand_(hand(model.hardware)),
       grasps_(std::move(grasps)),
-      score_(std::move(score)) {
+      score_(std::move(score)),
+      prices_(std::move(prices)) {
   if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
     model_solver_.emplace(*model_);
   }
@@ -112,6 +114,7 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
+  if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
   outcome_.hand = judges_hand(extent) ? hand_outcome() : HandOutcome{};
   return outcome_;
 }

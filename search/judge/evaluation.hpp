@@ -14,6 +14,7 @@
 #include "core/hand/hand.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "core/parts/part_prices.hpp"
 #include "core/tension/tension.hpp"
 #include "search/judge/objectives.hpp"
 #include "search/judge/score.hpp"
@@ -38,7 +39,9 @@ Extent extent_for(const std::vector<Objective>& objectives, const Score& score);
 class DesignEvaluator {
  public:
   DesignEvaluator(const Hardware& hardware, GraspSet grasps);
-  DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score());
+  // Without prices a design's cost is infinite.
+  DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score(),
+                  std::optional<PartPrices> prices = std::nullopt);
 
   // The outcome is valid until the next call. Throws OutOfRange where the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
@@ -68,6 +71,7 @@ class DesignEvaluator {
   std::optional<Hand> hand_;
   GraspSet grasps_;
   Score score_;
+  std::optional<PartPrices> prices_;
   Network network_;
   Mechanics mechanics_;
   TensionSolver solver_;

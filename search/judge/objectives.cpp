@@ -138,6 +138,15 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      "fingers", "1", Better::higher, 3, 2, true,
      "least over greatest finger pull, in the worst grasp",
      [](const DesignOutcome& d) { return worst(d.grasps, finger_uniformity); }, 0, 1},
+    {Objective::parts, "parts", "parts", "", "parts", "parts", Better::lower, 0, 8, true,
+     "sheaths, pulleys, knots, floating blocks and bars together",
+     [](const DesignOutcome& d) {
+       const PartCount& p = d.parts;
+       return static_cast<double>(p.sheaths + p.pulleys + p.knots + p.blocks + p.bars);
+     }},
+    {Objective::cost, "cost", "cost", "", "cost", "1", Better::lower, 2, 2, true,
+     "what the parts cost, in the unit of the prices",
+     [](const DesignOutcome& d) { return d.cost; }},
     {Objective::motor_force, "motor_force", "motor_force", "", "motor", "N", Better::lower, 1, 1,
      true, "motor tension at which every finger presses with its wanted force in every grasp",
      motor_force, 0, std::nullopt, true},

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ enum class Objective : std::uint8_t {
   blocks,
   finger_uniformity_mean,
   finger_uniformity_worst,
+  parts,
+  cost,
   motor_force,
   fingertip_force_mean,
   fingertip_force_worst,
@@ -42,7 +45,7 @@ enum class Objective : std::uint8_t {
   closure,
   motor_power,
 };
-inline constexpr std::size_t objective_count = 26;
+inline constexpr std::size_t objective_count = 28;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -76,6 +79,9 @@ struct DesignOutcome {
   // close: without blocks, strands / motor-side segments. 0 without strands, infinite where blocks
   // keep all of them from moving.
   double travel = 0;
+  // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
+  // equal themselves.)
+  double cost = std::numeric_limits<double>::infinity();
   HandOutcome hand{};
 };
 

@@ -1,6 +1,7 @@
 #include "search/judge/ranking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -65,7 +66,9 @@ std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& rank
       if (best.words.size() < named) best.words.push_back(entry.design.word);
       ++best.count;
     }
-    result.push_back(std::move(best));
+    // Without prices there is no cost to be best by.
+    const bool unknown = row.objective == Objective::cost && !std::isfinite(best.value);
+    if (!unknown) result.push_back(std::move(best));
   }
   return result;
 }

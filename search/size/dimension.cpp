@@ -19,7 +19,7 @@ constexpr Interval angles{0, 1000};
 constexpr Interval lengths{1e-3, 1e6};
 constexpr Interval weights{1e-3, 1e3};
 
-constexpr std::array table{
+constexpr std::array quantities{
     QuantityRow{Quantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger,
                 angles},
     QuantityRow{Quantity::tip_angle, "tip_angle", "tips", "rad", QuantityOf::finger, angles},
@@ -30,9 +30,9 @@ constexpr std::array table{
     QuantityRow{Quantity::hand_mm, "hand_mm", "", "mm", QuantityOf::hand, lengths},
 };
 
-std::string names() {
+std::string quantity_names() {
   std::string list;
-  for (const QuantityRow& row : table) {
+  for (const QuantityRow& row : quantities) {
     list += (list.empty() ? "" : ", ") + std::string(row.name) +
             (row.of == QuantityOf::finger    ? "[1]"
              : row.of == QuantityOf::contact ? "[T2-T3]"
@@ -193,9 +193,9 @@ ContactHardware& contact_of(Hardware& hardware, const Dimension& dimension) {
 
 }  // namespace
 
-std::span<const QuantityRow> quantity_table() { return table; }
+std::span<const QuantityRow> quantity_table() { return quantities; }
 
-const QuantityRow& row(Quantity quantity) { return table[static_cast<std::size_t>(quantity)]; }
+const QuantityRow& row(Quantity quantity) { return quantities[static_cast<std::size_t>(quantity)]; }
 
 bool operator==(const Dimension& a, const Dimension& b) {
   return a.quantity == b.quantity && a.finger == b.finger &&
@@ -235,10 +235,10 @@ bool DimensionName::has(const Dimension& dimension) const {
 DimensionName parse_dimensions(const std::string& text) {
   const std::size_t bracket = std::min(text.find('['), text.size());
   const std::string name(trimmed(text.substr(0, bracket)));
-  const auto about = std::find_if(table.begin(), table.end(),
+  const auto about = std::find_if(quantities.begin(), quantities.end(),
                                   [&](const QuantityRow& row) { return row.name == name; });
   const bool closed = bracket == text.size() || text.back() == ']';
-  if (about == table.end() || !closed) fail(text, "one of " + names());
+  if (about == quantities.end() || !closed) fail(text, "one of " + quantity_names());
   DimensionName result{about->quantity, {}};
   if (bracket == text.size()) {
     if (about->of == QuantityOf::contact) fail(text, "a contact, such as contact_angle[T2-T3]");

@@ -19,7 +19,7 @@ namespace {
 std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings,
                                  const std::vector<std::string>& words, const Model& model,
                                  const UncertaintyOptions& options) {
-  DesignEvaluator evaluator(model, options.grasps, options.score);
+  DesignEvaluator evaluator(model, options.grasps, options.score, options.prices);
   std::vector<Design> designs;
   for (std::size_t i = 0; i < routings.size(); ++i) {
     designs.push_back({words[i], evaluator.evaluate(routings[i])});

@@ -27,6 +27,7 @@ struct UncertaintyOptions {
   std::uint64_t seed = 1;
   int threads = 0;
   Score score = authors_score();
+  std::optional<PartPrices> prices = std::nullopt;
 };
 
 struct RankDistribution {

@@ -22,7 +22,7 @@ inline CauseSearchResult found(Bench& bench, const Candidates& candidates,
                                const CauseSearchOptions& options = {}, const Model& nominal = {},
                                const Changed& changed = unchanged) {
   Workers workers(1);
-  return *search_causes(bench.problem, nominal, candidates, options, workers, changed,
+  return *search_causes(bench.problem, nominal, candidates, options, {}, workers, changed,
                         [] { return false; });
 }
 

@@ -34,6 +34,10 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
   collect(json_of({"rank", "TR5", "--model", example_model}), names);
   collect(summary(), names);
+  const std::string prices =
+      (std::filesystem::path(REEVE_CATALOG_DIR) / "prices" / "example.toml").string();
+  collect(summary({"--cost", prices}), names);
+  collect(summary({"--constraint", "sheaths<=0"}), names);
   collect(json_of({"count"}), names);
   collect(json_of({"check"}), names);
   collect(json_of({"compare", readings}), names);

@@ -12,8 +12,10 @@ namespace {
 const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction "
     "adaptability torsional_balance reliability authors_efficiency transmission score "
-    "blocks finger_uniformity";
-const std::string common_settings = "objectives score grasps hardware model uncertainty";
+    "blocks finger_uniformity parts cost";
+const std::string alike = " alike same_as";
+const std::string common_settings =
+    "objectives score grasps hardware model uncertainty ladder prices";
 
 void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");
@@ -95,8 +97,8 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 
 TEST(KeysOfRank, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--catalog"});
-  EXPECT_EQ(keys(json), "designs settings version");
-  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives);
+  EXPECT_EQ(keys(json), "designs settings ladder version");
+  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + alike);
   EXPECT_EQ(keys(json["settings"]), common_settings);
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
   expect_pair(json["designs"][0]);
@@ -123,7 +125,7 @@ TEST(KeysOfTheModel, AreThePromisedOnes) {
 TEST(KeysOfRank, AddADistributionWithUncertainty) {
   const Json json = json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"});
   EXPECT_EQ(keys(json["designs"][0]),
-            "rank front routing name" + objectives + " rank_distribution");
+            "rank front routing name" + objectives + alike + " rank_distribution");
   EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]), "first_share median p5 p95");
   EXPECT_EQ(keys(json["settings"]["uncertainty"]),
             "draws seed tube_mu sheath_mu bearing_mu_relative sheath_angle_relative");
@@ -131,7 +133,7 @@ TEST(KeysOfRank, AddADistributionWithUncertainty) {
 
 TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
   const Json json = json_of({"rank", "TR3", "TR7", "--margin"});
-  EXPECT_EQ(keys(json), "designs settings margins version");
+  EXPECT_EQ(keys(json), "designs settings ladder margins version");
   ASSERT_EQ(json["margins"].size(), 1U);
   EXPECT_EQ(json["margins"][0]["over"], "F-1-P-2-F");
   EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
@@ -141,7 +143,7 @@ TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
 TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
   EXPECT_EQ(keys(json),
-            "designs settings best routings tension_distributions measured_data version");
+            "designs settings ladder best routings tension_distributions measured_data version");
   EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
   EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
@@ -160,10 +162,10 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
   EXPECT_EQ(keys(json),
             "generated rejected evaluated partial notes total seconds designs_per_second "
-            "front_equals_left_out front top best known settings version");
+            "front_equals_left_out front top best known ladder unmet settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
-  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives);
-  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives);
+  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + alike);
+  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + alike);
   EXPECT_EQ(keys(json["known"][0]),
             "name routing rank front dominated_by generated rejected_by" + objectives);
   EXPECT_EQ(keys(json["settings"]),
@@ -171,6 +173,33 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
   expect_pair(json["known"][0]);
   expect_settings(json["settings"]);
+}
+
+TEST(KeysOfTheLadder, AreThePromisedOnes) {
+  const std::string prices = (std::filesystem::path(REEVE_CATALOG_DIR) / "prices/example.toml");
+  const Json json = summary({"--cost", prices, "--within", "5%"});
+  EXPECT_EQ(keys(json["ladder"]), "by within affordable knee rungs");
+  EXPECT_EQ(keys(json["ladder"]["affordable"]), "routing name rank losses" + objectives);
+  const Json& rungs = json["ladder"]["rungs"];
+  EXPECT_EQ(keys(rungs[1]), "at_most routing name rank kept gains losses" + objectives);
+  EXPECT_EQ(keys(rungs[1]["gains"]), "uniformity_mean efficiency_mean");
+  EXPECT_EQ(keys(rungs[1]["losses"]), "uniformity_mean efficiency_mean");
+  EXPECT_TRUE(rungs[0]["gains"].is_null());
+  EXPECT_EQ(json["settings"]["ladder"].dump(), R"({"by":"cost","within":0.05})");
+  EXPECT_EQ(keys(json["settings"]["prices"]),
+            "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
+            "knot tendon_mm");
+  EXPECT_EQ(keys(json_of({"rank", "--catalog"})["ladder"]), keys(json["ladder"]));
+}
+
+TEST(KeysOfUnmetConstraints, AreThePromisedOnes) {
+  const Json json = summary({"--constraint", "sheaths<=0"});
+  ASSERT_EQ(json["unmet"].size(), 1U);
+  EXPECT_EQ(json["unmet"][0].dump(),
+            R"({"constraint":"sheaths<=0","met_by_any":false,"nearest":{"below":null,"above":1.0},)"
+            R"("nearest_with_the_others_met":{"below":null,"above":1.0}})");
+  EXPECT_TRUE(json["ladder"]["rungs"].empty());
+  EXPECT_TRUE(summary()["unmet"].empty());
 }
 
 TEST(KeysOfTheExploreSummary, NameEveryConstraintThatRejects) {

@@ -18,12 +18,12 @@ TEST(ExploreFiles, AreTheseAndNothingElse) {
   const Explored explored({"--fingers", "2"});
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "pareto.csv",
-                                         "sample.csv", "summary.json"}));
+  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "ladder.csv",
+                                         "pareto.csv", "sample.csv", "summary.json"}));
   EXPECT_NE(
       explored.result.out.find(
-          "Written: index.html, designs.csv, pareto.csv, sample.csv, summary.json and figures "
-          "in out\n"),
+          "Written: index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
+          "figures in out\n"),
       std::string::npos);
 }
 

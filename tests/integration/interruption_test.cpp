@@ -45,8 +45,8 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
   EXPECT_NE(explored.result.out.find("\nPARTIAL: "), std::string::npos) << explored.result.out;
-  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "pareto.csv",
-                                         "sample.csv", "summary.json"}));
+  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "ladder.csv",
+                                         "pareto.csv", "sample.csv", "summary.json"}));
 
   const Json summary = explored.summary();
   EXPECT_TRUE(summary["partial"]);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,8 +16,8 @@ const std::string all_names =
     "uniformity_mean, uniformity_worst, efficiency_mean, efficiency_worst, force_transmission, "
     "jams, sheaths, pulleys, knots, travel, return_friction, adaptability, torsional_balance, "
     "reliability, authors_efficiency, transmission, score, blocks, finger_uniformity_mean, "
-    "finger_uniformity_worst, motor_force, fingertip_force_mean, fingertip_force_worst, stroke, "
-    "closure, motor_power";
+    "finger_uniformity_worst, parts, cost, motor_force, fingertip_force_mean, "
+    "fingertip_force_worst, stroke, closure, motor_power";
 
 std::string objectives_message(const std::string& text) {
   return testing::input_error([&] { parse_objectives(text); });
@@ -68,8 +69,8 @@ TEST(ObjectiveTable, EveryObjectiveIsFoundByItsValueAndByItsName) {
 
 TEST(ObjectiveTable, SaysWhichDirectionIsBetter) {
   const std::set<Objective> lower{
-      Objective::jams,   Objective::sheaths,     Objective::pulleys,
-      Objective::knots,  Objective::travel,      Objective::blocks,
+      Objective::jams,   Objective::sheaths,     Objective::pulleys,     Objective::knots,
+      Objective::travel, Objective::blocks,      Objective::parts,       Objective::cost,
       Objective::stroke, Objective::motor_force, Objective::motor_power};
   for (const ObjectiveRow& entry : objective_table()) {
     EXPECT_EQ(entry.better == Better::lower, lower.count(entry.objective) == 1) << entry.name;
@@ -101,6 +102,14 @@ TEST(Objectives, PartsAndTravelAreTakenAsTheyAre) {
   EXPECT_EQ(value(values, Objective::pulleys), 3);
   EXPECT_EQ(value(values, Objective::knots), 1);
   EXPECT_EQ(value(values, Objective::travel), 1.5);
+  EXPECT_EQ(value(values, Objective::parts), 9);
+}
+
+TEST(Objectives, TheCostIsInfiniteWhereNobodySaysWhatPartsCost) {
+  DesignOutcome outcome = hand_made();
+  EXPECT_EQ(value(computed(outcome), Objective::cost), std::numeric_limits<double>::infinity());
+  outcome.cost = 12.5;
+  EXPECT_EQ(value(computed(outcome), Objective::cost), 12.5);
 }
 
 TEST(Objectives, AreRoundedToTenDigitsBehindThePoint) {

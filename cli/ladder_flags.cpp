@@ -1,0 +1,76 @@
+#include "cli/ladder_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "catalog/rig/price_file.hpp"
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+
+namespace reeve::cli {
+namespace {
+
+[[noreturn]] void fail_without_prices(const std::string& option, const std::string& value) {
+  throw InputError({.what = option,
+                    .value = value,
+                    .expected = "--cost FILE.toml with it, which says what parts cost"});
+}
+
+bool counts_cost(const Score& score) {
+  return std::any_of(score.terms.begin(), score.terms.end(),
+                     [](const ScoreTerm& term) { return term.objective == Objective::cost; });
+}
+
+}  // namespace
+
+void LadderFlags::add_to(CLI::App& command) {
+  by_given_ = command
+                  .add_option("--ladder", by,
+                              "What more of it buys is shown: the best design with at most one, "
+                              "two, …; cost where --cost is given")
+                  ->check(CLI::IsMember(ladder_measures()))
+                  ->capture_default_str();
+  command
+      .add_option("--within", within,
+                  "Name the design with least of the ladder's measure that loses no more than this "
+                  "in any ranked objective against the first")
+      ->capture_default_str();
+  prices_given_ = command.add_option(
+      "--cost", prices,
+      "TOML file with what each kind of part costs, in money, mass or volume: makes cost an "
+      "objective; see catalog/prices/example.toml");
+}
+
+LadderOptions LadderFlags::read() const {
+  const bool priced = prices_given_->count() > 0;
+  const std::string measure = priced && by_given_->count() == 0 ? "cost" : by;
+  if (measure == "cost" && !priced) fail_without_prices("--ladder", measure);
+  return {parse_objective(measure, "--ladder"),
+          for_name("--", [&] { return parse_within(within); })};
+}
+
+std::optional<PartPrices> LadderFlags::read_prices() const {
+  if (prices_given_->count() == 0) return std::nullopt;
+  if (prices.empty()) {
+    throw InputError({.what = "--cost", .value = "", .expected = "a TOML file"});
+  }
+  return read_price_file(prices);
+}
+
+void LadderFlags::require_prices(const Order& order, const Score& score,
+                                 const std::vector<Constraint>& constraints) const {
+  if (prices_given_->count() > 0) return;
+  const auto& objectives = order.objectives;
+  if (std::find(objectives.begin(), objectives.end(), Objective::cost) != objectives.end()) {
+    fail_without_prices("--objectives", "cost");
+  }
+  if (counts_cost(score)) fail_without_prices("--score", "cost");
+  for (const Constraint& constraint : constraints) {
+    if (constraint.objective == Objective::cost) {
+      fail_without_prices("--constraint", constraint.text);
+    }
+  }
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,37 @@
+// What `explore` and `rank` take for the step from a ranking to a decision: which ladder, what loss
+// one would bear, and what parts cost.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parts/part_prices.hpp"
+#include "search/decide/ladder.hpp"
+#include "search/judge/objectives.hpp"
+#include "search/judge/order.hpp"
+#include "search/judge/score.hpp"
+
+namespace reeve::cli {
+
+struct LadderFlags {
+  std::string by = "sheaths";
+  std::string within = "2%";
+  std::string prices;
+
+  void add_to(CLI::App& command);
+  // By the cost where prices are given and no measure is.
+  LadderOptions read() const;
+  std::optional<PartPrices> read_prices() const;
+  // Throws InputError if what was asked for counts the cost, and there are no prices.
+  void require_prices(const Order& order, const Score& score,
+                      const std::vector<Constraint>& constraints) const;
+
+ private:
+  CLI::Option* by_given_ = nullptr;
+  CLI::Option* prices_given_ = nullptr;
+};
+
+}  // namespace reeve::cli

@@ -1,0 +1,145 @@
+// From a ranking to a decision: ladder, prices, designs that are alike, constraints that nothing
+// meets, by the command.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+const std::string prices = std::string(REEVE_CATALOG_DIR) + "/prices/example.toml";
+
+bool says(const ProcessResult& result, const std::string& what) {
+  return result.out.find(what) != std::string::npos;
+}
+
+TEST(Decision, OfFiveFingersNamesTheFirstAndTheOneThatSomebodyWouldBuild) {
+  const Explored explored({"--fingers", "5"});
+  EXPECT_EQ(explored.result.exit_code, 0);
+  EXPECT_TRUE(says(explored.result,
+                   "First: 1b-P-2b-P-3b-P-1b+4-P-5-P-4, and 2 more with other bearings, which "
+                   "change nothing: 10 sheaths, uniformity 0.996, efficiency 0.322\n"));
+  EXPECT_TRUE(says(explored.result,
+                   "With fewest sheaths within 2 % of it: SoftHand (M-1b-B-2b-B-3b-B-4b-B-5b-M): 2 "
+                   "sheaths, uniformity 0.985 (-1.0 %), efficiency 0.321 (-0.6 %)\n"));
+  const Json ladder = explored.summary()["ladder"];
+  EXPECT_EQ(ladder["rungs"][0]["at_most"], 1);
+  EXPECT_EQ(ladder["rungs"][0]["routing"], "M-1b-B-2b-B-3b-B-4b-B-5b-F");
+  EXPECT_NEAR(ladder["rungs"][0]["kept"], 0.976, 5e-4);
+  EXPECT_EQ(ladder["affordable"]["sheaths"], 2);
+}
+
+TEST(Decision, FollowsTheLossThatOneWouldBear) {
+  const Explored strict({"--fingers", "5", "--within", "0.5%"});
+  EXPECT_EQ(strict.summary()["ladder"]["affordable"]["sheaths"], 5);
+  const Explored loose({"--fingers", "5", "--within", "3%"});
+  EXPECT_EQ(loose.summary()["ladder"]["affordable"]["sheaths"], 1);
+}
+
+TEST(LadderFile, HasTheRungsOfTheSummary) {
+  const Explored explored({"--fingers", "3", "--ladder", "parts", "--top", "1"});
+  const Json rungs = explored.summary()["ladder"]["rungs"];
+  ASSERT_GT(rungs.size(), 2U);
+  std::vector<std::string> expected;
+  for (const Json& rung : rungs) expected.push_back(rung["routing"]);
+  EXPECT_EQ(words(explored.file("ladder.csv")), expected);
+  EXPECT_TRUE(explored.file("ladder.csv").starts_with("ladder,at_most,routing,name,rank,kept,"));
+}
+
+TEST(LadderFile, IsTheSameForAnyNumberOfThreads) {
+  const Explored one({"--fingers", "4", "--threads", "1", "--cost", prices});
+  const Explored three({"--fingers", "4", "--threads", "3", "--cost", prices});
+  EXPECT_EQ(one.file("ladder.csv"), three.file("ladder.csv"));
+  EXPECT_EQ(without_times(one.file("summary.json")), without_times(three.file("summary.json")));
+}
+
+// TR1: a sheath, three tubes, a fixed end, five segments of 100 mm.
+TEST(Cost, IsAnObjectiveAConstraintAndALadder) {
+  const ProcessResult rank = reeve({"rank", "TR1", "TR7", "--cost", prices, "--objectives",
+                                    "uniformity,cost", "--format", "json"});
+  ASSERT_EQ(rank.exit_code, 0) << rank.err;
+  const Json ranked = Json::parse(rank.out);
+  EXPECT_EQ(ranked["ladder"]["by"], "cost");
+  for (const Json& design : ranked["designs"]) {
+    EXPECT_EQ(design["front"], 1);
+    if (design["name"] == "TR1") {
+      EXPECT_NEAR(design["cost"], 14 + 3 * 0.8 + 0.5 + 0.002 * 500, 1e-9);
+    }
+  }
+  const Explored explored({"--fingers", "3", "--cost", prices, "--constraint", "cost<=40"});
+  const Json summary = explored.summary();
+  ASSERT_FALSE(summary["top"].empty());
+  for (const Json& design : summary["top"]) EXPECT_LE(design["cost"], 40);
+  EXPECT_GT(summary["rejected"]["constraint cost<=40"], 0);
+  EXPECT_TRUE(says(explored.result, " EUR, uniformity"));
+}
+
+TEST(Cost, IsMissingWhereThereAreNoPrices) {
+  const Explored explored({"--fingers", "2"});
+  EXPECT_TRUE(explored.summary()["top"][0]["cost"].is_null());
+  for (const Json& best : explored.summary()["best"]) EXPECT_NE(best["objective"], "cost");
+  const std::string csv = explored.file("designs.csv");
+  EXPECT_EQ(csv.find("inf"), std::string::npos);
+}
+
+TEST(AlikeDesigns, AreOneLineInTheTableAndARowEachInTheFiles) {
+  const Explored explored({"--fingers", "2"});
+  EXPECT_TRUE(says(explored.result, "1 but for bearings that change nothing\n"));
+  EXPECT_FALSE(says(explored.result, "\n   2      1  "));
+  EXPECT_TRUE(says(explored.result,
+                   "Rank 1 is also 1-P-2b-P-1, 1b-P-2b-P-1b: other bearings, which change nothing "
+                   "here\n"));
+  const Json top = explored.summary()["top"];
+  EXPECT_EQ(top[0]["alike"].dump(), R"(["1-P-2b-P-1","1b-P-2b-P-1b"])");
+  EXPECT_TRUE(top[0]["same_as"].is_null());
+  EXPECT_EQ(top[1]["same_as"], "1-P-2-P-1");
+  EXPECT_EQ(words(explored.file("designs.csv")).size(), top.size());
+  std::set<std::string> firsts;
+  std::istringstream csv(explored.file("designs.csv"));
+  for (std::string line; std::getline(csv, line);) firsts.insert(line.substr(line.rfind(',') + 1));
+  EXPECT_TRUE(firsts.contains("same_as") && firsts.contains("1-P-2-P-1") && firsts.contains(""));
+}
+
+TEST(Constraint, ThatNothingMeetsSaysTheLeastAndExitsWithOne) {
+  const Explored explored({"--fingers", "2", "--constraint", "sheaths<=0"});
+  EXPECT_EQ(explored.result.exit_code, 1);
+  EXPECT_EQ(explored.result.err, "");
+  EXPECT_TRUE(says(explored.result, "No design meets sheaths<=0: the least is 1\n"));
+  EXPECT_EQ(explored.summary()["unmet"][0]["nearest"]["above"], 1);
+  EXPECT_NE(explored.file("index.html").find("the least is 1."), std::string::npos);
+  EXPECT_EQ(reeve({"explore", "--constraint", "sheaths<=1", "--out", explored.out()}).exit_code, 0);
+}
+
+TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
+  const Explored explored(
+      {"--fingers", "2", "--constraint", "sheaths<=1", "--constraint", "uniformity>=0.994"});
+  EXPECT_EQ(explored.result.exit_code, 1);
+  EXPECT_TRUE(says(explored.result, "all 2 by none\n"));
+  EXPECT_TRUE(says(explored.result, "Of the designs that meet all but sheaths<=1, the least is 2"));
+}
+
+TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
+  const ProcessResult result = reeve({"rank", "--catalog"});
+  EXPECT_TRUE(says(result, "What more sheaths buy: the best design with at most so many\n"));
+  EXPECT_TRUE(says(result, "No design within 2 % of it has fewer sheaths\n"));
+  EXPECT_FALSE(says(reeve({"rank", "TR1"}), "First:"));
+  const TemporaryFolder folder;
+  reeve({"rank", "--catalog", "--out", folder.path().string()});
+  EXPECT_EQ(words(read_text(folder.path() / "ladder.csv")),
+            (std::vector<std::string>{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"}));
+}
+
+TEST(ExplorationPage, HasTheLadder) {
+  const Explored explored({"--fingers", "2"});
+  const std::string page = explored.file("index.html");
+  EXPECT_NE(page.find("<section id=\"ladder\">"), std::string::npos);
+  EXPECT_NE(page.find("With fewest sheaths within 2 % of it"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace reeve::testing

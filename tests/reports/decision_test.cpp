@@ -1,0 +1,155 @@
+// The words and tables of a decision, on ladders made by hand.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "reports/decision/decision_words.hpp"
+#include "reports/decision/ladder_report.hpp"
+#include "reports/sheet/sheet_text.hpp"
+
+namespace reeve {
+namespace {
+
+Design design(const std::string& word, double sheaths, double uniformity, double cost) {
+  Design made{word, {}};
+  const auto set = [&](Objective objective, double number) {
+    made.values[static_cast<std::size_t>(objective)] = number;
+  };
+  set(Objective::sheaths, sheaths);
+  set(Objective::uniformity_mean, uniformity);
+  set(Objective::cost, cost);
+  return made;
+}
+
+ListedDesign listed(const Design& design, const std::string& name, std::size_t rank) {
+  ListedDesign entry;
+  entry.ranked = {design, 1, rank};
+  entry.name = name;
+  return entry;
+}
+
+ListedLadder three_rungs(Objective by = Objective::sheaths) {
+  const std::vector<Design> designs{design("A", 1, 0.5, 10), design("B", 2, 0.792, 12.5),
+                                    design("C", 4, 0.8, 30)};
+  ListedLadder ladder;
+  ladder.ladder =
+      search::ladder(designs, designs[2], Order{Objective::uniformity_mean}, {by, 0.02});
+  ladder.rungs = {listed(designs[0], "", 0), listed(designs[1], "Two", 7),
+                  listed(designs[2], "", 1)};
+  ladder.affordable = ladder.rungs[1];
+  return ladder;
+}
+
+std::string lines_text(const std::vector<SheetLine>& lines) {
+  return text(Sheet{{{"", std::nullopt, lines}}});
+}
+
+TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
+  const ListedLadder ladder = three_rungs();
+  ListedDesign first = ladder.rungs[2];
+  first.alike = {"D", "E"};
+  EXPECT_EQ(lines_text(answer_lines({first}, ladder)),
+            "First: C, and 2 more with other bearings, which change nothing: 4 sheaths, uniformity "
+            "0.800\n"
+            "With fewest sheaths within 2 % of it: Two (B): 2 sheaths, uniformity 0.792 (-1.0 %)\n"
+            "Knee of the ladder: Two (B) at 2 sheaths\n");
+}
+
+TEST(AnswerLines, SayTheCostInItsUnit) {
+  ListedLadder ladder = three_rungs(Objective::cost);
+  ladder.cost_unit = "EUR";
+  const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
+  EXPECT_NE(said.find("First: C: cost 30.00 EUR, uniformity"), std::string::npos) << said;
+  EXPECT_NE(said.find("With least cost within 2 % of it: Two (B): cost 12.50 EUR, "),
+            std::string::npos)
+      << said;
+}
+
+TEST(AnswerLines, SayThatNothingIsCheaperWithinTheLoss) {
+  ListedLadder ladder = three_rungs();
+  ladder.affordable.reset();
+  ladder.ladder.affordable.reset();
+  EXPECT_NE(lines_text(answer_lines({ladder.rungs[2]}, ladder))
+                .find("No design within 2 % of it has fewer sheaths\n"),
+            std::string::npos);
+  EXPECT_TRUE(answer_lines({}, ladder).empty());
+}
+
+TEST(AlikeLines, NameAFewAndCountTheRest) {
+  ListedDesign design = three_rungs().rungs[2];
+  design.alike = {"D", "E", "F", "G", "H", "I"};
+  EXPECT_EQ(lines_text(alike_lines({design})),
+            "Rank 1 is also D, E, F, G and 2 more: other bearings, which change nothing here\n");
+}
+
+TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
+  EXPECT_EQ(text(Sheet{{ladder_section(three_rungs())}}),
+            "What more sheaths buy: the best design with at most so many\n"
+            "sheaths  name  routing  uniformity     gain     kept\n"
+            "      1  -     A             0.500            62.5 %\n"
+            "      2  Two   B             0.792  +58.4 %   99.0 %  knee, within 2 %\n"
+            "      4  -     C             0.800   +1.0 %  100.0 %  first\n");
+}
+
+TEST(LadderTable, IsNoneOfOneRung) {
+  ListedLadder ladder = three_rungs();
+  ladder.ladder.rungs.resize(1);
+  ladder.rungs.resize(1);
+  EXPECT_FALSE(ladder_section(ladder).table);
+}
+
+TEST(LadderCsv, HasARowForEachRungWithGainsAndLosses) {
+  const std::string csv = ladder_csv(three_rungs(), "partial: half");
+  EXPECT_TRUE(
+      csv.starts_with("# partial: half\nladder,at_most,routing,name,rank,kept,marks,"
+                      "uniformity_mean,"));
+  EXPECT_NE(csv.find(",parts,cost,gain_uniformity_mean,loss_uniformity_mean\n"), std::string::npos);
+  EXPECT_NE(csv.find("\nsheaths,1,A,,,0.625,,0.5,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",10,,0.375\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nsheaths,2,B,Two,7,0.99,\"knee, within 2 %\",0.792,"), std::string::npos)
+      << csv;
+}
+
+TEST(LadderJson, NamesTheAffordableDesignAndTheKnee) {
+  const Json json = ladder_json(three_rungs());
+  EXPECT_EQ(json["by"], "sheaths");
+  EXPECT_EQ(json["affordable"]["routing"], "B");
+  EXPECT_EQ(json["affordable"]["rank"], 7);
+  EXPECT_NEAR(json["affordable"]["losses"]["uniformity_mean"], 0.01, 1e-12);
+  EXPECT_EQ(json["knee"], 2);
+  EXPECT_TRUE(json["rungs"][0]["rank"].is_null());
+  EXPECT_NEAR(json["rungs"][1]["gains"]["uniformity_mean"], 0.292, 1e-12);
+}
+
+std::string unmet_text(const std::vector<std::string>& constraints,
+                       const std::vector<ConstraintReach>& reaches) {
+  ExploreOptions options;
+  for (const std::string& text : constraints) options.constraints.push_back(parse_constraint(text));
+  ExploreResult result;
+  result.unmet = reaches;
+  return lines_text(unmet_lines(options, result));
+}
+
+TEST(UnmetLines, SayTheLeastOrTheGreatest) {
+  EXPECT_EQ(unmet_text({"sheaths<=0"}, {{false, {1, std::nullopt}, {1, std::nullopt}}}),
+            "No design meets sheaths<=0: the least is 1\n");
+  EXPECT_EQ(unmet_text({"uniformity>=1"}, {{false, {std::nullopt, 0.9}, {std::nullopt, 0.9}}}),
+            "No design meets uniformity>=1: the greatest is 0.9\n");
+  EXPECT_EQ(unmet_text({"travel==3"}, {{false, {4, 2}, {4, 2}}}),
+            "No design meets travel==3: the nearest are 2 and 4\n");
+  EXPECT_EQ(unmet_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
+            "No design meets sheaths==9: the nearest is 4\n");
+}
+
+TEST(UnmetLines, SayWhatGivesWayWhereOnlyAllTogetherAreTooMuch) {
+  EXPECT_EQ(unmet_text({"sheaths<=1", "uniformity>=0.99"},
+                       {{true, {2, std::nullopt}, {3, std::nullopt}},
+                        {true, {std::nullopt, 0.98}, {std::nullopt, 0.97}}}),
+            "Each of these constraints is met by some design, but all 2 by none\n"
+            "Of the designs that meet all but sheaths<=1, the least is 3\n"
+            "Of the designs that meet all but uniformity>=0.99, the greatest is 0.97\n");
+}
+
+}  // namespace
+}  // namespace reeve

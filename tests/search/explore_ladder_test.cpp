@@ -1,0 +1,143 @@
+// The ladder of an exploration is exact, however short the list that is kept, and the same for any
+// number of threads and shards.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "search/decide/ladder_archive.hpp"
+#include "search/explore.hpp"
+#include "tests/search/naive_exploration.hpp"
+#include "tests/search/naive_ladder.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::vector<std::pair<double, std::string>> steps(const Ladder& ladder) {
+  std::vector<std::pair<double, std::string>> rungs;
+  for (const Rung& rung : ladder.rungs) rungs.emplace_back(rung.at_most, rung.design.word);
+  return rungs;
+}
+
+PartPrices some_prices() {
+  PartPrices prices;
+  prices.sheath = 7;
+  prices.tip_bearing = 3.1;
+  prices.fixed_pulley = 2.3;
+  prices.movable_pulley = 4.7;
+  prices.tube = 1.3;
+  prices.fixed_end = 0.7;
+  prices.tendon_mm = 0.01;
+  return prices;
+}
+
+std::vector<Design> all_designs(const ExploreOptions& options) {
+  std::vector<Design> designs;
+  RoutingGenerator generator(options.generator);
+  DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
+  for (Routing routing; generator.next(routing);) {
+    if (!is_actuated(routing)) continue;
+    const ObjectiveValues values = evaluator.evaluate(routing);
+    const bool admitted =
+        std::all_of(options.constraints.begin(), options.constraints.end(),
+                    [&](const Constraint& constraint) { return constraint.admits(values); });
+    if (admitted) designs.push_back({to_word(routing), values});
+  }
+  return designs;
+}
+
+void expect_naive_ladder(const ExploreOptions& options) {
+  const std::vector<Design> designs = all_designs(options);
+  const Ladder found = explore(options).ladder;
+  const Objective by = options.ladder.by;
+  EXPECT_EQ(steps(found), naive_ladder(designs, options.order, by));
+  const Design first = rank(designs, options.order).front().design;
+  EXPECT_EQ(found.first.word, first.word);
+  const double least =
+      naive_least(designs, first, ranked_by(options.order), by, options.ladder.within);
+  EXPECT_EQ(found.affordable.has_value(), least < value(first.values, by));
+  if (found.affordable) {
+    EXPECT_EQ(value(found.affordable->values, by), least);
+    for (const Objective objective : found.objectives) {
+      EXPECT_LE(loss(objective, found.affordable->values, first.values),
+                options.ladder.within + 1e-9);
+    }
+  }
+}
+
+TEST(ExploreLadder, AgreesWithItsDefinition) {
+  for (const Objectives& objectives : several_objectives()) {
+    for (const Objective by :
+         {Objective::sheaths, Objective::pulleys, Objective::parts, Objective::cost}) {
+      SCOPED_TRACE(std::string(row(by).name) + ", first by " + row(objectives.front()).name);
+      ExploreOptions options = options_for(full_parts(), 3, objectives);
+      options.top = 1;
+      options.prices = some_prices();
+      options.ladder = {by, 0.05};
+      expect_naive_ladder(options);
+    }
+  }
+}
+
+TEST(ExploreLadder, AgreesWithItsDefinitionWithAScoreConstraintsAndBlocks) {
+  ExploreOptions options = options_for(full_parts(), 3);
+  options.top = 3;
+  options.order = {both, true};
+  options.score = parse_score("uniformity=1,jams=0.3,travel=0.01");
+  expect_naive_ladder(options);
+  options = options_for(full_parts(), 3);
+  options.constraints = {parse_constraint("pulleys<=4"), parse_constraint("travel<=3")};
+  expect_naive_ladder(options);
+  options = options_for(all_parts(), 2);
+  options.ladder.by = Objective::blocks;
+  expect_naive_ladder(options);
+}
+
+// Another way to each rung: an exploration that may have no more of the measure.
+TEST(ExploreLadder, HasAtEachRungWhatAConstraintOnTheMeasureFinds) {
+  ExploreOptions options = several_batches();
+  const Ladder found = explore(options).ladder;
+  ASSERT_GE(found.rungs.size(), 4U);
+  for (const Rung& rung : found.rungs) {
+    options.constraints = {parse_constraint("sheaths<=" + std::to_string(rung.at_most))};
+    const Design best = explore(options).top.front().design;
+    EXPECT_EQ(best.word, rung.design.word);
+    EXPECT_EQ(best.values, rung.design.values);
+  }
+}
+
+TEST(ExploreLadder, IsTheSameForAnyNumberOfThreads) {
+  ExploreOptions options = several_batches();
+  const Ladder one = explore(options).ladder;
+  options.threads = 3;
+  const Ladder three = explore(options).ladder;
+  EXPECT_EQ(steps(one), steps(three));
+  for (std::size_t i = 0; i < one.rungs.size(); ++i) {
+    EXPECT_EQ(one.rungs[i].design.values, three.rungs[i].design.values);
+  }
+  EXPECT_EQ(one.knee, three.knee);
+  ASSERT_TRUE(one.affordable && three.affordable);
+  EXPECT_EQ(one.affordable->word, three.affordable->word);
+}
+
+TEST(ExploreLadder, OfTheWholeFollowsFromThoseOfItsShards) {
+  ExploreOptions options = several_batches();
+  const Ladder whole = explore(options).ladder;
+  LadderArchive archive(options.order, Objective::sheaths);
+  for (std::uint64_t shard = 1; shard <= 5; ++shard) {
+    options.shard = {shard, 5};
+    for (const Rung& rung : explore(options).ladder.rungs) archive.add(rung.design);
+  }
+  EXPECT_EQ(steps(ladder(archive.candidates(), whole.first, options.order, options.ladder)),
+            steps(whole));
+}
+
+TEST(ExploreLadder, HasNoRungWhereNothingIsLeft) {
+  ExploreOptions options = options_for(full_parts(), 2);
+  options.constraints = {parse_constraint("sheaths<=0")};
+  EXPECT_TRUE(explore(options).ladder.rungs.empty());
+}
+
+}  // namespace
+}  // namespace reeve::testing
