@@ -38,7 +38,8 @@ struct Tally {
 };
 
 std::string text(const Tally& tally) {
-  const std::string visible = fmt::format("{}/{}/{}/{}", tally.right, tally.among, tally.wrong, tally.abstained);
+  const std::string visible =
+      fmt::format("{}/{}/{}/{}", tally.right, tally.among, tally.wrong, tally.abstained);
   return tally.invisible == 0 ? visible : visible + fmt::format(" ({})", tally.invisible);
 }
 
@@ -178,8 +179,7 @@ std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
   return at_least("named right", rate(hidden, as_it_should_be), 95) +
          plain("named right, or among those that cannot be told apart",
                rate(hidden, right_or_among)) +
-         "\n" +
-         at_most("named wrong", rate(hidden, wrong), 2) +
+         "\n" + at_most("named wrong", rate(hidden, wrong), 2) +
          at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
          plain("any verdict but none where none is hidden",
                rate(calm, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
@@ -192,8 +192,7 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
       return at_least("named right", rate(seen, as_it_should_be), 95) +
              plain("named right, or among those that cannot be told apart",
                    rate(seen, right_or_among)) +
-             "\n" +
-             at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
+             "\n" + at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
     case Part::coverage:
       return coverage(seen) + gains(seen);
     case Part::null:
@@ -206,8 +205,7 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
       return at_least("both named and nothing else", rate(seen, as_it_should_be), 85) +
              plain("both named, or among those that cannot be told apart",
                    rate(seen, right_or_among)) +
-             "\n" +
-             plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
+             "\n" + plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
              gains(seen);
     case Part::unknown:
       return at_least("unexplained", rate(seen, as_it_should_be), 90) +

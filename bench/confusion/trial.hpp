@@ -78,7 +78,8 @@ Outcome run(const Trial& trial, const DiagnoseOptions& options);
 
 // Whether the named causes are just the hidden ones.
 bool names_all(const Outcome& outcome, const Finding& finding);
-// Whether some choice among the names that are said to explain the data alike is just what is hidden.
+// Whether some choice among the names that are said to explain the data alike is just what is
+// hidden.
 bool names_among_others(const Outcome& outcome);
 // Whether a cause is named that is not hidden there, and not with the hidden one beside it as one
 // that explains the data alike.

@@ -180,8 +180,8 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube",   "bearing", "block",       "sheath", "lengths",
-          "finger", "contact", "uncertainty", "hand",   "motor", "vary"};
+  return {"tube",    "bearing",     "block", "sheath", "lengths", "finger",
+          "contact", "uncertainty", "hand",  "motor",  "vary"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {

@@ -59,8 +59,8 @@ MountedDraws::MountedDraws(const Dataset& dataset, const Model& model,
       }
     }
     Eigen::VectorXd own = at.reading_N(mounting.cells);
-    parts_.push_back({std::move(mounting.cells), diagnosis::dataset(*dataset.data, readings, Rows::all),
-                      std::move(own)});
+    parts_.push_back({std::move(mounting.cells),
+                      diagnosis::dataset(*dataset.data, readings, Rows::all), std::move(own)});
   }
 }
 

@@ -3,9 +3,9 @@
 //   φ_c (1 + τ' z_c),   T_j (1 + τ' z_j),   z standard normal, new in each mounting
 //   τ' = τ √(ν / χ²_ν)                      new in each rig; ν differences told τ
 //
-// whitening.hpp draws the same to second order in the exponents (mounting.hpp). Where contacts stick
-// in closed loops, a model is no such curve: which of them slides changes with their exponents. These
-// draws cost a solution for each mounting, and are for findings that hang on it.
+// whitening.hpp draws the same to second order in the exponents (mounting.hpp). Where contacts
+// stick in closed loops, a model is no such curve: which of them slides changes with their
+// exponents. These draws cost a solution for each mounting, and are for findings that hang on it.
 #pragma once
 
 #include <Eigen/Core>

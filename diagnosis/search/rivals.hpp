@@ -2,8 +2,8 @@
 //
 // The other accepted causes are kept and fitted again with each rival. A rival that explains the
 // data nearly as well cannot be told from the accepted cause. A law with a shape that can bend to
-// what a plainer one says is no rival for that: each parameter is counted with half the logarithm of
-// the number of readings (G. Schwarz, Ann. Stat. 6, 1978).
+// what a plainer one says is no rival for that: each parameter is counted with half the logarithm
+// of the number of readings (G. Schwarz, Ann. Stat. 6, 1978).
 #pragma once
 
 #include <string>

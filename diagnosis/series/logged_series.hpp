@@ -2,8 +2,8 @@
 // Neighbouring samples share most of their noise, so they are no readings; steady_readings.hpp
 // makes readings of them.
 //
-// A cell that is empty or says so (csv_number.hpp) is a missing value, and NaN here. Samples that cannot be
-// read are errors that name line and column; nothing is dropped.
+// A cell that is empty or says so (csv_number.hpp) is a missing value, and NaN here. Samples that
+// cannot be read are errors that name line and column; nothing is dropped.
 #pragma once
 
 #include <cstddef>

@@ -8,9 +8,9 @@
 #include "diagnosis/data/intake/text_cells.hpp"
 #include "diagnosis/series/levels.hpp"
 #include "diagnosis/series/recordings.hpp"
-#include "numerics/robust.hpp"
 #include "diagnosis/series/series_blocks.hpp"
 #include "diagnosis/series/settling.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {

@@ -1,10 +1,10 @@
 // What a change of the model gains on runs that its fit has not seen.
 //
 // Root of the mean squared residual, before and after, in newton; reduction = 1 − after / before.
-// The interval is that of the middle 95 % of the Bayesian bootstrap: runs (readings where fewer than
-// five runs were held out) weighed by random shares of a whole, uniform over all such shares. None
-// is ever left out altogether, so that what shows in one run of five alone does not come and go as
-// with runs drawn anew.
+// The interval is that of the middle 95 % of the Bayesian bootstrap: runs (readings where fewer
+// than five runs were held out) weighed by random shares of a whole, uniform over all such shares.
+// None is ever left out altogether, so that what shows in one run of five alone does not come and
+// go as with runs drawn anew.
 //
 // Source: D. B. Rubin, Annals of Statistics 9 (1981) 130.
 #pragma once

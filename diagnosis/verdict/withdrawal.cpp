@@ -7,7 +7,8 @@
 namespace reeve::diagnosis {
 namespace {
 
-// In log-likelihood: what parameters that are needed for nothing lose at most in 95 of 100 data sets.
+// In log-likelihood: what parameters that are needed for nothing lose at most in 95 of 100 data
+// sets.
 double chance_loss(std::size_t parameters) {
   return chi_squared_quantile(0.95, static_cast<double>(parameters)) / 2;
 }

@@ -139,7 +139,8 @@ std::string objective_cells(const ObjectiveValues& values) {
 
 std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
   std::string csv = note.empty() ? "" : "# " + note + "\n";
-  csv += "routing" + objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
+  csv +=
+      "routing" + objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
   csv += '\n';
   for (const Design& design : designs) {
     csv += design.word + objective_cells(design.values);
@@ -152,7 +153,8 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   const bool uncertain = with_distributions(designs);
   std::string csv = note.empty() ? "" : "# " + note + "\n";
   csv += "rank,front,routing,name";
-  csv += objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().ranked.design.values);
+  csv += objective_headings(designs.empty() ? ObjectiveValues{}
+                                            : designs.front().ranked.design.values);
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as\n" : ",same_as\n";
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,

@@ -198,8 +198,8 @@ TEST(CauseSearch, AcceptsNoMoreCausesThanItMay) {
 TEST(CauseSearch, GivesNothingOnceItIsStopped) {
   Bench bench({1});
   Workers workers(1);
-  const auto result = search_causes(bench.problem, {}, {on_T1.candidate()}, {}, {}, workers, unchanged,
-                                    [] { return true; });
+  const auto result = search_causes(bench.problem, {}, {on_T1.candidate()}, {}, {}, workers,
+                                    unchanged, [] { return true; });
   EXPECT_FALSE(result.has_value());
 }
 

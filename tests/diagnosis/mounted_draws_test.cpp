@@ -16,8 +16,7 @@ constexpr double phi = 0.18 * 2 * 3.141592653589793;
 
 // Two mountings of one routing; of the first, two rows.
 MeasuredData two_mountings() {
-  return read_data(
-      "run,routing,motor_tension_N,T1_N\na,M-1-F,10,3\na,M-1-F,20,6\nb,M-1-F,10,3\n");
+  return read_data("run,routing,motor_tension_N,T1_N\na,M-1-F,10,3\na,M-1-F,20,6\nb,M-1-F,10,3\n");
 }
 
 // ln(T / T_M) + phi of each row and draw.

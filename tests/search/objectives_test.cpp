@@ -68,10 +68,10 @@ TEST(ObjectiveTable, EveryObjectiveIsFoundByItsValueAndByItsName) {
 }
 
 TEST(ObjectiveTable, SaysWhichDirectionIsBetter) {
-  const std::set<Objective> lower{
-      Objective::jams,   Objective::sheaths,     Objective::pulleys,     Objective::knots,
-      Objective::travel, Objective::blocks,      Objective::parts,       Objective::cost,
-      Objective::stroke, Objective::motor_force, Objective::motor_power};
+  const std::set<Objective> lower{Objective::jams,        Objective::sheaths,    Objective::pulleys,
+                                  Objective::knots,       Objective::travel,     Objective::blocks,
+                                  Objective::parts,       Objective::cost,       Objective::stroke,
+                                  Objective::motor_force, Objective::motor_power};
   for (const ObjectiveRow& entry : objective_table()) {
     EXPECT_EQ(entry.better == Better::lower, lower.count(entry.objective) == 1) << entry.name;
   }

@@ -107,8 +107,8 @@ Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
     double chance = 1;
     for (std::size_t i = begin; i < end; ++i) {
       if (i == load) continue;
-      chance *= chance_of_equal(of_channel.at(cells[i].channel), cells[i],
-                                levels.expected_N(cells[i]));
+      chance *=
+          chance_of_equal(of_channel.at(cells[i].channel), cells[i], levels.expected_N(cells[i]));
     }
     kind.chance[cells[begin].reading] = chance;
     kind.readings.push_back(cells[begin].reading);

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/motor_sides.hpp"
-#include "numerics/robust.hpp"
 #include "diagnosis/data/intake/units.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {

@@ -80,7 +80,8 @@ PolishedLevels polished_levels(const KindCells& cells, std::size_t motor) {
       if (!(cell.value_N > 0) || !levels.row.contains(cell.reading)) continue;
       by_channel[cell.channel].push_back(std::log(cell.value_N) - levels.row[cell.reading]);
     }
-    for (auto& [channel, values] : by_channel) levels.channel[channel] = middle_of(std::move(values));
+    for (auto& [channel, values] : by_channel)
+      levels.channel[channel] = middle_of(std::move(values));
   }
   return levels;
 }
