@@ -14,8 +14,8 @@ const std::string objectives =
     "adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity parts cost";
 const std::string alike = " alike same_as";
-const std::string common_settings =
-    "objectives score grasps hardware model uncertainty ladder prices";
+const std::string judged_settings = "objectives score grasps hardware model uncertainty";
+const std::string common_settings = judged_settings + " ladder prices";
 
 void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");
@@ -65,7 +65,8 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
 
 TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"rank", "M-1-T-2-T-3-F", "--hardware", example_hand});
-  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + " hand");
+  EXPECT_EQ(keys(json["designs"][0]),
+            "rank front routing name" + objectives + " hand alike same_as");
   EXPECT_EQ(keys(json["designs"][0]["hand"]), hand_objectives);
   const Json& hardware = json["settings"]["hardware"];
   EXPECT_EQ(keys(hardware), "tube bearing sheath lengths fingers contacts hand motor");
@@ -232,7 +233,7 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(design["flat"][0]["moves"][0]), "dimension by");
   EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares" + objectives);
   EXPECT_EQ(keys(json["settings"]),
-            "goal target_shares better robust vary same starts evaluations " + common_settings);
+            "goal target_shares better robust vary same starts evaluations " + judged_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
 }
 
