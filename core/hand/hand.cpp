@@ -37,17 +37,17 @@ HandFinger finger_of(const FingerParts& parts) {
   return finger;
 }
 
-FingerParts parts_of(const Hardware& hardware, int number) {
+}  // namespace
+
+FingerParts finger_parts(const Hardware& hardware, int finger) {
   FingerParts parts = hardware.finger_parts;
   for (const FingerHardware& own : hardware.fingers) {
-    if (own.finger != number) continue;
+    if (own.finger != finger) continue;
     if (!own.parts.joints.empty()) parts.joints = own.parts.joints;
     if (own.parts.force_N) parts.force_N = own.parts.force_N;
   }
   return parts;
 }
-
-}  // namespace
 
 std::optional<Hand> hand(const Hardware& hardware) {
   const bool any = !hardware.finger_parts.joints.empty() ||
@@ -56,7 +56,7 @@ std::optional<Hand> hand(const Hardware& hardware) {
   if (!any) return std::nullopt;
   Hand hand{{}, hardware.motor};
   for (int number = 1; number <= max_fingers; ++number) {
-    hand.fingers.push_back(finger_of(parts_of(hardware, number)));
+    hand.fingers.push_back(finger_of(finger_parts(hardware, number)));
   }
   return hand;
 }

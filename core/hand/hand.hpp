@@ -53,6 +53,9 @@ struct Hand {
   }
 };
 
+// Its own, or where it has none those of all fingers.
+FingerParts finger_parts(const Hardware& hardware, int finger);
+
 // Nothing if no finger has joints.
 std::optional<Hand> hand(const Hardware& hardware);
 

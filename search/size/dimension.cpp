@@ -6,8 +6,10 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/hand/hand.hpp"
 #include "core/mechanics.hpp"
 #include "core/routing.hpp"
 #include "core/text.hpp"
@@ -18,6 +20,7 @@ namespace {
 constexpr Interval angles{0, 1000};
 constexpr Interval lengths{1e-3, 1e6};
 constexpr Interval weights{1e-3, 1e3};
+constexpr Interval arms{0.01, 1000};
 
 constexpr std::array quantities{
     QuantityRow{Quantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger,
@@ -25,6 +28,7 @@ constexpr std::array quantities{
     QuantityRow{Quantity::tip_angle, "tip_angle", "tips", "rad", QuantityOf::finger, angles},
     QuantityRow{Quantity::strand_mm, "strand_mm", "strands", "mm", QuantityOf::finger, lengths},
     QuantityRow{Quantity::closing, "closing", "", "", QuantityOf::finger, weights},
+    QuantityRow{Quantity::arm_mm, "arm_mm", "arms", "mm", QuantityOf::finger, arms},
     QuantityRow{Quantity::contact_angle, "contact_angle", "", "rad", QuantityOf::contact, angles},
     QuantityRow{Quantity::motor_side_mm, "motor_side_mm", "", "mm", QuantityOf::hand, lengths},
     QuantityRow{Quantity::hand_mm, "hand_mm", "", "mm", QuantityOf::hand, lengths},
@@ -145,9 +149,20 @@ const FingerHardware* find_finger(const Hardware& hardware, int finger) {
   return nullptr;
 }
 
+std::vector<PlacedDimension> arms_of_fingers(const Network& network, const Hardware& hardware) {
+  std::vector<PlacedDimension> found;
+  for (int finger = 1; finger <= network.fingers; ++finger) {
+    const FingerParts parts = finger_parts(hardware, finger);
+    if (parts.joints.empty()) continue;
+    found.push_back({{Quantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm, false});
+  }
+  return found;
+}
+
 std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Hardware& hardware,
                                                 Quantity quantity) {
   std::vector<PlacedDimension> found;
+  if (quantity == Quantity::closing && hand(hardware)) return found;
   for (int finger = 1; finger <= network.fingers; ++finger) {
     const FingerHardware* own = find_finger(hardware, finger);
     const double nominal = quantity == Quantity::closing ? (own != nullptr ? own->closing : 1)
@@ -189,6 +204,13 @@ ContactHardware& contact_of(Hardware& hardware, const Dimension& dimension) {
   hardware.contacts.push_back(
       {segment_name(dimension.from), segment_name(dimension.to), std::nullopt, std::nullopt});
   return hardware.contacts.back();
+}
+
+void set_arm(Hardware& hardware, int finger, double value) {
+  std::vector<FingerJoint> joints = finger_parts(hardware, finger).joints;
+  const double factor = value / joints.front().arm_mm;
+  for (FingerJoint& joint : joints) joint.arm_mm *= factor;
+  finger_of(hardware, finger).parts.joints = std::move(joints);
 }
 
 }  // namespace
@@ -267,6 +289,8 @@ std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardwar
     case Quantity::strand_mm:
     case Quantity::closing:
       return numbers_of_fingers(network, hardware, quantity);
+    case Quantity::arm_mm:
+      return arms_of_fingers(network, hardware);
     case Quantity::motor_side_mm:
     case Quantity::hand_mm:
       return lengths_of_hand(network, hardware, quantity);
@@ -287,6 +311,9 @@ void set(Hardware& hardware, const Dimension& dimension, double value) {
       break;
     case Quantity::closing:
       finger_of(hardware, dimension.finger).closing = value;
+      break;
+    case Quantity::arm_mm:
+      set_arm(hardware, dimension.finger, value);
       break;
     case Quantity::contact_angle:
       contact_of(hardware, dimension).angle_rad = value;

@@ -3,9 +3,10 @@
 //   sheath_angle[1]         sum of the bends of each sheath that leads to finger 1, rad
 //   tip_angle[1]            wrap at its fingertip, rad
 //   strand_mm[1]            length of each of its strands, mm
-//   closing[1]              share of the tendon that it takes when it closes, relative to the
-//   others contact_angle[T2-T3]    wrap at the contact between two segments, rad motor_side_mm,
-//   hand_mm  lengths of the other segments, mm
+//   closing[1]              its share of the tendon when fingers close, relative to the others
+//   arm_mm[1]               moment arm at its first joint; those of its others keep their ratio, mm
+//   contact_angle[T2-T3]    wrap at the contact between two segments, rad
+//   motor_side_mm, hand_mm  lengths of the other segments, mm
 //
 // Friction coefficients are none of them: they come with the material, and are what is uncertain.
 #pragma once
@@ -26,6 +27,7 @@ enum class Quantity : std::uint8_t {
   tip_angle,
   strand_mm,
   closing,
+  arm_mm,
   contact_angle,
   motor_side_mm,
   hand_mm,
@@ -79,7 +81,7 @@ struct PlacedDimension {
 
 // All of a quantity that a routing has. Of sheath angles: those of fingers, then, as contacts,
 // those of sheaths that lead to no finger. What the hardware sets for single contacts is theirs,
-// and not the finger's.
+// and not the finger's. Fingers with joints have arms, and close by their excursions.
 std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
                                            Quantity quantity);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hand/hand.hpp"
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
 
@@ -63,6 +64,37 @@ TEST(Dimensions, OfASheathThatLeadsToNoFingerAreThatOfItsContact) {
   EXPECT_TRUE(dimensions_of(expand(parse_routing("M-Y1+1x-Y1-2x")), {}, Quantity::sheath_angle)
                   .at(0)
                   .of_sheath);
+}
+
+// Two joints for all, and a thumb of its own.
+Hardware with_joints() {
+  Hardware hardware;
+  hardware.finger_parts = {{{10, 80, 82}, {8, 90, 44}}, 5};
+  hardware.fingers.push_back({1, {}, {}, {}, {}, {}, 1, {{{12, 60, 58}}, 10}});
+  return hardware;
+}
+
+TEST(Dimensions, OfAHandAreItsArms) {
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::arm_mm), "");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::arm_mm, with_joints()), "arm_mm[1] arm_mm[2]");
+  EXPECT_EQ(names("M-1-T-2-F", Quantity::closing, with_joints()), "");
+  const auto arms =
+      dimensions_of(expand(parse_routing("M-1-T-2-F")), with_joints(), Quantity::arm_mm);
+  EXPECT_EQ(arms.at(0).nominal, 12);
+  EXPECT_EQ(arms.at(1).nominal, 10);
+}
+
+TEST(Dimensions, OfAnArmKeepTheRatiosOfTheFingersJoints) {
+  Hardware hardware = with_joints();
+  set(hardware, {Quantity::arm_mm, 2, {}, {}}, 15);
+  const FingerParts parts = finger_parts(hardware, 2);
+  ASSERT_EQ(parts.joints.size(), 2U);
+  EXPECT_EQ(parts.joints[0].arm_mm, 15);
+  EXPECT_EQ(parts.joints[1].arm_mm, 12);
+  EXPECT_EQ(parts.joints[1].range_deg, 90);
+  EXPECT_EQ(parts.force_N, 5);
+  EXPECT_EQ(finger_parts(hardware, 1), with_joints().fingers[0].parts);
+  EXPECT_EQ(finger_parts(hardware, 3), with_joints().finger_parts);
 }
 
 TEST(Dimensions, BeginWithWhatTheHardwareSays) {
