@@ -42,7 +42,7 @@ std::vector<Subject> channel_subjects(const std::vector<Segment>& channels) {
 }
 
 std::vector<Subject> channel_pair_subjects(const Survey& survey) {
-  constexpr std::size_t most_channels = 8;
+  constexpr std::size_t most_channels = 16;
   const std::vector<Segment>& channels = survey.channels;
   if (channels.size() > most_channels) return {};
   const auto met = [&](const Segment& a, const Segment& b) {

@@ -101,7 +101,7 @@ inline std::vector<Subject> channel_subjects(const Survey& survey) {
 }
 bool is_channel(const Segment& segment, const Subject& subject);
 
-// Those of two channels that some routing has both of; none if there are more than 8 channels,
+// Those of two channels that some routing has both of; none if there are more than 16 channels,
 // whose pairs are too many to try.
 std::vector<Subject> channel_pair_subjects(const Survey& survey);
 

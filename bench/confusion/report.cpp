@@ -189,6 +189,7 @@ std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
 std::string rates(Part part, const std::vector<const Outcome*>& seen) {
   switch (part) {
     case Part::single:
+    case Part::rig:
       return at_least("named right", rate(seen, as_it_should_be), 95) +
              plain("named right, or among those that cannot be told apart",
                    rate(seen, right_or_among)) +

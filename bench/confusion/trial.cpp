@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "tests/support/planting_rig_effects.hpp"
 
 namespace reeve::bench {
 namespace {
@@ -61,6 +62,11 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
     case Part::single:
       plan.effects = {turn<EffectKind>(testing::library_effects(), index)};
       plan.size = turn<EffectSize>(sizes, index);
+      break;
+    case Part::rig:
+      plan.effects = {turn<EffectKind>(testing::rig_effects(), index)};
+      plan.size = index++ % 2 == 0 ? EffectSize::medium : EffectSize::large;
+      index /= 2;
       break;
     case Part::coverage:
       plan.effects = {turn<EffectKind>(kinds_with_parameters(), index)};
@@ -212,9 +218,9 @@ std::vector<std::string> said_alike(const Finding& finding, const std::string& n
 }  // namespace
 
 const char* part_name(Part part) {
-  constexpr std::array names{"single",        "null",     "pairs",   "unknown",
-                             "alias",         "coverage", "leakage", "mounting",
-                             "few_mountings", "heavy",    "negative"};
+  constexpr std::array names{"single",        "null",     "pairs",    "unknown",
+                             "alias",         "coverage", "leakage",  "mounting",
+                             "few_mountings", "heavy",    "negative", "rig"};
   return names[static_cast<std::size_t>(part)];
 }
 
@@ -222,7 +228,7 @@ const std::vector<Part>& all_parts() {
   static const std::vector<Part> parts{Part::single,  Part::null,     Part::pairs,
                                        Part::unknown, Part::coverage, Part::leakage,
                                        Part::alias,   Part::mounting, Part::few_mountings,
-                                       Part::heavy,   Part::negative};
+                                       Part::heavy,   Part::negative, Part::rig};
   return parts;
 }
 

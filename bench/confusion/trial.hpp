@@ -23,7 +23,8 @@ enum class Part : std::uint8_t {
   mounting,       // mountings differ by 3, 5 or 8 % in exponents; a third without cause
   few_mountings,  // the same with 3, 6 and 20 runs, no cause: coefficients and alarms
   heavy,          // Student's t of 3 degrees of freedom; a third without cause
-  negative        // small loads, and sensors that read below 0; a third without cause
+  negative,       // small loads, and sensors that read below 0; a third without cause
+  rig             // a cause of the drive or of a sensor
 };
 const char* part_name(Part part);
 const std::vector<Part>& all_parts();

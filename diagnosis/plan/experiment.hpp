@@ -4,9 +4,9 @@
 //   - A run is one mounting of one routing. Routings take turns, so that with twice as many runs as
 //     routings each is mounted twice or more.
 //   - Within a run, grasps with directions, motor tension, speed, temperature and sheath angle
-//     vary, each in a random order of its own: levels of a list equally often, to within one; of a range
-//     once in each of as many equal parts as the run has rows (of the logarithm for the speed, on
-//     which friction depends by it). So no two of them go together but by chance.
+//     vary, each in a random order of its own: levels of a list equally often, to within one; of a
+//     range once in each of as many equal parts as the run has rows (of the logarithm for the
+//     speed, on which friction depends by it). So no two of them go together but by chance.
 //   - The cycle rises evenly over the whole experiment: wear cannot be undone.
 //
 // The plan and the seed decide all of it.

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "tests/support/planting_rig_effects.hpp"
 #include "tests/support/planting_seizure.hpp"
 #include "tests/support/planting_walk.hpp"
 
@@ -16,14 +17,6 @@ namespace {
 using Sizes = std::array<double, 3>;
 
 double pick(const Sizes& sizes, EffectSize size) { return sizes[static_cast<std::size_t>(size)]; }
-
-// Effects that are one number of nature or of the sensors.
-template <typename Number>
-PlantedEffect number(EffectKind kind, const char* parameter, double value, Number where) {
-  return {kind, planted_name(kind), {{parameter, value}}, [where, value](Truth& truth) {
-            where(truth) = value;
-          }};
-}
 
 double either_sign(double value, Dice& dice) { return dice.chance(0.5) ? value : -value; }
 
@@ -175,7 +168,17 @@ const char* planted_name(EffectKind kind) {
                              "seized_contact",
                              "crosstalk",
                              "drift",
-                             "wave"};
+                             "wave",
+                             "motor_gain",
+                             "motor_offset",
+                             "constant_loss",
+                             "viscous_loss",
+                             "hysteresis",
+                             "cross_talk",
+                             "drift",
+                             "saturation",
+                             "dead_channel",
+                             "swapped_channels"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -202,7 +205,7 @@ const std::vector<EffectKind>& unknown_effects() {
 }
 
 void add_needs(EffectKind kind, ExperimentNeeds& needs) {
-  needs.speed |= kind == EffectKind::speed_dependent_friction;
+  needs.speed |= kind == EffectKind::speed_dependent_friction || kind == EffectKind::viscous_loss;
   needs.cycle |= kind == EffectKind::wear;
   needs.temperature |= kind == EffectKind::temperature;
   needs.bearings |= kind == EffectKind::bearing_friction || kind == EffectKind::bearing_drag;
@@ -213,44 +216,48 @@ PlantedEffect draw_effect(EffectKind kind, EffectSize size, const Experiment& ex
   const auto of = [size](const Sizes& sizes) { return pick(sizes, size); };
   switch (kind) {
     case EffectKind::tube_friction:
-      return number(kind, "mu", of({0.15, 0.12, 0.09}),
-                    [](Truth& t) -> double& { return t.nature.tube_mu; });
+      return one_number(kind, "mu", of({0.15, 0.12, 0.09}),
+                        [](Truth& t) -> double& { return t.nature.tube_mu; });
     case EffectKind::sheath_friction:
-      return number(kind, "mu", of({0.165, 0.15, 0.12}),
-                    [](Truth& t) -> double& { return t.nature.sheath_mu; });
+      return one_number(kind, "mu", of({0.165, 0.15, 0.12}),
+                        [](Truth& t) -> double& { return t.nature.sheath_mu; });
     case EffectKind::bearing_friction:
-      return number(kind, "mu", of({0.02, 0.05, 0.1}),
-                    [](Truth& t) -> double& { return t.nature.bearing_mu; });
+      return one_number(kind, "mu", of({0.02, 0.05, 0.1}),
+                        [](Truth& t) -> double& { return t.nature.bearing_mu; });
     case EffectKind::load_dependent_friction:
-      return number(kind, "exponent", of({0.05, 0.1, 0.2}),
-                    [](Truth& t) -> double& { return t.nature.load_exponent; });
+      return one_number(kind, "exponent", of({0.05, 0.1, 0.2}),
+                        [](Truth& t) -> double& { return t.nature.load_exponent; });
     case EffectKind::speed_dependent_friction:
-      return number(kind, "slope", of({0.03, 0.06, 0.12}),
-                    [](Truth& t) -> double& { return t.nature.speed_slope; });
+      return one_number(kind, "slope", of({0.03, 0.06, 0.12}),
+                        [](Truth& t) -> double& { return t.nature.speed_slope; });
     case EffectKind::temperature:
-      return number(kind, "slope", of({0.002, 0.004, 0.008}),
-                    [](Truth& t) -> double& { return t.nature.temperature_slope_per_K; });
+      return one_number(kind, "slope", of({0.002, 0.004, 0.008}),
+                        [](Truth& t) -> double& { return t.nature.temperature_slope_per_K; });
     case EffectKind::bending_stiffness:
-      return number(kind, "force", of({0.1, 0.3, 0.6}),
-                    [](Truth& t) -> double& { return t.nature.bending_force_N; });
+      return one_number(kind, "force", of({0.1, 0.3, 0.6}),
+                        [](Truth& t) -> double& { return t.nature.bending_force_N; });
     case EffectKind::bearing_drag:
-      return number(kind, "force", of({0.1, 0.3, 0.6}),
-                    [](Truth& t) -> double& { return t.nature.drag_force_N; });
+      return one_number(kind, "force", of({0.1, 0.3, 0.6}),
+                        [](Truth& t) -> double& { return t.nature.drag_force_N; });
     case EffectKind::pretension:
-      return number(kind, "force", of({0.1, 0.3, 0.6}),
-                    [](Truth& t) -> double& { return t.sensors.pretension_N; });
+      return one_number(kind, "force", of({0.1, 0.3, 0.6}),
+                        [](Truth& t) -> double& { return t.sensors.pretension_N; });
     case EffectKind::crosstalk:
-      return number(kind, "share", of({0.05, 0.1, 0.2}),
-                    [](Truth& t) -> double& { return t.sensors.crosstalk; });
+      return one_number(kind, "share", of({0.05, 0.1, 0.2}),
+                        [](Truth& t) -> double& { return t.sensors.crosstalk; });
     case EffectKind::drift:
-      return number(kind, "drift", of({0.1, 0.2, 0.4}),
-                    [](Truth& t) -> double& { return t.sensors.drift; });
+      return one_number(kind, "drift", of({0.1, 0.2, 0.4}),
+                        [](Truth& t) -> double& { return t.sensors.drift; });
     case EffectKind::wave:
-      return number(kind, "amplitude", of({0.05, 0.1, 0.2}),
-                    [](Truth& t) -> double& { return t.sensors.wave_amplitude; });
+      return one_number(kind, "amplitude", of({0.05, 0.1, 0.2}),
+                        [](Truth& t) -> double& { return t.sensors.wave_amplitude; });
     default:
-      return draw_drawn(kind, size, experiment, dice);
+      break;
   }
+  const auto& of_rigs = rig_effects();
+  const bool of_rig = std::find(of_rigs.begin(), of_rigs.end(), kind) != of_rigs.end();
+  return of_rig ? draw_rig_effect(kind, size, experiment, dice)
+                : draw_drawn(kind, size, experiment, dice);
 }
 
 }  // namespace reeve::testing

@@ -10,6 +10,7 @@
 
 #include "tests/support/planting_experiment.hpp"
 #include "tests/support/planting_nature.hpp"
+#include "tests/support/planting_rig.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve::testing {
@@ -33,6 +34,17 @@ enum class EffectKind : std::uint8_t {
   crosstalk,  // channel j reads T_j + c T_{j+1}, the next one that its row has
   drift,      // readings grow with the order of rows, by 1 + d order / rows
   wave,       // and swing with it, by 1 + A sin(2 pi order / period)
+  // Of drives and sensors (planting_rig_effects.hpp).
+  motor_gain,
+  motor_offset,
+  constant_loss,
+  viscous_loss,
+  hysteresis,
+  cross_talk,
+  channel_drift,
+  saturation,
+  dead_channel,
+  swapped_channels,
 };
 const char* planted_name(EffectKind kind);
 const std::vector<EffectKind>& library_effects();
@@ -41,8 +53,8 @@ const std::vector<EffectKind>& unknown_effects();
 enum class EffectSize : std::uint8_t { small, medium, large };
 const char* size_name(EffectSize size);
 
-// What the sensors make of the tensions. On one channel the order is pretension, crosstalk, gain,
-// offset, then drift and wave.
+// What the sensors make of the tensions. On one channel the order is pretension, crosstalk, the
+// electronics, gain, offset, then drift and wave.
 struct Sensors {
   std::map<std::string, double> gain, offset_N;
   double pretension_N = 0;  // every strand reads T + T_p
@@ -54,6 +66,8 @@ struct Sensors {
 
 struct Truth {
   Nature nature;
+  Drive drive;
+  Electronics electronics;
   Sensors sensors;
 };
 
@@ -69,6 +83,14 @@ struct PlantedEffect {
   std::vector<PlantedParameter> parameters;
   std::function<void(Truth&)> impose;
 };
+
+// Effects that are one number of the truth.
+template <typename Number>
+PlantedEffect one_number(EffectKind kind, const char* parameter, double value, Number where) {
+  return {kind, planted_name(kind), {{parameter, value}}, [where, value](Truth& truth) {
+            where(truth) = value;
+          }};
+}
 
 void add_needs(EffectKind kind, ExperimentNeeds& needs);
 

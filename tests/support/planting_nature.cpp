@@ -24,6 +24,7 @@ double factor(double value) { return std::max(0.0, value); }
 
 double condition_factor(const Nature& nature, const Condition& condition) {
   double product = 1;
+  if (condition.direction == ReferenceDirection::release) product += nature.release_change;
   if (condition.speed_mm_s) {
     product *= factor(1 + nature.speed_slope * std::log(*condition.speed_mm_s / 10));
   }

@@ -6,6 +6,7 @@
 //     tube, sheath   phi = mu theta w(v) w(N) w(t) (T_high / 10 N)^{-gamma},  less F_b
 //                    w(v) = 1 + beta ln(v / 10 mm/s)     w(N) = 1 + beta (1 - e^{-N/N0})
 //                    w(t) = 1 - k (t - 20 degC)          a factor below 0 is 0
+//                    and w = 1 + h releasing
 //     bearing        phi = mu theta,                                          less F_d
 //
 // "less F": T_low = T_high e^{-phi} - F, not below 0. All of it is an exponent that depends on
@@ -56,6 +57,7 @@ struct Nature {
   double wear_change = 0;                   // beta of w(N), 1
   double wear_cycles = 500;                 // N0
   double temperature_slope_per_K = 0;       // k
+  double release_change = 0;                // h
   double bending_force_N = 0;               // F_b
   double drag_force_N = 0;                  // F_d
   std::map<int, double> sheath_change_rad;  // by the finger that a sheath leads to

@@ -140,12 +140,17 @@ std::string cell(const ExperimentRow& row, const std::vector<double>& readings,
 Readings expected_readings(const Truth& truth, const Experiment& experiment) {
   const Sensors& sensors = truth.sensors;
   TensionTable table(truth.nature);
+  const std::size_t last = experiment.rows.empty() ? 0 : experiment.rows.size() - 1;
   Readings readings;
   for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
     const ExperimentRow& row = experiment.rows[i];
-    Tensions tension = table.of(row.condition);
+    Condition condition = row.condition;
+    condition.motor_tension_N = at_tendon(truth.drive, condition);
+    Tensions tension = table.of(condition);
     add_pretension(sensors, tension);
     add_crosstalk(sensors, experiment.channels, tension);
+    apply(truth.electronics, experiment.channels,
+          static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(last, 1)), tension);
     const double factor = factor_in_order(sensors, i, experiment.rows.size());
     std::vector<double>& of_row = readings.emplace_back();
     for (const std::string& channel : row.measured) {
