@@ -81,8 +81,9 @@ TEST(Cost, IsAnObjectiveAConstraintAndALadder) {
 
 TEST(Cost, IsMissingWhereThereAreNoPrices) {
   const Explored explored({"--fingers", "2"});
-  EXPECT_TRUE(explored.summary()["top"][0]["cost"].is_null());
-  for (const Json& best : explored.summary()["best"]) EXPECT_NE(best["objective"], "cost");
+  const Json summary = explored.summary();
+  EXPECT_TRUE(summary["top"][0]["cost"].is_null());
+  for (const Json& best : summary["best"]) EXPECT_NE(best["objective"], "cost");
   const std::string csv = explored.file("designs.csv");
   EXPECT_EQ(csv.find("inf"), std::string::npos);
 }
