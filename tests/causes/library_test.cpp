@@ -129,8 +129,11 @@ TEST(SwappedChannels, ArePairsThatSomeRoutingHasBothOf) {
   for (const char* more : {"T2", "T4", "a", "T8", "T9"}) {
     survey.channels.push_back(parse_segment(more));
   }
+  for (int more = 10; survey.channels.size() < 16; ++more) {
+    survey.channels.push_back(parse_segment("T" + std::to_string(more)));
+  }
   EXPECT_EQ(cause.subjects(survey).size(), 10U);
-  survey.channels.push_back(parse_segment("T10"));
+  survey.channels.push_back(parse_segment("T99"));
   EXPECT_TRUE(cause.subjects(survey).empty());
 }
 
