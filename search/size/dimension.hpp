@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "core/hardware.hpp"
 #include "core/network.hpp"
 #include "numerics/minimise.hpp"
 
@@ -55,6 +54,9 @@ struct Dimension {
   friend bool operator==(const Dimension& a, const Dimension& b);
 };
 
+// Whether it is that of the contact between these two, in either order.
+bool is_between(const Dimension& dimension, const Segment& left, const Segment& right);
+
 // "sheath_angle[1]", "contact_angle[T2-T3]", "hand_mm"
 std::string to_text(const Dimension& dimension);
 
@@ -71,20 +73,5 @@ std::string to_text(const DimensionName& name);
 // "sheath_angle", "sheath_angle[1]", "sheath_angle[2,3,4]", "contact_angle[T2-T3]". Throws
 // InputError.
 DimensionName parse_dimensions(const std::string& text);
-
-// A dimension where it is: in a routing with a hardware.
-struct PlacedDimension {
-  Dimension dimension;
-  double nominal = 0;
-  bool of_sheath = false;  // it turns with the posture of the wearer
-};
-
-// All of a quantity that a routing has. Of sheath angles: those of fingers, then, as contacts,
-// those of sheaths that lead to no finger. What the hardware sets for single contacts is theirs,
-// and not the finger's. Fingers with joints have arms, and close by their excursions.
-std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
-                                           Quantity quantity);
-
-void set(Hardware& hardware, const Dimension& dimension, double value);
 
 }  // namespace reeve::search

@@ -10,6 +10,7 @@
 #include "core/routing.hpp"
 #include "numerics/minimise.hpp"
 #include "search/size/dimension.hpp"
+#include "search/size/placed_dimension.hpp"
 #include "search/size/varied_range.hpp"
 
 namespace reeve::search {
