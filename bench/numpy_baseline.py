@@ -199,7 +199,7 @@ def evaluate(word):
         "efficiency_worst": efficiency.min(),
         "force_transmission": force.mean(),
         "jams": float(jams.sum()),
-        "return_friction": float(np.mean(returns)),
+        "round_trip_efficiency": float(np.mean(returns)),
     }
 
 

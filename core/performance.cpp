@@ -64,7 +64,7 @@ Performance performance(const Network& network, const TensionState& state, Direc
   return result;
 }
 
-double return_friction(const Performance& pull, const Performance& release) {
+double round_trip_efficiency(const Performance& pull, const Performance& release) {
   return pull.efficiency * release.efficiency;
 }
 

@@ -47,7 +47,7 @@ Performance performance(const Network& network, const TensionState& state,
 // Motor tension while the fingers draw the tendon out over motor tension while the motor draws it
 // in, at equal work of the strands: the product of both efficiencies. 1 without friction, 0 where
 // the grasp jams.
-double return_friction(const Performance& pull, const Performance& release);
+double round_trip_efficiency(const Performance& pull, const Performance& release);
 
 // Parts that a routing needs.
 struct PartCount {

@@ -26,7 +26,7 @@ Extent extent_for(const std::vector<Objective>& objectives, const Score& score) 
   const bool hand = std::any_of(rows.begin(), rows.end(), [&](const ObjectiveRow& row) {
     return row.of_hand && counts(row.objective);
   });
-  return {counts(Objective::return_friction), any_of_terms(authors_score(), counts), hand};
+  return {counts(Objective::round_trip_efficiency), any_of_terms(authors_score(), counts), hand};
 }
 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
@@ -69,8 +69,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   }
   if (!extent.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
-  outcome.return_friction =
-      return_friction(outcome.pull, performance(network_, released, Direction::release));
+  outcome.round_trip_efficiency =
+      round_trip_efficiency(outcome.pull, performance(network_, released, Direction::release));
   return outcome;
 }
 

@@ -85,11 +85,11 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::travel, "travel", "travel", "", "travel", "mm/mm", Better::lower, 2, 4, false,
      "carriage travel per mm that each strand gives up, all fingers closing, on average",
      [](const DesignOutcome& d) { return d.travel; }},
-    {Objective::return_friction, "return_friction", "return_friction", "", "return", "1",
-     Better::higher, 3, 7, false,
+    {Objective::round_trip_efficiency, "round_trip_efficiency", "round_trip_efficiency", "",
+     "round trip", "1", Better::higher, 3, 7, false,
      "motor tension releasing over pulling at equal strand work, mean over the grasps",
      [](const DesignOutcome& d) {
-       return mean(d.grasps, [](const GraspOutcome& g) { return g.return_friction; });
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.round_trip_efficiency; });
      },
      0, 1},
     {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
@@ -200,6 +200,7 @@ Objective parse_objective(const std::string& name, const std::string& option) {
       name == "fingertip_force") {
     return parse_objective(name + "_mean", option);
   }
+  if (name == "return_friction") return Objective::round_trip_efficiency;  // its former name
   for (const ObjectiveRow& row : table) {
     if (row.name == name) return row.objective;
   }

@@ -26,7 +26,7 @@ enum class Objective : std::uint8_t {
   pulleys,
   knots,
   travel,
-  return_friction,
+  round_trip_efficiency,
   adaptability,
   torsional_balance,
   reliability,
@@ -60,7 +60,7 @@ struct GraspOutcome {
   double weight = 1;
   bool jams = false;
   Performance pull;
-  double return_friction = 0;
+  double round_trip_efficiency = 0;
   Indicators indicators;
   GripDemand grip{};  // with a hand
 };

@@ -20,7 +20,7 @@ struct Goal {
   Better better() const;
 };
 
-// "uniformity*efficiency", "return_friction". Throws InputError.
+// "uniformity*efficiency", "round_trip_efficiency". Throws InputError.
 Goal parse_goal(const std::string& text);
 // "1=0.4,2=0.2,3=0.4", "1=2,others=1": how hard the fingers are to pull, relative to each other.
 // Throws InputError.

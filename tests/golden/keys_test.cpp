@@ -10,8 +10,8 @@ namespace reeve::testing {
 namespace {
 
 const std::string objectives =
-    " uniformity efficiency force_transmission jams sheaths pulleys knots travel return_friction "
-    "adaptability torsional_balance reliability authors_efficiency transmission score "
+    " uniformity efficiency force_transmission jams sheaths pulleys knots travel "
+    "round_trip_efficiency return_friction adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity parts cost";
 const std::string alike = " alike same_as";
 const std::string judged_settings = "objectives score grasps hardware model uncertainty";

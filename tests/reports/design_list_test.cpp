@@ -39,7 +39,7 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
   EXPECT_EQ(design_csv({without_hand(design("TR0"))}),
             "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
             "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
-            "return_friction,adaptability,torsional_balance,reliability,authors_efficiency,"
+            "round_trip_efficiency,adaptability,torsional_balance,reliability,authors_efficiency,"
             "transmission,score,blocks,finger_uniformity_mean,finger_uniformity_worst,"
             "parts,cost,same_as\n"
             "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"

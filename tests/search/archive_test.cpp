@@ -105,7 +105,7 @@ const std::vector<Stream>& streams() {
       {{Objective::uniformity_worst, Objective::sheaths, Objective::travel}, 8, 6000},
       {{Objective::uniformity_worst, Objective::efficiency_mean, Objective::pulleys}, 100, 5000},
       {{Objective::uniformity_mean, Objective::efficiency_worst, Objective::sheaths,
-        Objective::return_friction},
+        Objective::round_trip_efficiency},
        5,
        6000},
       {{Objective::efficiency_mean}, 3, 30}};

@@ -167,13 +167,13 @@ TEST(Evaluation, ARoutingThatJamsDoesNoWorkInThatGrasp) {
   EXPECT_FALSE(outcome.grasps[0].jams);
   EXPECT_NEAR(outcome.grasps[0].pull.uniformity, tip, 1e-12);
   EXPECT_NEAR(outcome.grasps[0].pull.efficiency, sheath * (1 + tip) / 2, 1e-12);
-  EXPECT_GT(outcome.grasps[0].return_friction, 0);
+  EXPECT_GT(outcome.grasps[0].round_trip_efficiency, 0);
   for (const std::size_t held : {1U, 2U}) {
     EXPECT_TRUE(outcome.grasps[held].jams);
     EXPECT_EQ(outcome.grasps[held].pull.uniformity, 0);
     EXPECT_EQ(outcome.grasps[held].pull.efficiency, 0);
     EXPECT_NEAR(outcome.grasps[held].pull.force_transmission, sheath * (1 + tip), 1e-12);
-    EXPECT_EQ(outcome.grasps[held].return_friction, 0);
+    EXPECT_EQ(outcome.grasps[held].round_trip_efficiency, 0);
   }
   const ObjectiveValues values = evaluator.evaluate(routing);
   EXPECT_EQ(value(values, Objective::jams), 2);
@@ -190,7 +190,7 @@ TEST(Evaluation, ReturnFrictionIsTheProductOfBothEfficiencies) {
   const double tip = std::exp(-0.18 * std::numbers::pi);
   const double pull = sheath * (1 + tip) / 2;
   const double release = 2 * sheath / (1 + 1 / tip);
-  EXPECT_NEAR(value(evaluate("M-1-F", single_grasps(0)), Objective::return_friction),
+  EXPECT_NEAR(value(evaluate("M-1-F", single_grasps(0)), Objective::round_trip_efficiency),
               pull * release, 1e-10);
 }
 
@@ -202,7 +202,7 @@ TEST(Evaluation, WithoutFrictionNothingIsLostOrUneven) {
     const ObjectiveValues values = evaluator.evaluate(parse_routing(row.word));
     EXPECT_EQ(value(values, Objective::uniformity_worst), 1) << row.word;
     EXPECT_EQ(value(values, Objective::efficiency_worst), 1) << row.word;
-    EXPECT_EQ(value(values, Objective::return_friction), 1) << row.word;
+    EXPECT_EQ(value(values, Objective::round_trip_efficiency), 1) << row.word;
   }
 }
 
@@ -210,8 +210,9 @@ TEST(Evaluation, WeightsOfTheGraspsCount) {
   const ObjectiveValues weighted = evaluate("M-1-P-2-F", parse_grasps("none:1/1:3", 2));
   const ObjectiveValues none = evaluate("M-1-P-2-F", parse_grasps("none", 2));
   const ObjectiveValues first = evaluate("M-1-P-2-F", parse_grasps("1", 2));
-  for (const Objective objective : {Objective::uniformity_mean, Objective::efficiency_mean,
-                                    Objective::force_transmission, Objective::return_friction}) {
+  for (const Objective objective :
+       {Objective::uniformity_mean, Objective::efficiency_mean, Objective::force_transmission,
+        Objective::round_trip_efficiency}) {
     EXPECT_NEAR(value(weighted, objective),
                 (value(none, objective) + 3 * value(first, objective)) / 4, 2e-10);
   }
@@ -251,9 +252,9 @@ TEST(DesignEvaluator, WorksOutWhatObjectivesNeed) {
   const auto needs = [](Objective objective, const Score& score) {
     return extent_for({Objective::sheaths, objective}, score);
   };
-  const Score of_release{{{Objective::return_friction, 2}}};
+  const Score of_release{{{Objective::round_trip_efficiency, 2}}};
   EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()), (Extent{false, false, false}));
-  EXPECT_EQ(needs(Objective::return_friction, authors_score()), (Extent{true, false, false}));
+  EXPECT_EQ(needs(Objective::round_trip_efficiency, authors_score()), (Extent{true, false, false}));
   EXPECT_EQ(needs(Objective::reliability, of_release), (Extent{false, true, false}));
   EXPECT_EQ(needs(Objective::score, authors_score()), (Extent{false, true, false}));
   EXPECT_EQ(needs(Objective::score, of_release), (Extent{true, false, false}));
@@ -267,7 +268,7 @@ TEST(DesignEvaluator, LeavesOutWhatIsNotAskedFor) {
     const ObjectiveValues plain = evaluator.evaluate(routing, {false, false});
     for (const ObjectiveRow& row : objective_table()) {
       const bool left_out =
-          row.objective >= Objective::return_friction && row.objective <= Objective::score;
+          row.objective >= Objective::round_trip_efficiency && row.objective <= Objective::score;
       EXPECT_EQ(value(plain, row.objective), left_out ? 0 : value(full, row.objective)) << row.name;
     }
   }
@@ -279,8 +280,8 @@ TEST(DesignEvaluator, PullingAloneGivesAllButReturnFriction) {
     const Routing routing = parse_routing(word);
     ObjectiveValues full = evaluator.evaluate(routing);
     const ObjectiveValues pulling = evaluator.evaluate(routing, {false, true});
-    EXPECT_EQ(value(pulling, Objective::return_friction), 0);
-    full[static_cast<std::size_t>(Objective::return_friction)] = 0;
+    EXPECT_EQ(value(pulling, Objective::round_trip_efficiency), 0);
+    full[static_cast<std::size_t>(Objective::round_trip_efficiency)] = 0;
     EXPECT_EQ(full, pulling) << word;
   }
 }

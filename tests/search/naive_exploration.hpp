@@ -23,7 +23,7 @@ inline const std::vector<Objectives>& several_objectives() {
       {Objective::uniformity_worst},
       {Objective::sheaths},
       {Objective::uniformity_worst, Objective::sheaths},
-      {Objective::efficiency_mean, Objective::return_friction, Objective::travel},
+      {Objective::efficiency_mean, Objective::round_trip_efficiency, Objective::travel},
       {Objective::uniformity_mean, Objective::efficiency_mean, Objective::jams, Objective::pulleys,
        Objective::force_transmission}};
   return all;

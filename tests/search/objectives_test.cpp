@@ -14,7 +14,7 @@ namespace {
 
 const std::string all_names =
     "uniformity_mean, uniformity_worst, efficiency_mean, efficiency_worst, force_transmission, "
-    "jams, sheaths, pulleys, knots, travel, return_friction, adaptability, torsional_balance, "
+    "jams, sheaths, pulleys, knots, travel, round_trip_efficiency, adaptability, torsional_balance, "
     "reliability, authors_efficiency, transmission, score, blocks, finger_uniformity_mean, "
     "finger_uniformity_worst, parts, cost, motor_force, fingertip_force_mean, "
     "fingertip_force_worst, stroke, closure, motor_power";
@@ -83,8 +83,8 @@ TEST(Objectives, MeansAreWeightedAndTheWorstGraspIsNot) {
   EXPECT_EQ(value(values, Objective::uniformity_worst), 0.1);
   EXPECT_EQ(value(values, Objective::efficiency_mean), 0.5);  // (0.2 + 3 * 0.6) / 4
   EXPECT_EQ(value(values, Objective::efficiency_worst), 0.2);
-  EXPECT_EQ(value(values, Objective::force_transmission), 1.75);  // (1 + 3 * 2) / 4
-  EXPECT_EQ(value(values, Objective::return_friction), 0.7);      // (0.4 + 3 * 0.8) / 4
+  EXPECT_EQ(value(values, Objective::force_transmission), 1.75);    // (1 + 3 * 2) / 4
+  EXPECT_EQ(value(values, Objective::round_trip_efficiency), 0.7);  // (0.4 + 3 * 0.8) / 4
 }
 
 TEST(Objectives, JamsAreCountedInGraspsWhateverTheirWeight) {
@@ -136,6 +136,7 @@ TEST(ParseObjectives, KeepsTheOrderOfTheList) {
 }
 
 TEST(ParseObjectives, UniformityAndEfficiencyAreShortForTheirMeans) {
+  EXPECT_EQ(parse_objectives("return_friction"), parse_objectives("round_trip_efficiency"));
   EXPECT_EQ(parse_objectives("uniformity,efficiency"),
             (std::vector<Objective>{Objective::uniformity_mean, Objective::efficiency_mean}));
 }

@@ -110,7 +110,7 @@ TEST(Explore, SamplesWhatTheConstraintsAdmitWithAllValues) {
   const ExploreResult result = explore(options);
   EXPECT_EQ(result.sample.size(), result.evaluated - result.rejected.at(1).count);
   ExploreOptions naive = options;
-  naive.order = {Objective::return_friction};
+  naive.order = {Objective::round_trip_efficiency};
   naive.top = 100000;
   std::map<std::string, ObjectiveValues> expected;
   for (const RankedDesign& ranked : explore(naive).top) {

@@ -144,19 +144,19 @@ TEST(Score, OfTheAuthorsPutsTr3FirstAmongTheSevenAndTheObjectivesTr7) {
 // Return friction takes a solve that is otherwise put off.
 TEST(Score, OfReturnFrictionIsComputedForEveryDesign) {
   ExploreOptions options = two_fingers();
-  options.score = parse_score("return_friction");
+  options.score = parse_score("round_trip_efficiency");
   options.order = {{Objective::score}, true};
   for (const RankedDesign& design : explore(options).top) {
     EXPECT_GT(value(design.design.values, Objective::score), 0);
     EXPECT_EQ(value(design.design.values, Objective::score),
-              value(design.design.values, Objective::return_friction));
+              value(design.design.values, Objective::round_trip_efficiency));
   }
 }
 
 TEST(Score, IsThereForAConstraintToo) {
   ExploreOptions options = two_fingers();
   options.constraints = {parse_constraint("score>0")};
-  for (const char* score : {"authors", "return_friction"}) {
+  for (const char* score : {"authors", "round_trip_efficiency"}) {
     options.score = parse_score(score);
     EXPECT_EQ(explore(options).top.size(), 7U) << score;
   }
