@@ -176,6 +176,11 @@ void ExperimentFlags::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--noise-absolute", noise_absolute, "… and besides that, in N")
       ->capture_default_str();
+  command
+      .add_option("--noise-motor", noise_motor,
+                  "Standard deviation of the motor tension that is written, as a share of the one "
+                  "that pulls")
+      ->capture_default_str();
   const CLI::Range count(std::size_t{1}, max_planned_readings);
   command.add_option("--runs", runs, "Mountings")->check(count)->capture_default_str();
   command.add_option("--rows", rows, "Conditions that are set in each run")
@@ -210,7 +215,8 @@ ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
 
 AddedNoise ExperimentFlags::read_noise() const {
   return {read_number("--noise-relative", noise_relative, {0, 1}),
-          read_number("--noise-absolute", noise_absolute, {0, 1000})};
+          read_number("--noise-absolute", noise_absolute, {0, 1000}),
+          read_number("--noise-motor", noise_motor, {0, 1})};
 }
 
 }  // namespace reeve::cli

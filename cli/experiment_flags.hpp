@@ -24,6 +24,7 @@ struct ExperimentFlags {
   std::string sheath_angle;
   std::string noise_relative = "0.02";
   std::string noise_absolute = "0.05";
+  std::string noise_motor = "0";
   std::size_t runs = 12;
   std::size_t rows = 20;
   std::size_t repeats = 1;

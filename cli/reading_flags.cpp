@@ -22,6 +22,19 @@ void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
   for (CLI::Option* option : {map, unit, group_given_}) option->needs(data);
 }
 
+void ReadingFlags::add_noise_to(CLI::App& command) {
+  command
+      .add_option("--noise", noise_,
+                  "What readings of a column, or of the motor tension, are known to scatter by: "
+                  "T1=2%, motor=0.5N, T1=2%+0.3N; may be given again")
+      ->allow_extra_args(false);
+  command
+      .add_option("--exact", exact_,
+                  "A column of tensions that do not scatter, such as a dead weight's; may be given "
+                  "again")
+      ->allow_extra_args(false);
+}
+
 MeasuredData ReadingFlags::read(const std::string& file, const Catalogue& catalogue) const {
   return read_measured_data(
       file, [&](const std::string& text) { return read_routing(text, catalogue); }, options());
@@ -35,6 +48,10 @@ ReadingOptions ReadingFlags::options() const {
   for (const std::string& text : units_) {
     result.units.push_back(for_option("--unit", [&] { return parse_column_unit(text); }));
   }
+  for (const std::string& text : noise_) {
+    result.noise.push_back(for_option("--noise", [&] { return parse_column_noise(text); }));
+  }
+  for (const std::string& column : exact_) result.noise.push_back({column, {}});
   if (group_given_->count() > 0) result.group = group_;
   return result;
 }

@@ -14,6 +14,7 @@ namespace reeve::cli {
 struct ReadingFlags {
   // With `data`: they need that option.
   void add_to(CLI::App& command, CLI::Option* data = nullptr);
+  void add_noise_to(CLI::App& command);
   // Throws InputError.
   MeasuredData read(const std::string& file, const Catalogue& catalogue) const;
 
@@ -22,6 +23,8 @@ struct ReadingFlags {
 
   std::vector<std::string> map_;
   std::vector<std::string> units_;
+  std::vector<std::string> noise_;
+  std::vector<std::string> exact_;
   std::string group_;
   CLI::Option* group_given_ = nullptr;
 };

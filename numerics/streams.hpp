@@ -18,6 +18,7 @@ inline constexpr std::uint32_t resampling = 0x6a1;
 // Who diagnoses simulated readings does it likely with the seed that made them.
 inline constexpr std::uint32_t relative_noise = 0x51a00000;
 inline constexpr std::uint32_t absolute_noise = 0x51a00001;
+inline constexpr std::uint32_t motor_noise = 0x51a00002;
 // Of a planned experiment, two for each factor: the order, and the places within parts of a range.
 inline constexpr std::uint32_t grasps = 0x51a00010;
 inline constexpr std::uint32_t motor_tensions = 0x51a00012;
@@ -32,6 +33,7 @@ inline constexpr std::uint32_t sizing_starts = 0x51ce0000;
 inline std::uint64_t seed_of_step(std::uint64_t seed, std::size_t step) {
   return seed + 7919 * step;
 }
+inline std::uint64_t seed_of_motor_tensions(std::uint64_t seed) { return seed + 1299709; }
 inline std::uint64_t seed_of_what_is_left(std::uint64_t seed) { return seed + 104729; }
 
 }  // namespace reeve::numerics::streams

@@ -8,12 +8,16 @@ namespace reeve::studies {
 namespace {
 
 MeasuredData read_back(const SimulationReport& report, const WrittenSimulation& written) {
-  return parse_measured_data(written(report), "simulated readings", [&](const std::string& text) {
+  ReadingOptions options;
+  const double of_motor = report.noise.motor_relative;
+  if (of_motor > 0) options.noise.push_back({"motor", {.relative = of_motor}});
+  const auto resolve = [&](const std::string& text) {
     for (const PlannedRouting& routing : report.plan.routings) {
       if (routing.label == text) return routing.routing;
     }
     return parse_routing(text);
-  });
+  };
+  return parse_measured_data(written(report), "simulated readings", resolve, options);
 }
 
 }  // namespace

@@ -225,6 +225,7 @@ void add_diagnose(CLI::App& program, int&) {
       "--save-model", flags->save_model,
       "TOML file for the extended model, which rank, explore and show take as --model");
   flags->readings.add_to(*command);
+  flags->readings.add_noise_to(*command);
   flags->hardware.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, command] {

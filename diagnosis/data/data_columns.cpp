@@ -26,6 +26,7 @@ Range range_of(DataRole role) {
     case DataRole::tension:
       return {-1e9, 1e9};
     case DataRole::deviation:
+    case DataRole::motor_deviation:
     case DataRole::speed:
       return {0, 1e9};
     case DataRole::cycle:
@@ -140,6 +141,19 @@ class ColumnReader {
       require_name(mapped.column, fmt::format("the column that means {}", mapped.meaning));
     }
     if (options_.group) require_name(*options_.group, "the column of groups");
+    for (const ColumnNoise& given : options_.noise) {
+      if (!is_there([&](const DataColumn& column) { return is_noise_of(given, column); })) {
+        fail(csv_.header().line, {.what = "the header has no column of tensions",
+                                  .value = for_message(given.column),
+                                  .expected = "the column whose noise is given"});
+      }
+    }
+    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
+      const auto given = std::count_if(
+          options_.noise.begin(), options_.noise.end(),
+          [&](const ColumnNoise& noise) { return is_noise_of(noise, result_.columns[i]); });
+      if (given > 1) fail_column(i, fmt::format("one noise, and {} are given", given));
+    }
     for (const ColumnUnit& given : options_.units) {
       if (!given.column || is_there([&](const DataColumn& column) {
             return means(*given.column, column.name, column.role, column.place);
@@ -168,6 +182,10 @@ class ColumnReader {
   void require_tensions_of_deviations() {
     for (std::size_t i = 0; i < result_.columns.size(); ++i) {
       DataColumn& column = result_.columns[i];
+      if (column.role == DataRole::motor_deviation &&
+          !find_column(result_.columns, DataRole::motor_tension)) {
+        fail_column(i, "the column motor_tension_N beside it");
+      }
       if (column.role != DataRole::deviation) continue;
       const bool has_tension =
           std::any_of(result_.columns.begin(), result_.columns.end(), [&](const DataColumn& other) {
@@ -226,6 +244,12 @@ class ColumnReader {
 DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                          const ReadingOptions& options, FaultList& faults) {
   return ColumnReader(csv, units, options, faults).read();
+}
+
+bool is_noise_of(const ColumnNoise& given, const DataColumn& column) {
+  if (!is_of_sensor(column.role)) return false;
+  if (column.role == DataRole::motor_tension && given.column == "motor") return true;
+  return means(given.column, column.name, column.role, column.place);
 }
 
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role) {

@@ -44,6 +44,9 @@ struct DataColumns {
 DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                          const ReadingOptions& options, FaultList& faults);
 
+// Whether the noise is that of this column.
+bool is_noise_of(const ColumnNoise& given, const DataColumn& column);
+
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role);
 
 }  // namespace reeve::diagnosis

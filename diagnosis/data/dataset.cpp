@@ -83,7 +83,8 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
     }
     result.blocks[found->second].rows.push_back(result.rows.size());
     result.rows.push_back({index, result.cells.size(), result.cells.size() + cells.size(),
-                           reading.motor_tension_N.has_value(), conditions(data, index)});
+                           reading.motor_tension_N.has_value(), motor_deviation(data, reading),
+                           conditions(data, index)});
     result.cells.insert(result.cells.end(), cells.begin(), cells.end());
   }
   return result;

@@ -25,6 +25,7 @@ struct DatasetRow {
   std::size_t first = 0;
   std::size_t last = 0;
   bool has_motor_tension = true;
+  double motor_deviation_N = 0;  // of the motor tension; 0: it is what it reads
   Conditions conditions;
 };
 

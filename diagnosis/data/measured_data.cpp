@@ -89,7 +89,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   FaultList faults;
   const Beginning beginning = read_beginning(csv, options, faults);
   DataColumns columns = read_columns(csv, beginning.units, options, faults);
-  RowReader rows(csv, columns.columns, resolve, faults);
+  RowReader rows(csv, columns.columns, resolve, options, faults);
   if (!beginning.is_broken) read_rows(csv, beginning.first, rows, faults);
   MeasuredData data = rows.finish();
   faults.throw_any(csv.name());
@@ -117,6 +117,16 @@ std::vector<bool> reads_below_zero(const MeasuredData& data) {
     }
   }
   return result;
+}
+
+std::optional<KnownNoise> known_noise(const MeasuredData& data, std::size_t channel) {
+  return channel < data.known_noise.size() ? data.known_noise[channel] : std::nullopt;
+}
+
+double motor_deviation(const MeasuredData& data, const Reading& reading) {
+  const double tension_N = reading.motor_tension_N.value_or(0);
+  const double known = data.known_motor_noise ? data.known_motor_noise->deviation(tension_N) : 0;
+  return std::max(known, reading.motor_error_N.value_or(0));
 }
 
 MeasuredData read_measured_data(const std::filesystem::path& path, const RoutingResolver& resolve,

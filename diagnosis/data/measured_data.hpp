@@ -52,6 +52,7 @@ struct Reading {
   // Parallel to the channels: the standard error of the mean of the samples that the tension is the
   // mean of, sd/√readings.
   std::vector<std::optional<double>> error_N;
+  std::optional<double> motor_error_N;
   std::vector<std::optional<double>> covariates;  // parallel to their names
 };
 
@@ -65,7 +66,15 @@ struct MeasuredData {
   std::vector<std::string> covariates;
   std::vector<Reading> readings;
   std::vector<DataNote> notes;
+  // Where somebody knows it; parallel to the channels, or empty.
+  std::vector<std::optional<KnownNoise>> known_noise;
+  std::optional<KnownNoise> known_motor_noise;
 };
+
+// Whatever is known of the noise of a channel; nothing if that has to be estimated.
+std::optional<KnownNoise> known_noise(const MeasuredData& data, std::size_t channel);
+// N, of a reading's motor tension: what it may be off; 0 where nobody says so.
+double motor_deviation(const MeasuredData& data, const Reading& reading);
 
 // Parallel to the channels: whether one reads below 0 anywhere, as a load cell that drifts does.
 // One that never does may be clipped there.

@@ -26,6 +26,8 @@ const char* note_kind_name(NoteKind kind) {
       return "passed_over";
     case NoteKind::tare:
       return "tare";
+    case NoteKind::known_noise:
+      return "known_noise";
     case NoteKind::assumed:
       return "assumed";
     case NoteKind::not_as_pulled:

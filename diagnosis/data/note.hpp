@@ -22,6 +22,7 @@ enum class NoteKind : std::uint8_t {
   column_names,            // how names and units of columns were taken, if not as docs write them
   passed_over,             // rows and columns that have no readings
   tare,                    // zeros that were taken off
+  known_noise,             // what readings are told to scatter by
   assumed,                 // what the file leaves open
   not_as_pulled,           // tensions that no pulling carriage gives
   letters,                 // of segments that another source may use otherwise

@@ -63,6 +63,9 @@ class BlockForecast {
       forecast_.jams[r] = state->jams;
       if (row.has_motor_tension) {
         read(row, *state, conditions.motor_tension_N);
+        if (row.motor_deviation_N > 0) {
+          of_row(forecast_.by_scale, row) = slope(row, *state, conditions.motor_tension_N);
+        }
       } else {
         read_scaled(row, *state);
       }

@@ -21,8 +21,9 @@ namespace reeve::diagnosis {
 
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells
-  Eigen::VectorXd by_scale;   // du of cells whose row has no motor tension, otherwise 0
-  std::vector<bool> jams;     // parallel to the rows
+  // By the motor tension, of cells whose row has none or one that scatters; of others 0.
+  Eigen::VectorXd by_scale;
+  std::vector<bool> jams;  // parallel to the rows
 };
 
 // Nothing where the model's tensions are out of range, or its hardware is none that there can be.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/model/null_model.hpp"
@@ -22,8 +23,10 @@ double weight(double reading_N, double middle_N) {
 
 Noise noise_left_by(const Dataset& dataset, const Model& model) {
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
-  const Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
-  return noise_of_residuals(dataset, sure_N * own_residuals(plain, forecast(dataset, model)),
+  Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  plain.motor_deviation_N.resize(0);  // that is part of what is left
+  const Forecast at = forecast(dataset, model);
+  return noise_of_residuals(dataset, at, sure_N * own_residuals(plain, at),
                             static_cast<double>(parameter_count(model)));
 }
 
@@ -31,10 +34,21 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
                                                  const MountingModes& modes) {
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
   const Forecast at = forecast(dataset, model);
-  const Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  plain.motor_deviation_N.resize(0);
   const Eigen::VectorXd left = sure_N * own_residuals(plain, at);
   const double scaled = dataset.degrees_of_freedom() / static_cast<double>(cells);
   const double middle = at.reading_N.mean();
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(cells);
+  std::vector<std::size_t> row_of;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto cell = static_cast<Eigen::Index>(i);
+      known[cell] = motor_variance(row, at.by_scale[cell]);
+      row_of.push_back(r);
+    }
+  }
   std::vector<ScatterSample> samples;
   for (const Mounting& mounting : mountings(dataset)) {
     Eigen::VectorXd weights = at.reading_N(mounting.cells);
@@ -44,11 +58,15 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
     const Eigen::VectorXd weighted = weights.cwiseProduct(Eigen::VectorXd(left(mounting.cells)));
     const Eigen::VectorXd own = weighted - basis * (basis.transpose() * weighted);
     for (Eigen::Index i = 0; i < own.size(); ++i) {
-      const double level = std::max(at.reading_N[mounting.cells[static_cast<std::size_t>(i)]], 0.0);
-      samples.push_back({level, own[i] / weights[i], scaled * (1 - basis.row(i).squaredNorm())});
+      const Eigen::Index cell = mounting.cells[static_cast<std::size_t>(i)];
+      const std::size_t channel = dataset.cells[static_cast<std::size_t>(cell)].channel;
+      if (known_noise(*dataset.data, channel)) continue;
+      samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / weights[i],
+                         scaled * (1 - basis.row(i).squaredNorm()), known[cell],
+                         row_of[static_cast<std::size_t>(cell)]});
     }
   }
-  return noise_of_samples(dataset, samples);
+  return noise_of_samples(dataset, std::move(samples));
 }
 
 }  // namespace reeve::diagnosis

@@ -17,6 +17,7 @@ constexpr double enough_noise_degrees = 30;
 // To 18 %: rather that than noise with what differs between mountings in it.
 constexpr double enough_within_runs = 15;
 constexpr double floor_share = 1e-3;  // of the median reading
+constexpr double least_relative = 1e-5;
 
 double median_reading(const Dataset& dataset) {
   std::vector<double> readings;
@@ -45,7 +46,7 @@ double misfit(const std::vector<ScatterSample>& samples, double absolute, double
   for (const ScatterSample& sample : samples) {
     if (sample.kept <= 0) continue;
     const double scatter = relative * sample.level_N;
-    const double variance = absolute * absolute + scatter * scatter;
+    const double variance = absolute * absolute + scatter * scatter + sample.motor_variance_N2;
     const double square = sample.residual_N * sample.residual_N / variance;
     sum += sample.kept * std::log(variance);
     sum += tail == 0 ? square : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
@@ -69,7 +70,7 @@ ScatterFit fit_with(const Dataset& dataset, const std::vector<ScatterSample>& sa
   constexpr int evaluations = 150;
   const double level = median_reading(dataset);
   const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
-                                  {std::log(1e-5), std::log(2.0)}};
+                                  {std::log(least_relative), std::log(2.0)}};
   const Minimum best = minimise(
       [&](const std::vector<double>& x) {
         return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
@@ -95,6 +96,7 @@ Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, Noi
   // Twice the log-likelihood by which heavier tails have to be the likelier: chance brings that in
   // 1 of 1000 normal samples (chi-squared of one degree of freedom, on its edge).
   constexpr double clearly = 9.5;
+  if (samples.empty()) return {0, 0, NoiseSource::known, 0, 0, true};
   ScatterFit all = fit_with(dataset, samples, 0);
   // Residuals of a model that is wrong are of many sizes, too.
   if (source == NoiseSource::residuals) return noise_of(all, samples, source);
@@ -111,6 +113,42 @@ Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, Noi
 
 using CellGroup = std::vector<std::size_t>;  // cells
 
+bool is_known(const Dataset& dataset, std::size_t cell) {
+  return known_noise(*dataset.data, dataset.cells[cell].channel).has_value();
+}
+
+// Takes the part out of the samples of a row that a motor tension off by some share would bring.
+void take_out_motor(const Dataset& dataset, std::vector<ScatterSample>& samples) {
+  const double small_N = 0.1 * median_reading(dataset);
+  std::map<std::size_t, std::vector<ScatterSample*>> rows;
+  for (ScatterSample& sample : samples) {
+    if (sample.motor_variance_N2 > 0) rows[sample.row].push_back(&sample);
+  }
+  for (auto& [row, cells] : rows) {
+    if (cells.size() < 2) continue;
+    const auto per_level = [&](const ScatterSample& of) {
+      return of.level_N / std::pow(of.level_N + small_N, 2);
+    };
+    double weights = 0;
+    double share = 0;
+    for (const ScatterSample* sample : cells) {
+      weights += per_level(*sample) * sample->level_N;
+      share += per_level(*sample) * sample->residual_N;
+    }
+    share /= weights;
+    for (ScatterSample* sample : cells) {
+      sample->residual_N -= share * sample->level_N;
+      sample->kept *= 1 - per_level(*sample) * sample->level_N / weights;
+      sample->motor_variance_N2 = 0;
+    }
+  }
+}
+
+// Of a reading that goes with the motor tension.
+double motor_variance_of_reading(const DatasetRow& row, double reading_N) {
+  return motor_variance(row, reading_N / row.conditions.motor_tension_N);
+}
+
 // Whether runs have levels of their own.
 enum class Runs : std::uint8_t { by_themselves, alike };
 
@@ -119,11 +157,15 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
   using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::uint64_t, Direction, double,
                          double, double, double, std::optional<double>>;
   std::map<Key, CellGroup> groups;
-  for (const DatasetRow& row : dataset.rows) {
+  std::vector<std::size_t> row_of(dataset.cells.size());
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     const Conditions& at = row.conditions;
     for (std::size_t i = row.first; i < row.last; ++i) {
+      row_of[i] = r;
+      if (is_known(dataset, i)) continue;
       groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
               reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N,
               at.speed_mm_s, at.cycle, at.temperature_C, reading.sheath_angle_rad}]
@@ -137,7 +179,8 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
     double mean = 0;
     for (const std::size_t i : group) mean += dataset.cells[i].measured_N / n;
     for (const std::size_t i : group) {
-      samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n});
+      samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n,
+                         motor_variance_of_reading(dataset.rows[row_of[i]], mean), row_of[i]});
       used[i] = 1;
     }
   }
@@ -206,10 +249,13 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
   const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
   const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
   for (Eigen::Index i = 0; i < left.size(); ++i) {
-    const double motor = dataset.rows[rows[static_cast<std::size_t>(i)]].conditions.motor_tension_N;
-    const double residual = left[i] / weight[i] * motor;
+    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const double residual = left[i] / weight[i] * row.conditions.motor_tension_N;
     const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
-    samples.push_back({std::max(measured - residual, 0.0), residual, 1 - q.row(i).squaredNorm()});
+    const double expected = std::max(measured - residual, 0.0);
+    samples.push_back({expected, residual, 1 - q.row(i).squaredNorm(),
+                       motor_variance_of_reading(row, expected),
+                       rows[static_cast<std::size_t>(i)]});
   }
 }
 
@@ -224,7 +270,7 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     for (std::size_t i = row.first; i < row.last; ++i) {
-      if (used[i] != 0) continue;
+      if (used[i] != 0 || is_known(dataset, i)) continue;
       auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
                                     reading.direction}];
       rows.push_back(r);
@@ -244,6 +290,7 @@ std::optional<Noise> noise_told_by(const Dataset& dataset, Runs runs) {
   const bool repeated = !samples.empty();
   const std::vector<ScatterSample> smoothed = smoothing(dataset, runs, used);
   samples.insert(samples.end(), smoothed.begin(), smoothed.end());
+  take_out_motor(dataset, samples);
   const double enough = runs == Runs::alike ? enough_noise_degrees : enough_within_runs;
   if (degrees(samples) < enough) return std::nullopt;
   Noise noise = fit(dataset, samples,
@@ -272,6 +319,8 @@ const char* noise_source_name(NoiseSource source) {
       return "repeats and smoothing";
     case NoiseSource::residuals:
       return "residuals";
+    case NoiseSource::known:
+      return "known";
   }
   return "";
 }
@@ -280,13 +329,23 @@ double Noise::deviation(double tension_N) const {
   return std::hypot(absolute_N, relative * tension_N);
 }
 
+double motor_variance(const DatasetRow& row, double by_scale) {
+  return std::pow(row.motor_deviation_N * by_scale, 2);
+}
+
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N) {
   // So far out chance brings less than one reading in a million.
   constexpr double far = 5;
+  const double least = least_absolute(dataset);
   Eigen::VectorXd result(expected_N.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const double measured = dataset.cells[static_cast<std::size_t>(i)].measured_N;
+    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
+    if (const auto known = known_noise(*dataset.data, cell.channel)) {
+      result[i] = std::max({known->deviation(expected_N[i]), least, own_error(dataset, cell)});
+      continue;
+    }
+    const double measured = cell.measured_N;
     const double at_expected = noise.deviation(expected_N[i]);
     const double z = (measured - expected_N[i]) / at_expected;
     if (noise.tail_degrees > 0) {
@@ -295,7 +354,7 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
     } else {
       result[i] = std::abs(z) <= far ? at_expected : noise.deviation(std::max(measured, 0.0));
     }
-    result[i] = std::max(result[i], own_error(dataset, dataset.cells[static_cast<std::size_t>(i)]));
+    result[i] = std::max(result[i], own_error(dataset, cell));
   }
   return result;
 }
@@ -307,22 +366,28 @@ std::optional<Noise> noise_without_model(const Dataset& dataset) {
   return std::nullopt;
 }
 
-std::optional<Noise> noise_of_samples(const Dataset& dataset,
-                                      const std::vector<ScatterSample>& samples) {
+std::optional<Noise> noise_of_samples(const Dataset& dataset, std::vector<ScatterSample> samples) {
+  take_out_motor(dataset, samples);
   if (degrees(samples) < enough_within_runs) return std::nullopt;
   return fit(dataset, samples, NoiseSource::residuals);
 }
 
-Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
-                         double parameters) {
+Noise noise_of_residuals(const Dataset& dataset, const Forecast& at,
+                         const Eigen::VectorXd& residual_N, double parameters) {
   const double kept = std::max(0.1, 1 - (parameters + static_cast<double>(dataset.cells.size()) -
                                          dataset.degrees_of_freedom()) /
                                             static_cast<double>(dataset.cells.size()));
   std::vector<ScatterSample> samples;
-  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
-    samples.push_back(
-        {dataset.cells[i].measured_N, residual_N[static_cast<Eigen::Index>(i)], kept});
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      if (is_known(dataset, i)) continue;
+      const auto cell = static_cast<Eigen::Index>(i);
+      samples.push_back({dataset.cells[i].measured_N, residual_N[cell], kept,
+                         motor_variance(row, at.by_scale[cell]), r});
+    }
   }
+  take_out_motor(dataset, samples);
   return fit(dataset, samples, NoiseSource::residuals);
 }
 

@@ -12,6 +12,10 @@
 // where these are too few, too, from the same without regard to runs, or from residuals alone.
 // Both parts together maximise the (restricted) likelihood of the residuals.
 //
+// Channels whose noise somebody knows (data/known_noise.hpp) tell nothing of that of the others.
+// Where the motor tension is known to scatter, what goes with it in all readings of a row is taken
+// out of them; of a reading that is alone in its row, the known variance is.
+//
 // Readings may scatter with heavier tails than normal ones: Student's t of ν degrees of freedom,
 // where that is clearly the likelier (K. L. Lange, R. J. A. Little, J. M. G. Taylor, J. Am. Stat.
 // Assoc. 84, 1989). sd is then the scale of the t, and a reading z scales away from what a model
@@ -21,10 +25,17 @@
 #include <Eigen/Core>
 
 #include "diagnosis/data/dataset.hpp"
+#include "diagnosis/model/forecast.hpp"
 
 namespace reeve::diagnosis {
 
-enum class NoiseSource : std::uint8_t { repeats, smoothing, repeats_and_smoothing, residuals };
+enum class NoiseSource : std::uint8_t {
+  repeats,
+  smoothing,
+  repeats_and_smoothing,
+  residuals,
+  known,  // of every channel
+};
 const char* noise_source_name(NoiseSource source);
 
 struct Noise {
@@ -44,6 +55,8 @@ struct ScatterSample {
   double level_N = 0;
   double residual_N = 0;
   double kept = 1;
+  double motor_variance_N2 = 0;  // of what its row's motor tension is known to bring
+  std::size_t row = 0;           // in the dataset
 };
 
 // sd of each cell at what a model expects it to read, and not less than what the file says of it
@@ -56,10 +69,12 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
 // From repeats and smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);
 // From what is left of these readings; nothing if they tell too little.
-std::optional<Noise> noise_of_samples(const Dataset& dataset,
-                                      const std::vector<ScatterSample>& samples);
+std::optional<Noise> noise_of_samples(const Dataset& dataset, std::vector<ScatterSample> samples);
 // From what a model with so many fitted parameters leaves.
-Noise noise_of_residuals(const Dataset& dataset, const Eigen::VectorXd& residual_N,
-                         double parameters);
+Noise noise_of_residuals(const Dataset& dataset, const Forecast& at,
+                         const Eigen::VectorXd& residual_N, double parameters);
+
+// N², of a cell at this forecast: what its motor tension is known to bring.
+double motor_variance(const DatasetRow& row, double by_scale);
 
 }  // namespace reeve::diagnosis

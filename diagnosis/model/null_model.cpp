@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -65,6 +66,7 @@ Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
   } else {
     add_shared_draws(problem_.shared, seed_, stream, cells, drawn);
   }
+  add_motor_draws(stream, drawn);
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
     drawn[i] += normal(seed_, stream, static_cast<std::uint64_t>(i));
   }
@@ -75,6 +77,22 @@ Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
   take_out_scales(problem_, at_, drawn);
   whiten(problem_.shared, drawn);
   return projection_.taken_out(std::move(drawn));
+}
+
+void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) const {
+  if (problem_.motor_deviation_N.size() == 0) return;
+  const std::uint64_t seed = streams::seed_of_motor_tensions(seed_);
+  const std::vector<DatasetRow>& rows = problem_.dataset->rows;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const DatasetRow& row = rows[r];
+    if (!row.has_motor_tension) continue;
+    const double change_N =
+        problem_.motor_deviation_N[static_cast<Eigen::Index>(r)] * normal(seed, stream, r);
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto cell = static_cast<Eigen::Index>(i);
+      drawn[cell] += change_N * at_.by_scale[cell] / problem_.deviation_N[cell];
+    }
+  }
 }
 
 void NullModel::for_each(

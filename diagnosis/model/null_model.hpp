@@ -51,6 +51,8 @@ class NullModel {
 
  private:
   Eigen::VectorXd draw(std::size_t replicate) const;
+  // What the motor tensions do that scatter, in units of the readings' own noise.
+  void add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) const;
 
   const Problem& problem_;
   const Projection& projection_;

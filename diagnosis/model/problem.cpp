@@ -1,5 +1,6 @@
 #include "diagnosis/model/problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -31,18 +32,32 @@ std::optional<Forecast> moved(const Problem& problem, Model model, std::size_t e
   return try_forecast(*problem.dataset, model);
 }
 
-// Calls use(first, size, scale) for each row whose scale is free: `scale` is what a change of it
-// does to the row's cells, in units of the noise, and of length 1.
+// Of a row: what a change of its scale does to its cells, in units of the noise and of length 1,
+// and the share of that which is no news.
+struct ScaleAxis {
+  Index first = 0;
+  Index size = 0;
+  Eigen::VectorXd axis;
+  double share = 1;
+};
+
 template <typename Use>
-void for_each_free_scale(const Problem& problem, const Forecast& at, Use use) {
-  for (const DatasetRow& row : problem.dataset->rows) {
-    if (row.has_motor_tension) continue;
-    const auto first = static_cast<Index>(row.first);
-    const auto size = static_cast<Index>(row.last - row.first);
-    const Eigen::VectorXd scale =
-        at.by_scale.segment(first, size).cwiseQuotient(problem.deviation_N.segment(first, size));
-    const double length = scale.norm();
-    if (length > 0) use(first, size, Eigen::VectorXd(scale / length));
+void for_each_scale(const Problem& problem, const Forecast& at, Use use) {
+  const bool scatters = problem.motor_deviation_N.size() > 0;
+  for (std::size_t r = 0; r < problem.dataset->rows.size(); ++r) {
+    const DatasetRow& row = problem.dataset->rows[r];
+    if (row.has_motor_tension && !scatters) continue;
+    ScaleAxis scale{static_cast<Index>(row.first), static_cast<Index>(row.last - row.first), {}, 1};
+    scale.axis = at.by_scale.segment(scale.first, scale.size)
+                     .cwiseQuotient(problem.deviation_N.segment(scale.first, scale.size));
+    const double length = scale.axis.norm();
+    if (!(length > 0)) continue;
+    scale.axis /= length;
+    if (row.has_motor_tension) {
+      const double deviation_N = problem.motor_deviation_N[static_cast<Index>(r)];
+      scale.share = 1 - 1 / std::hypot(1, deviation_N * length);
+    }
+    use(scale);
   }
 }
 
@@ -87,8 +102,9 @@ Eigen::MatrixXd loadings_of(const Problem& problem, const MountingModes& modes,
 }  // namespace
 
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
-  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
-    whitened.segment(first, size) -= scale.dot(whitened.segment(first, size)) * scale;
+  for_each_scale(problem, at, [&](const ScaleAxis& scale) {
+    auto row = whitened.segment(scale.first, scale.size);
+    row -= scale.share * scale.axis.dot(row) * scale.axis;
   });
 }
 
@@ -114,13 +130,45 @@ std::vector<Parameter> searched_parameters(const Cause& cause, const Hardware& h
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
   const auto cells = static_cast<Index>(dataset.cells.size());
-  Problem result{&dataset, Eigen::VectorXd(cells), deviation_N, {}, {}, force_scale(*dataset.data)};
+  Problem result;
+  result.dataset = &dataset;
+  result.measured_N = Eigen::VectorXd(cells);
+  result.deviation_N = deviation_N;
+  result.force_scale = force_scale(*dataset.data);
   const std::vector<bool> below_zero = reads_below_zero(*dataset.data);
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
     result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
     result.clips.push_back(!below_zero[dataset.cells[i].channel]);
   }
+  const auto scatters = [](const DatasetRow& row) { return row.motor_deviation_N > 0; };
+  if (std::any_of(dataset.rows.begin(), dataset.rows.end(), scatters)) {
+    result.motor_deviation_N.resize(static_cast<Index>(dataset.rows.size()));
+    for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+      result.motor_deviation_N[static_cast<Index>(r)] = dataset.rows[r].motor_deviation_N;
+    }
+  }
   return result;
+}
+
+void settle_motor_deviations(Problem& problem, const Forecast& at) {
+  if (problem.motor_deviation_N.size() == 0) return;
+  const MeasuredData& data = *problem.dataset->data;
+  const Eigen::VectorXd expected = expected_readings(problem, at);
+  for (std::size_t r = 0; r < problem.dataset->rows.size(); ++r) {
+    const DatasetRow& row = problem.dataset->rows[r];
+    if (!row.has_motor_tension || !(row.motor_deviation_N > 0)) continue;
+    double told = 0;  // by the row's other readings, in units of 1/N²
+    double along = 0;
+    for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {
+      const double weight = at.by_scale[i] / std::pow(problem.deviation_N[i], 2);
+      told += weight * at.by_scale[i];
+      along += weight * (problem.measured_N[i] - expected[i]);
+    }
+    Reading reading = data.readings[row.reading];
+    const double own = std::pow(row.motor_deviation_N, -2);
+    reading.motor_tension_N = std::max(0.0, *reading.motor_tension_N + along / (own + told));
+    problem.motor_deviation_N[static_cast<Index>(r)] = motor_deviation(data, reading);
+  }
 }
 
 void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
@@ -154,6 +202,16 @@ Problem part_of(const Problem& whole, const Dataset& dataset) {
     places.push_back(found == place.end() ? std::nullopt : std::optional(found->second));
     if (places[k]) part.deviation_N[*places[k]] = whole.deviation_N[static_cast<Index>(k)];
   }
+  if (whole.motor_deviation_N.size() > 0) {
+    std::map<std::size_t, double> deviation_N;  // by reading
+    for (std::size_t r = 0; r < whole.dataset->rows.size(); ++r) {
+      deviation_N[whole.dataset->rows[r].reading] = whole.motor_deviation_N[static_cast<Index>(r)];
+    }
+    part.motor_deviation_N.resize(static_cast<Index>(dataset.rows.size()));
+    for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+      part.motor_deviation_N[static_cast<Index>(r)] = deviation_N.at(dataset.rows[r].reading);
+    }
+  }
   for (SharedScatter shared : whole.shared) {
     if (!places[static_cast<std::size_t>(shared.cells.front())]) continue;
     for (Index& cell : shared.cells) cell = *places[static_cast<std::size_t>(cell)];
@@ -177,8 +235,9 @@ Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
 
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
   Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
-  for_each_free_scale(problem, at, [&](Index first, Index size, const Eigen::VectorXd& scale) {
-    variance.segment(first, size).array() *= 1 - scale.array().square();
+  for_each_scale(problem, at, [&](const ScaleAxis& scale) {
+    if (scale.share < 1) return;  // what scatters leaves residuals as independent as any
+    variance.segment(scale.first, scale.size).array() *= 1 - scale.axis.array().square();
   });
   variance += shared_variance(problem);
   return variance;
@@ -216,7 +275,10 @@ Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Fo
     auto column = result.col(static_cast<Index>(p));
     const std::optional<Forecast> above = moved(problem, model, effect, p, up);
     const std::optional<Forecast> below = moved(problem, model, effect, p, down);
-    if (above && below) {
+    if (above && below && problem.motor_deviation_N.size() > 0) {
+      // What the true motor tensions are, turns with the model.
+      column = (residuals(problem, *below) - residuals(problem, *above)) / (up - down);
+    } else if (above && below) {
       column = (difference(problem, at, *above) - difference(problem, at, *below)) / (up - down);
     } else {
       column.setZero();  // at the edge of what has tensions

@@ -9,8 +9,17 @@
 // more than some sd, p itself.
 //
 // Where a row has no motor tension its scale is free, and what a change of scale could explain is
-// taken out of both. Where readings of a mounting share a part of their scatter, both are made
-// independent (whitening.hpp); residuals in units of their own noise alone are `own_residuals`.
+// taken out of both. Where its motor tension is known to scatter, by s_M, the row's readings share
+// the part s_M dm/dT_M of their scatter; with s = s_M dm/dT_M / sd they have the covariance
+// 1 + s sᵀ, and
+//
+//   (1 + s sᵀ)^{-1/2} = 1 − (1 − (1 + sᵀs)^{-1/2}) s sᵀ / sᵀs
+//
+// leaves them independent. Since s follows from the model, the least sum of squares is that over
+// all true motor tensions, too: errors in variables, not a regression on what was read, which would
+// find gains below 1 (W. E. Deming, Statistical Adjustment of Data, 1943). Where readings of a
+// mounting share a part of their scatter, both are made independent (whitening.hpp); residuals in
+// units of their own noise alone are `own_residuals`.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,9 +38,11 @@ struct Problem {
   const Dataset* dataset = nullptr;  // must outlive the problem
   Eigen::VectorXd measured_N;
   Eigen::VectorXd deviation_N;  // of each reading by itself
-  std::vector<bool> clips;      // parallel to the cells: cannot read below 0
-  Whitening shared;             // none: readings scatter independently
-  double force_scale = 1;       // of ranges in newton
+  // Of each row's motor tension; empty where all are what they read.
+  Eigen::VectorXd motor_deviation_N;
+  std::vector<bool> clips;  // parallel to the cells: cannot read below 0
+  Whitening shared;         // none: readings scatter independently
+  double force_scale = 1;   // of ranges in newton
 };
 
 // The cause's parameters with ranges that go with the loads of the data.
@@ -39,6 +50,10 @@ std::vector<Parameter> searched_parameters(const Cause& cause, const Hardware& h
                                            double force_scale);
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
+
+// What motor tensions scatter by at what they truly are, by their own reading and the others of the
+// row: readings that chance made small would weigh more than those that it made large.
+void settle_motor_deviations(Problem& problem, const Forecast& at);
 
 // Readings of a mounting share what these things do that scatter so much.
 void share_scatter(Problem& problem, const MountingModes& modes, const MountedScatter& scatter,
@@ -50,7 +65,8 @@ Problem part_of(const Problem& whole, const Dataset& dataset);
 // m of each cell, N.
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);
 
-// Takes what a change of the rows' free scales could explain out of a vector in units of the noise.
+// Takes what a change of the rows' free scales could explain out of a vector in units of the noise,
+// and of scales that scatter their part.
 void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened);
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);

@@ -85,7 +85,8 @@ Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedN
     rigs.emplace_back(plan, routing, model, hardware);
   }
   std::uint64_t index = 0;
-  for (const PlannedReading& planned : simulation.readings) {
+  std::uint64_t row = 0;
+  for (PlannedReading& planned : simulation.readings) {
     std::vector<std::optional<double>> tensions = rigs[planned.routing].read(planned);
     for (std::optional<double>& tension : tensions) {
       const std::uint64_t here = index++;
@@ -97,6 +98,8 @@ Simulation simulate(const ExperimentPlan& plan, const Model& model, const AddedN
       *tension = std::max(0.0, *tension);
     }
     simulation.tension_N.push_back(std::move(tensions));
+    const double off = noise.motor_relative * normal(seed, streams::motor_noise, row++);
+    planned.conditions.motor_tension_N *= std::max(0.0, 1 + off);
   }
   return simulation;
 }

@@ -19,6 +19,7 @@ namespace reeve::diagnosis {
 struct AddedNoise {
   double relative = 0.02;
   double absolute_N = 0.05;
+  double motor_relative = 0;  // of the motor tension that is written, not of the one that pulls
 };
 
 struct Simulation {

@@ -147,6 +147,7 @@ class Explaining {
     const MountingModes modes = mounting_modes(training_, model);
     const bool knows_mountings = estimate_noise(model, modes, at);
     problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
+    settle_motor_deviations(problem, at);
     scatter.mounting = {};
     if (!knows_mountings) return;
     scatter.mounting = mounting_scatter(problem, at, modes, options_.mounting_scatter);

@@ -42,6 +42,8 @@ const char* source_text(NoiseSource source) {
       return "from what no smooth law explains";
     case NoiseSource::repeats_and_smoothing:
       return "from repeated readings and from what no smooth law explains";
+    case NoiseSource::known:
+      return "as told";
     case NoiseSource::residuals:
       return "from what the model leaves";
   }

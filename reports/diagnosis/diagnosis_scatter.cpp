@@ -53,8 +53,11 @@ std::string known_sentence(const DiagnosisResult& result) {
   if (known.empty()) return "";
   const std::string by = scatter.given ? "by --mounting-scatter"
                                        : fmt::format("by {} mounted again", scatter.mounted_again);
-  return fmt::format("Mountings differ by {} ({}); readings of one mounting repeat to {:.2g} %.",
-                     fmt::join(known, ", "), by, 100 * result.noise.relative);
+  const std::string mountings =
+      fmt::format("Mountings differ by {} ({})", fmt::join(known, ", "), by);
+  if (result.noise.source == NoiseSource::known) return mountings + ".";
+  return fmt::format("{}; readings of one mounting repeat to {:.2g} %.", mountings,
+                     100 * result.noise.relative);
 }
 
 std::string assumed_sentence(const MountingScatter& scatter) {

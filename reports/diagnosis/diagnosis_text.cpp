@@ -19,6 +19,18 @@ void add_sentences(Section& section, const std::vector<std::string>& sentences) 
   for (const std::string& sentence : sentences) section.lines.push_back({sentence});
 }
 
+std::string noise_text(const Noise& noise) {
+  if (noise.source == NoiseSource::known) return "Noise: of each channel as it was told";
+  const char* source = noise.source == NoiseSource::repeats     ? "repeated readings"
+                       : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
+                       : noise.source == NoiseSource::repeats_and_smoothing
+                           ? "repeated readings and what no smooth law explains"
+                           : "what the model leaves";
+  return fmt::format("Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
+                     100 * noise.relative, newton(noise.absolute_N), source,
+                     noise.degrees_of_freedom);
+}
+
 Section data_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   Section section{"Data", std::nullopt, {}};
@@ -27,15 +39,7 @@ Section data_section(const DiagnosisReport& report) {
                    plural(result.rows, "reading"), plural(result.runs, "run"), result.held_out_runs,
                    plural(result.dropped_duplicates, "repeated reading"))});
   if (report.data.simulated) section.lines.push_back(simulated_line());
-  const Noise& noise = result.noise;
-  const char* source = noise.source == NoiseSource::repeats     ? "repeated readings"
-                       : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
-                       : noise.source == NoiseSource::repeats_and_smoothing
-                           ? "repeated readings and what no smooth law explains"
-                           : "what the model leaves";
-  section.lines.push_back({fmt::format(
-      "Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
-      100 * noise.relative, newton(noise.absolute_N), source, noise.degrees_of_freedom)});
+  section.lines.push_back({noise_text(result.noise)});
   add_sentences(section, scatter_sentences(result));
   for (const std::string& sentence : coefficient_sentences(result)) {
     section.lines.push_back({"Calibrated: " + sentence});

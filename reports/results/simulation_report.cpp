@@ -38,6 +38,10 @@ void put_comments(Buffer& out, const SimulationReport& report) {
   }
   put(out, "# noise: standard deviation {} of the tension, and {} N\n", report.noise.relative,
       report.noise.absolute_N);
+  if (report.noise.motor_relative > 0) {
+    put(out, "# noise of the motor tension: standard deviation {} of it\n",
+        report.noise.motor_relative);
+  }
   if (simulation.clipped > 0) {
     put(out, "# clipped: {} of {} values would have been below 0 and are 0\n", simulation.clipped,
         simulation.values);

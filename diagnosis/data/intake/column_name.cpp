@@ -23,6 +23,7 @@ constexpr std::array known_names{
     KnownName{"held", "held", DataRole::held},
     KnownName{"direction", "direction", DataRole::direction},
     KnownName{"motortension", "motor_tension_N", DataRole::motor_tension},
+    KnownName{"motortensionsd", "motor_tension_sd_N", DataRole::motor_deviation},
     KnownName{"speed", "speed_mm_s", DataRole::speed},
     KnownName{"cycle", "cycle", DataRole::cycle},
     KnownName{"temperature", "temperature_C", DataRole::temperature},
@@ -131,6 +132,7 @@ Dimension dimension_of(DataRole role) {
     case DataRole::motor_tension:
     case DataRole::tension:
     case DataRole::deviation:
+    case DataRole::motor_deviation:
       return Dimension::force;
     case DataRole::speed:
       return Dimension::speed;

@@ -6,7 +6,7 @@
 //   Ta, Tb, … and Th1, …              of motor-side segments and of stretches at the hand; only
 //                                     with a unit of force, since Ta may be a temperature
 //   at_T1, …                          of the motor-side segment at that strand's sheath
-//   T1_sd, Ta_sd, at_T1_sd, …         standard deviations of those
+//   T1_sd, Ta_sd, at_T1_sd, …         standard deviations of those, and motor_tension_sd
 //
 // The unit follows: T1_N, T1 [lbf], temperature_F. Its dimension must be that of the name, so that
 // "T1 [°C]" is no tension.
@@ -36,7 +36,8 @@ enum class DataRole : std::uint8_t {
   covariate,
   readings,   // that a row is the mean of
   deviation,  // of those
-  group,      // named by who reads the file
+  motor_deviation,
+  group,  // named by who reads the file
   no_name,
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/data/known_noise.hpp"
 #include "numerics/floors.hpp"
 
 namespace reeve::diagnosis {
@@ -25,6 +26,7 @@ struct ReadingOptions {
   std::vector<ColumnMeaning> map;
   std::vector<ColumnUnit> units;
   std::optional<std::string> group;  // the column whose text groups rows: a winch, an operator
+  std::vector<ColumnNoise> noise{};
 };
 
 // "Kraft Motor=motor_tension_N". Throws InputError.

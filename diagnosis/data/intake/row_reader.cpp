@@ -45,9 +45,11 @@ std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, s
 }  // namespace
 
 RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
-                     const RoutingResolver& resolve, FaultList& faults)
+                     const RoutingResolver& resolve, const ReadingOptions& options,
+                     FaultList& faults)
     : csv_(csv),
       columns_(columns),
+      options_(options),
       faults_(faults),
       numbers_(csv.separator()),
       routings_(columns, resolve),
@@ -83,6 +85,7 @@ MeasuredData RowReader::finish() {
     reading.error_N.resize(data_.channels.size());
   }
   note_what_is_passed_over();
+  set_known_noise();
   covariates_.finish(data_, faults_);
   for (DataNote& note : tare_.notes()) data_.notes.push_back(std::move(note));
   return std::move(data_);
@@ -261,6 +264,9 @@ void RowReader::set_tension(const CsvRow& row, std::size_t column, double tensio
 void RowReader::set_errors(const Numbers& numbers, Reading& reading) const {
   const auto readings = find_column(columns_, DataRole::readings);
   const double count = readings ? numbers[*readings].value_or(1) : 1;
+  if (const auto motor = find_column(columns_, DataRole::motor_deviation)) {
+    if (numbers[*motor]) reading.motor_error_N = *numbers[*motor] / std::sqrt(count);
+  }
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     if (columns_[column].role != DataRole::deviation || !numbers[column]) continue;
     const auto channel = routings_.channels().channel(reading.routing, column);
@@ -268,6 +274,28 @@ void RowReader::set_errors(const Numbers& numbers, Reading& reading) const {
       reading.error_N[*channel] = *numbers[column] / std::sqrt(count);
     }
   }
+}
+
+void RowReader::set_known_noise() {
+  data_.known_noise.resize(data_.channels.size());
+  std::string told;
+  for (const ColumnNoise& given : options_.noise) {
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
+      if (!is_noise_of(given, columns_[column])) continue;
+      told += fmt::format("{}{} {}", told.empty() ? "" : ", ", for_message(columns_[column].name),
+                          noise_text(given.noise));
+      if (columns_[column].role == DataRole::motor_tension) data_.known_motor_noise = given.noise;
+      for (std::size_t r = 0; r < routings_.count(); ++r) {
+        const auto channel = routings_.channels().channel(r, column);
+        if (channel) data_.known_noise[*channel] = given.noise;
+      }
+    }
+  }
+  if (told.empty()) return;
+  data_.notes.push_back(
+      {NoteKind::known_noise,
+       fmt::format("what readings scatter by is taken as told: {} (one standard deviation)", told),
+       {}});
 }
 
 void RowReader::require_tension(const CsvRow& row, const Numbers& numbers) {

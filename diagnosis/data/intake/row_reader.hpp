@@ -23,7 +23,7 @@ class RowReader {
  public:
   // All must outlive the reader.
   RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
-            const RoutingResolver& resolve, FaultList& faults);
+            const RoutingResolver& resolve, const ReadingOptions& options, FaultList& faults);
 
   void read(const CsvRow& row);
   // Once all rows are read.
@@ -54,9 +54,11 @@ class RowReader {
   void set_errors(const Numbers& numbers, Reading& reading) const;
   void require_tension(const CsvRow& row, const Numbers& numbers);
   void note_what_is_passed_over();
+  void set_known_noise();
 
   const CsvReader& csv_;
   const std::vector<DataColumn>& columns_;
+  const ReadingOptions& options_;
   FaultList& faults_;
   CsvNumberReader numbers_;
   RoutingTable routings_;
