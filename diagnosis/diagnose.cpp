@@ -200,6 +200,7 @@ class Diagnosis {
 
   void check_what_is_left() {
     const Forecast at = forecast(sample_.training, result_.model);
+    result_.row_scatter = row_scatter(found_.problem, at);
     const Projection projection(found_.problem, result_.model, at);
     const Eigen::VectorXd left = projection.taken_out(residuals(found_.problem, at));
     const auto tests = structure_tests(found_.problem, at, projection);

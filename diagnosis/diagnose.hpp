@@ -31,6 +31,7 @@
 #include "diagnosis/verdict/left_out.hpp"
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/noise_limit.hpp"
+#include "diagnosis/verdict/row_scatter.hpp"
 #include "diagnosis/verdict/run_gain.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "diagnosis/verdict/structure.hpp"
@@ -130,6 +131,7 @@ struct DiagnosisResult {
   std::vector<RunGain> run_gains;         // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
   double p_value = 1;            // that chance alone gives what the best cause gains
+  std::optional<RowScatter> row_scatter;  // by the training runs, beside the model
   double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
   Noise noise;
   MountingScatter mounting;

@@ -148,6 +148,10 @@ std::string indistinguishable_answer(const DiagnosisReport& report) {
          separation_line(report) + apart_lines(report);
 }
 
+std::string rows_line(const DiagnosisResult& result) {
+  return result.row_scatter ? row_sentence(result) + "\n" : "";
+}
+
 std::string unexplained_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   const Unexplained& left = *result.unexplained;
@@ -157,8 +161,9 @@ std::string unexplained_answer(const DiagnosisReport& report) {
       p_text(left.p_value, report.settings.replicates));
   if (result.causes.empty()) {
     text += "No cause is named.\nThe model stays as it is.\n";
-    return text;
+    return text + rows_line(result);
   }
+  text += rows_line(result);
   text += "Part of it is explained, so take the sizes with care:\n";
   return text + indistinguishable_lines(report) + cause_lines(result) + gain_line(report) +
          apart_lines(report);

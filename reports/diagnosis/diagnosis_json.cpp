@@ -242,6 +242,7 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   });
   json["noise"] = noise_json(result.noise);
   json["mountings"] = mountings_json(result);
+  json["row_scatter"] = row_scatter_json(result);
   json["coefficients"] = coefficients_json(result);
   json["ranking"] = value_or_null(report.ranking, [](const CatalogueRanking& ranking) {
     return Json{

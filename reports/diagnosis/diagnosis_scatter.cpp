@@ -96,11 +96,27 @@ std::vector<std::string> scatter_sentences(const DiagnosisResult& result) {
         "the noise is the scale; readings far out weigh little.",
         result.noise.tail_degrees));
   }
+  if (result.row_scatter) sentences.push_back(row_sentence(result));
   if (!is_present(result.mounting)) return sentences;
   for (std::string sentence : {known_sentence(result), assumed_sentence(result.mounting)}) {
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   }
   return sentences;
+}
+
+std::string row_sentence(const DiagnosisResult& result) {
+  if (!result.row_scatter) return "";
+  return fmt::format(
+      "Readings of one row go together, as if the motor tension were off by {0:.2g} % from row to "
+      "row: if it is a motor current or a coarse sensor, say so with --noise motor={0:.2g}%.",
+      100 * result.row_scatter->relative);
+}
+
+Json row_scatter_json(const DiagnosisResult& result) {
+  return value_or_null(result.row_scatter, [](const RowScatter& scatter) {
+    return Json{{"relative", scatter.relative},
+                {"log_likelihood_gain", scatter.log_likelihood_gain}};
+  });
 }
 
 Json mountings_json(const DiagnosisResult& result) {

@@ -12,6 +12,9 @@
 namespace reeve::reports {
 
 std::vector<std::string> scatter_sentences(const DiagnosisResult& result);
+// That readings of one row go together; empty if they do not.
+std::string row_sentence(const DiagnosisResult& result);
+Json row_scatter_json(const DiagnosisResult& result);
 Json mountings_json(const DiagnosisResult& result);
 
 // Why what looked likely is not named; none if nothing was dropped.
