@@ -53,10 +53,6 @@ const char* design_kind_name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
-  return report.front.size() > report.top.size() ? report.front : report.top;
-}
-
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   const std::set<std::string> known = known_words(report);

@@ -30,9 +30,6 @@ struct PageDesign {
   std::optional<RankDistribution> distribution;
 };
 
-// The longer of top and front: both are the beginning of one ranking.
-const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
-
 // Of the listed designs the first `most`, then the known routings that are not among these, then
 // the random sample.
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most);

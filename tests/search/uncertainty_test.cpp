@@ -26,7 +26,7 @@ std::vector<Routing> parsed(const std::vector<std::string>& words) {
 
 std::vector<RankDistribution> drawn(const std::vector<std::string>& words,
                                     const UncertaintyOptions& options) {
-  return rank_distributions(parsed(words), options).value();
+  return drawn_designs(parsed(words), options).value().ranks;
 }
 
 std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardware& hardware,
@@ -288,7 +288,7 @@ TEST(Uncertainty, StoppedItIsEmpty) {
   const std::atomic<bool> stop{true};
   Supervision supervision;
   supervision.stop = &stop;
-  EXPECT_FALSE(rank_distributions(parsed(published_words()), options, supervision).has_value());
+  EXPECT_FALSE(drawn_designs(parsed(published_words()), options, supervision).has_value());
 }
 
 TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
@@ -299,7 +299,7 @@ TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
     heard.push_back(progress.done);
   };
   const UncertaintyOptions options = options_for(100);
-  rank_distributions(parsed(published_words()), options, supervision);
+  drawn_designs(parsed(published_words()), options, supervision);
   ASSERT_GE(heard.size(), 2U);
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.back(), 100U);
