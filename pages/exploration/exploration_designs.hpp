@@ -28,6 +28,7 @@ struct PageDesign {
   int front = 0;         // 1: the best
   ObjectiveValues values{};
   std::optional<RankDistribution> distribution;
+  Bands bands = {};
 };
 
 // Of the listed designs the first `most`, then the known routings that are not among these, then
@@ -41,6 +42,11 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 std::vector<Objective> page_objectives(const ExploreReport& report);
 
 Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown);
+
+// Parallel to `shown`: {"low", "high"}, each a column, of the ranked objectives that have bands,
+// and null of the others.
+Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown,
+                  const std::vector<Objective>& ranking);
 
 // [{"name", "title", "unit", "better", "least", "greatest", "meaning"}], "least" and "greatest"
 // null where there is none.

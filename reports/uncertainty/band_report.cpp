@@ -30,11 +30,17 @@ std::string band_cell(const ListedDesign& design, Objective objective) {
 
 }  // namespace
 
-std::string band_text(const Band& band, int decimals) {
-  const std::string median = fixed(band.median, decimals);
+std::string range_text(const Band& band, int decimals) {
   const std::string low = fixed(band.low, decimals);
   const std::string high = fixed(band.high, decimals);
-  return low == high ? median : fmt::format("{} ({}–{})", median, low, high);
+  if (low == high) return "";
+  return low + (band.low < 0 ? " to " : "–") + high;
+}
+
+std::string band_text(const Band& band, int decimals) {
+  const std::string median = fixed(band.median, decimals);
+  const std::string range = range_text(band, decimals);
+  return range.empty() ? median : fmt::format("{} ({})", median, range);
 }
 
 std::string first_share_text(const RankDistribution& ranks) {

@@ -36,9 +36,8 @@ std::string sweep_cell(const SweepCurve& curve, std::size_t k) {
   const int decimals = row(curve.objective).decimals;
   const std::string nominal = fixed(curve.values[k], decimals);
   if (curve.bands.empty()) return nominal;
-  const std::string low = fixed(curve.bands[k].low, decimals);
-  const std::string high = fixed(curve.bands[k].high, decimals);
-  return low == high ? nominal : fmt::format("{} ({}–{})", nominal, low, high);
+  const std::string range = range_text(curve.bands[k], decimals);
+  return range.empty() ? nominal : fmt::format("{} ({})", nominal, range);
 }
 
 Table sweep_table(const SweptDesigns& swept, std::size_t objective) {

@@ -15,7 +15,7 @@ constexpr double tail = 0.05;
 // Between two infinite values a quantile is no number, and stands for what both are.
 double quantile_or_infinite(const std::vector<double>& values, double share) {
   const double quantile = quantile_of(values, share);
-  return std::isnan(quantile) ? std::numeric_limits<double>::infinity() : quantile;
+  return std::isnan(quantile) ? std::numeric_limits<double>::infinity() : on_grid(quantile);
 }
 
 }  // namespace
