@@ -58,10 +58,9 @@ std::optional<std::vector<Bands>> bands_of_unlisted(const ExploreResult& result,
     places.push_back(i);
   }
   const bool with_hand = DesignEvaluator(uncertainty.nominal, uncertainty.grasps).has_hand();
-  auto bands = drawn_bands(
-      unlisted, friction_objectives(with_hand), uncertainty,
-      [&](std::uint64_t draw) { return draw_model(uncertainty, draw); },
-      {{}, supervision.stop});
+  auto bands = drawn_bands(unlisted, friction_objectives(with_hand), uncertainty,
+                           [&](std::uint64_t draw) { return draw_model(uncertainty, draw); },
+                           {{}, supervision.stop});
   if (!bands) return std::nullopt;
   std::vector<Bands> all(options.references.size());
   for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = std::move((*bands)[k]);
@@ -101,10 +100,9 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {
   std::vector<ListedDesign> chosen;
   const auto add = [&](const ListedDesign& design) {
     const std::string& word = design.ranked.design.word;
-    const bool is_there =
-        std::any_of(chosen.begin(), chosen.end(), [&](const ListedDesign& other) {
-          return other.ranked.design.word == word;
-        });
+    const bool is_there = std::any_of(chosen.begin(), chosen.end(), [&](const ListedDesign& other) {
+      return other.ranked.design.word == word;
+    });
     if (!is_there && design.same_as.empty() && chosen.size() < most_swept) chosen.push_back(design);
   };
   if (!report.top.empty()) add(report.top.front());

@@ -23,7 +23,7 @@ struct ExploreReport {
   ListedLadder ladder;
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
-  bool draws_stopped = false;  // before there were distributions
+  bool draws_stopped = false;               // before there were distributions
   std::vector<Bands> reference_bands = {};  // parallel to result.references, or empty
   std::optional<CoefficientRange> sweep_over = std::nullopt;  // only where it was asked for
   std::optional<SweptDesigns> sweep = std::nullopt;           // not if it was stopped
@@ -36,8 +36,8 @@ const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
 // them.
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue);
 
-// With `uncertainty` also the spread of ranks and objectives, of the longer of top and front, and of
-// the objectives of known routings beyond. What was stopped says so, and holds what there was.
+// With `uncertainty` also the spread of ranks and objectives, of the longer of top and front, and
+// of the objectives of known routings beyond. What was stopped says so, and holds what there was.
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,

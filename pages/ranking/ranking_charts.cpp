@@ -47,7 +47,8 @@ std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, c
     auto found = std::find_if(result.begin(), result.end(), [&](const SharedSpot& point) {
       return fixed(point.x) == fixed(x) && fixed(point.y) == fixed(y);
     });
-    if (found == result.end()) found = result.insert(found, {x, y, false, {}, report.designs[i].bands});
+    if (found == result.end())
+      found = result.insert(found, {x, y, false, {}, report.designs[i].bands});
     found->on_front = found->on_front || ranked.front == 1;
     found->names.push_back(labels[i]);
   }

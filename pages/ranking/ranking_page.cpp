@@ -86,10 +86,11 @@ HtmlTable margin_table(const RankReport& report, const Labels& labels) {
 HtmlTable bands_table(const RankReport& report) {
   std::vector<Objective> objectives = shown_objectives(report.order, report.score);
   std::erase_if(objectives, [](Objective objective) { return !depends_on_friction(objective); });
-  return {"bands-table",
-          "Median, and in brackets 5 % to 95 % of the draws; designs that are equal in a draw share "
-          "their place",
-          band_table(report.designs, objectives), true};
+  return {
+      "bands-table",
+      "Median, and in brackets 5 % to 95 % of the draws; designs that are equal in a draw share "
+      "their place",
+      band_table(report.designs, objectives), true};
 }
 
 std::string uncertainty_html(const UncertaintyOptions& options) {

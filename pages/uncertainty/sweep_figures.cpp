@@ -123,8 +123,9 @@ Figure sweep_figure(const SweptDesigns& swept, std::size_t objective) {
       any.bands.empty() ? "Lines: everything else as the hardware says."
                         : "Lines: everything else as the hardware says; areas: 5 % to 95 % of the "
                           "draws of all other coefficients.";
-  return {id, fmt::format("{} over {}.", objective_title(row(any.objective)),
-                          row(swept.sweep.over.coefficient).name),
+  return {id,
+          fmt::format("{} over {}.", objective_title(row(any.objective)),
+                      row(swept.sweep.over.coefficient).name),
           caption, chart_svg(chart)};
 }
 

@@ -43,8 +43,7 @@ std::string sweep_cell(const SweepCurve& curve, std::size_t k) {
 Table sweep_table(const SweptDesigns& swept, std::size_t objective) {
   const Sweep& sweep = swept.sweep;
   const std::size_t shown = std::min(swept.designs.size(), columns_at_most);
-  Table table{{number_column(row(sweep.over.coefficient).name,
-                             row(sweep.over.coefficient).unit)},
+  Table table{{number_column(row(sweep.over.coefficient).name, row(sweep.over.coefficient).unit)},
               {}};
   for (std::size_t i = 0; i < shown; ++i) {
     table.columns.push_back(number_column(swept_name(swept.designs[i])));
@@ -167,11 +166,10 @@ std::string sweep_csv(const SweptDesigns& swept, const std::string& note) {
 
 Json sweep_json(const SweptDesigns& swept) {
   const Sweep& sweep = swept.sweep;
-  Json json{{"coefficient", row(sweep.over.coefficient).name},
-            {"unit", *row(sweep.over.coefficient).unit == '\0'
-                         ? "1"
-                         : row(sweep.over.coefficient).unit},
-            {"at", numbers(sweep.at)}};
+  Json json{
+      {"coefficient", row(sweep.over.coefficient).name},
+      {"unit", *row(sweep.over.coefficient).unit == '\0' ? "1" : row(sweep.over.coefficient).unit},
+      {"at", numbers(sweep.at)}};
   json["leads"] = leads_json(swept);
   json["designs"] = Json::array();
   for (std::size_t i = 0; i < swept.designs.size(); ++i) {

@@ -49,7 +49,8 @@ class DrawnValues {
 
   std::size_t begin() const { return begin_; }
   std::size_t end() const { return end_; }
-  // Does nothing for designs that are not kept here. Each draw of each design once, from any thread.
+  // Does nothing for designs that are not kept here. Each draw of each design once, from any
+  // thread.
   void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values);
   // Of the designs kept, in their order.
   std::vector<Bands> bands(Workers& workers) const;

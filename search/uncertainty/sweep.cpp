@@ -131,12 +131,11 @@ std::optional<std::vector<Bands>> bands_at(double at, const std::vector<Routing>
                                            const std::atomic<bool>* stop) {
   if (!options.draws) return std::vector<Bands>(routings.size());
   const UncertaintyOptions& drawn = options.uncertainty;
-  return drawn_bands(
-      routings, swept_objectives(drawn.order), drawn,
-      [&](std::uint64_t draw) {
-        return at_coefficient(draw_model(drawn, draw), options.over.coefficient, at);
-      },
-      {{}, stop});
+  return drawn_bands(routings, swept_objectives(drawn.order), drawn,
+                     [&](std::uint64_t draw) {
+                       return at_coefficient(draw_model(drawn, draw), options.over.coefficient, at);
+                     },
+                     {{}, stop});
 }
 
 void add_point(const SweptRanking& ranking, const std::vector<Bands>& bands, Sweep& result) {
@@ -169,8 +168,7 @@ void validate(const SweepOptions& options) {
   std::vector<Model> ends{nominal};
   if (options.draws) {
     std::vector<double> highest;
-    for (const Interval& interval :
-         coefficient_box(nominal.hardware, options.uncertainty.ranges)) {
+    for (const Interval& interval : coefficient_box(nominal.hardware, options.uncertainty.ranges)) {
       highest.push_back(interval.high);
     }
     ends.push_back(at_point(nominal, highest));

@@ -43,10 +43,10 @@ struct SweepLead {
 
 struct Sweep {
   CoefficientRange over;
-  std::vector<double> at;                           // values of the coefficient
-  std::vector<std::vector<SweepCurve>> designs;     // [design][ranked objective]
-  std::vector<std::vector<std::size_t>> places;     // [design][value], nominal (decide/places.hpp)
-  std::vector<SweepLead> leads;                     // from one end of the range to the other
+  std::vector<double> at;                        // values of the coefficient
+  std::vector<std::vector<SweepCurve>> designs;  // [design][ranked objective]
+  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (decide/places.hpp)
+  std::vector<SweepLead> leads;                  // from one end of the range to the other
 };
 
 // The ranked objectives that friction moves.

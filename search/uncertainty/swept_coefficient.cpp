@@ -72,8 +72,8 @@ CoefficientRange parse_sweep(const std::string& text) {
       std::find_if(coefficients.begin(), coefficients.end(),
                    [&](const CoefficientRow& candidate) { return name == candidate.name; });
   if (about == coefficients.end()) {
-    throw no_sweep(text, fmt::format("one of {}, and its range, such as mu=0.02..0.3",
-                                     coefficient_names()));
+    throw no_sweep(
+        text, fmt::format("one of {}, and its range, such as mu=0.02..0.3", coefficient_names()));
   }
   const std::string_view range = std::string_view(text).substr(std::min(equals + 1, text.size()));
   const std::size_t dots = range.find("..");

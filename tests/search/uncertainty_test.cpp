@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "search/decide/places.hpp"
 #include "search/judge/evaluation.hpp"
 #include "tests/support/published_words.hpp"
 
@@ -258,15 +259,15 @@ TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
   const std::vector<Design> designs =
       evaluated(published_words(), options.nominal.hardware, options.grasps);
   const auto distributions = drawn(published_words(), options);
-  for (const RankedDesign& ranked : rank(designs, options.order)) {
-    for (std::size_t i = 0; i < designs.size(); ++i) {
-      if (designs[i].word != ranked.design.word) continue;
-      const auto place = static_cast<double>(ranked.rank);
-      EXPECT_EQ(distributions[i].first, ranked.rank == 1 ? 1 : 0);
-      EXPECT_EQ(distributions[i].median, place);
-      EXPECT_EQ(distributions[i].low, place);
-      EXPECT_EQ(distributions[i].high, place);
-    }
+  const std::vector<RankedDesign> ranked = rank(designs, options.order);
+  const std::vector<std::size_t> shared = places(ranked, options.order);
+  for (std::size_t k = 0; k < ranked.size(); ++k) {
+    const RankDistribution& drawn_ranks = distributions[ranked[k].given];
+    const auto place = static_cast<double>(shared[k]);
+    EXPECT_EQ(drawn_ranks.first, shared[k] == 1 ? 1 : 0);
+    EXPECT_EQ(drawn_ranks.median, place);
+    EXPECT_EQ(drawn_ranks.low, place);
+    EXPECT_EQ(drawn_ranks.high, place);
   }
 }
 
