@@ -48,7 +48,7 @@ TEST(BandTable, HasTheObjectivesThatWereAskedForAndThePlace) {
   const std::string table = text(band_table(
       {drawn_design("1-P-2-P-1", 1, 1)}, {Objective::uniformity_mean, Objective::efficiency_mean}));
   EXPECT_EQ(table,
-            "rank  name  routing             uniformity  efficiency                   first  "
+            "rank  name  routing             uniformity  efficiency                  first  "
             "median place  5–95 %\n"
             "   1  -     1-P-2-P-1  0.985 (0.961–0.993)       0.322  75.0 %, 25.0 % shared  "
             "           1     1–2\n");
