@@ -87,7 +87,8 @@ TEST(Bands, OfADesignAreTheSameInItsShardAndForAnyThreads) {
   const Json all = bands_by_word(whole["top"]);
   std::size_t seen = 0;
   for (const char* shard : {"1/3", "2/3", "3/3"}) {
-    for (const auto& [word, bands] : bands_by_word(run({"--shard", shard})["top"]).items()) {
+    const Json of_shard = bands_by_word(run({"--shard", shard})["top"]);
+    for (const auto& [word, bands] : of_shard.items()) {
       EXPECT_EQ(bands, all[word]) << word;
       ++seen;
     }

@@ -125,7 +125,7 @@ TEST(SweepFigure, HasALineAndARibbonForEachCurveAndARuleForEachCrossing) {
   EXPECT_NEAR(panel.x_of(rules[0]), 0.25, 1e-3);
   EXPECT_NE(rules[0].title.find("1-P-2-P-1 comes first from 0.25 to 0.3"), std::string::npos);
   for (const char* label : {"M-1-T-2-F, F-1-P-2-F", "1-P-2-P-1"}) {
-    EXPECT_EQ(std::count(panel.texts.begin(), panel.texts.end(), label), 1) << label;
+    EXPECT_EQ(panel.marks("paths", label).size(), 1U) << label;
   }
 }
 

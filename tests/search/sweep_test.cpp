@@ -146,6 +146,20 @@ TEST(SweepLeads, AreOneWhereNobodyElseComesFirst) {
   EXPECT_EQ(leads[0].to, 0.3);
 }
 
+// Without friction of the sheaths a pulley on the carriage is as good as one at the hand; with any,
+// it is not. That both are first at the very end is no lead.
+TEST(SweepLeads, BeginAtTheEndEvenIfDesignsAreEqualThere) {
+  SweepOptions options = sweeping("sheath_mu=0..0.3", paper_grasps());
+  options.uncertainty.order = {Objective::uniformity_mean};
+  const Sweep result = swept({"M-1-P-2-F", "M-1-B-2-F"}, options);
+  EXPECT_EQ(result.places[0].front(), 1U);
+  EXPECT_EQ(result.places[0].back(), 2U);
+  ASSERT_EQ(result.leads.size(), 1U);
+  EXPECT_EQ(result.leads[0].first, std::vector<std::size_t>{1});
+  EXPECT_EQ(result.leads[0].from, 0);
+  EXPECT_EQ(result.leads[0].to, 0.3);
+}
+
 TEST(SweepLeads, AreSharedByEqualDesigns) {
   const Sweep result = swept({"1-T-2-P-1", "M-1-T-2-F", "F-1-P-2-F"}, sweeping("mu=0.02..0.3"));
   ASSERT_EQ(result.leads.size(), 1U);
