@@ -20,8 +20,8 @@
 #include "studies/listed_design.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
-#include "studies/swept_designs.hpp"
 #include "studies/tension_distributions.hpp"
+#include "studies/uncertainty/swept_designs.hpp"
 
 namespace reeve::studies {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
@@ -34,6 +35,7 @@ std::string range_text(const Band& band, int decimals) {
   const std::string low = fixed(band.low, decimals);
   const std::string high = fixed(band.high, decimals);
   if (low == high) return "";
+  if (!std::isfinite(band.high)) return low + " or more";
   return low + (band.low < 0 ? " to " : "–") + high;
 }
 

@@ -10,7 +10,8 @@
 
 namespace reeve::reports {
 
-// "0.961–0.993", "-1.20 to 0.35"; "" where the band is no wider than the last decimal.
+// "0.961–0.993", "-1.20 to 0.35", "38.0 or more"; "" where the band is no wider than the last
+// decimal.
 std::string range_text(const Band& band, int decimals);
 
 // "0.985 (0.961–0.993)"; the median alone where the band is no wider than the last decimal.

@@ -6,7 +6,7 @@
 
 #include "reports/json.hpp"
 #include "reports/sheet/sheet.hpp"
-#include "studies/swept_designs.hpp"
+#include "studies/uncertainty/swept_designs.hpp"
 
 namespace reeve::reports {
 

@@ -1,4 +1,4 @@
-#include "studies/swept_designs.hpp"
+#include "studies/uncertainty/swept_designs.hpp"
 
 #include <utility>
 
