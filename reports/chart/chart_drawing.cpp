@@ -241,7 +241,7 @@ class Drawing {
       }
       const Point high = place(panel_, span.at, span.high);
       commands += back.empty() ? svg::move_to(high) : svg::line_to(high);
-      back = svg::line_to(place(panel_, span.at, span.low)) + back;
+      back.insert(0, svg::line_to(place(panel_, span.at, span.low)));
     }
     close();
     return commands;

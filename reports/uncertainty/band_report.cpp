@@ -40,13 +40,13 @@ std::string range_text(const Band& band, int decimals) {
 }
 
 std::string band_text(const Band& band, int decimals) {
-  const std::string median = fixed(band.median, decimals);
+  std::string median = fixed(band.median, decimals);
   const std::string range = range_text(band, decimals);
   return range.empty() ? median : fmt::format("{} ({})", median, range);
 }
 
 std::string first_share_text(const RankDistribution& ranks) {
-  const std::string text = percent(ranks.first);
+  std::string text = percent(ranks.first);
   if (ranks.first_shared == 0) return text;
   if (ranks.first_shared == ranks.first) return text + ", shared";
   return fmt::format("{}, {} shared", text, percent(ranks.first_shared));

@@ -34,7 +34,7 @@ std::string leaders_text(const SweptDesigns& swept, const SweepLead& lead) {
 
 std::string sweep_cell(const SweepCurve& curve, std::size_t k) {
   const int decimals = row(curve.objective).decimals;
-  const std::string nominal = fixed(curve.values[k], decimals);
+  std::string nominal = fixed(curve.values[k], decimals);
   if (curve.bands.empty()) return nominal;
   const std::string range = range_text(curve.bands[k], decimals);
   return range.empty() ? nominal : fmt::format("{} ({})", nominal, range);
