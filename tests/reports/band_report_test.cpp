@@ -35,7 +35,8 @@ TEST(BandText, IsTheMedianAndWhatLiesAboutIt) {
   EXPECT_EQ(band_text({-1.2, -3.51, 0.35}, 2), "-1.20 (-3.51 to 0.35)");
   // No wider than the last decimal.
   EXPECT_EQ(band_text({0.32204, 0.32201, 0.32209}, 3), "0.322");
-  EXPECT_EQ(band_text({40.2, 38, std::numeric_limits<double>::infinity()}, 1), "40.2 (38.0 or more)");
+  EXPECT_EQ(band_text({40.2, 38, std::numeric_limits<double>::infinity()}, 1),
+            "40.2 (38.0 or more)");
 }
 
 TEST(FirstShareText, SaysHowMuchIsShared) {
