@@ -10,6 +10,7 @@
 #include "reports/decision/ladder_report.hpp"
 #include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
+#include "reports/uncertainty/sweep_report.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve::cli {
@@ -41,6 +42,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   write_file(directory / "pareto.csv", design_csv(report.front, note));
   write_file(directory / "sample.csv", sample_csv(report.result.sample, note));
   write_file(directory / "ladder.csv", ladder_csv(report.ladder, note));
+  if (report.sweep) write_file(directory / "sweep.csv", sweep_csv(*report.sweep));
   StageLine stage;
   if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   const PageFiles page = exploration_page(view(report, command, catalogue, details));

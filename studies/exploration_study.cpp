@@ -1,9 +1,11 @@
 #include "studies/exploration_study.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
+#include "search/judge/evaluation.hpp"
 
 namespace reeve::studies {
 
@@ -16,15 +18,20 @@ std::vector<Routing> known_routings(const GeneratorOptions& options, const Catal
   return routings;
 }
 
+const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
+  return report.front.size() > report.top.size() ? report.front : report.top;
+}
+
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
-                             const std::vector<RankDistribution>& distributions,
-                             const Catalogue& catalogue) {
+                             const DrawnDesigns& drawn, const Catalogue& catalogue) {
   ExploreReport report;
   report.options = options;
-  report.top = list_designs(result.top, result.routings, distributions, catalogue);
-  report.front = list_designs(result.front, result.routings, distributions, catalogue);
+  report.top = list_designs(result.top, result.routings, drawn, catalogue);
+  report.front = list_designs(result.front, result.routings, drawn, catalogue);
   mark_alike(report.top, options.order, options.generator.identity);
   mark_alike(report.front, options.order, options.generator.identity);
+  mark_places(report.top, options.order);
+  mark_places(report.front, options.order);
   report.ladder = list_ladder(result.ladder,
                               report.front.size() > report.top.size() ? report.front : report.top,
                               options.prices, catalogue);
@@ -35,21 +42,81 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   return report;
 }
 
+namespace {
+
+// Of the known routings that are not among the listed designs; parallel to them, empty for the
+// others.
+std::optional<std::vector<Bands>> bands_of_unlisted(const ExploreResult& result,
+                                                    const ExploreOptions& options,
+                                                    const UncertaintyOptions& uncertainty,
+                                                    const StudySupervision& supervision) {
+  std::vector<Routing> unlisted;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < options.references.size(); ++i) {
+    if (result.references[i].rank > 0) continue;
+    unlisted.push_back(options.references[i]);
+    places.push_back(i);
+  }
+  const bool with_hand = DesignEvaluator(uncertainty.nominal, uncertainty.grasps).has_hand();
+  auto bands = drawn_bands(unlisted, friction_objectives(with_hand), uncertainty,
+                           [&](std::uint64_t draw) { return draw_model(uncertainty, draw); },
+                           {{}, supervision.stop});
+  if (!bands) return std::nullopt;
+  std::vector<Bands> all(options.references.size());
+  for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = std::move((*bands)[k]);
+  return all;
+}
+
+}  // namespace
+
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue, const StudySupervision& supervision) {
   ExploreResult result = explore(options, supervision.during("exploring"));
-  std::optional<std::vector<RankDistribution>> drawn;
+  std::optional<DrawnDesigns> drawn;
+  std::optional<std::vector<Bands>> unlisted;
   const bool draws = uncertainty && !result.partial;
   if (draws) {
-    drawn = rank_distributions(result.routings, *uncertainty, supervision.during("drawing"));
+    drawn = drawn_designs(result.routings, *uncertainty, supervision.during("drawing"));
+    if (drawn) unlisted = bands_of_unlisted(result, options, *uncertainty, supervision);
   }
-  const bool draws_stopped = draws && !drawn;
-  ExploreReport report = explore_report(options, std::move(result),
-                                        drawn.value_or(std::vector<RankDistribution>{}), catalogue);
+  const bool draws_stopped = draws && !unlisted;
+  if (draws_stopped) drawn.reset();
+  ExploreReport report =
+      explore_report(options, std::move(result), drawn.value_or(DrawnDesigns{}), catalogue);
   report.uncertainty = uncertainty;
   report.draws_stopped = draws_stopped;
+  report.reference_bands = std::move(unlisted).value_or(std::vector<Bands>{});
+  for (std::size_t i = 0; i < report.reference_bands.size(); ++i) {
+    for (const ListedDesign& design : listed_designs(report)) {
+      if (design.ranked.design.word != report.result.references[i].design.word) continue;
+      report.reference_bands[i] = design.bands;
+    }
+  }
   return report;
+}
+
+std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {
+  std::vector<ListedDesign> chosen;
+  const auto add = [&](const ListedDesign& design) {
+    const std::string& word = design.ranked.design.word;
+    const bool is_there = std::any_of(chosen.begin(), chosen.end(), [&](const ListedDesign& other) {
+      return other.ranked.design.word == word;
+    });
+    if (!is_there && design.same_as.empty() && chosen.size() < most_swept) chosen.push_back(design);
+  };
+  if (!report.top.empty()) add(report.top.front());
+  if (report.ladder.affordable) add(*report.ladder.affordable);
+  for (const ListedDesign& rung : report.ladder.rungs) add(rung);
+  for (const ListedDesign& design : report.front) add(design);
+  return chosen;
+}
+
+void add_sweep(ExploreReport& report, const SweepOptions& options,
+               const StudySupervision& supervision) {
+  report.sweep_over = options.over;
+  if (report.result.partial || report.draws_stopped) return;
+  report.sweep = swept_designs(designs_to_sweep(report), options, supervision);
 }
 
 }  // namespace reeve::studies

@@ -10,6 +10,7 @@
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/study_supervision.hpp"
+#include "studies/uncertainty/swept_designs.hpp"
 
 namespace reeve::studies {
 
@@ -22,23 +23,39 @@ struct ExploreReport {
   ListedLadder ladder;
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
-  bool draws_stopped = false;  // before there were distributions
+  bool draws_stopped = false;               // before there were distributions
+  std::vector<Bands> reference_bands = {};  // parallel to result.references, or empty
+  std::optional<CoefficientRange> sweep_over = std::nullopt;  // only where it was asked for
+  std::optional<SweptDesigns> sweep = std::nullopt;           // not if it was stopped
 };
+
+// The longer of top and front: both are the beginning of one ranking.
+const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
 
 // The catalogue's routings with as many fingers as the options ask for, as the generator writes
 // them.
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue);
 
-// With `uncertainty` also the spread of the ranks, of the longer of top and front. What was stopped
-// says so, and holds what there was.
+// With `uncertainty` also the spread of ranks and objectives, of the longer of top and front, and
+// of the objectives of known routings beyond. What was stopped says so, and holds what there was.
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,
                                 const StudySupervision& supervision = {});
 
-// Distributions are parallel to the longer of top and front, or empty.
+// What was drawn is parallel to the longer of top and front, or empty.
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
-                             const std::vector<RankDistribution>& distributions,
-                             const Catalogue& catalogue);
+                             const DrawnDesigns& drawn, const Catalogue& catalogue);
+
+// More lines than these a figure cannot show.
+inline constexpr std::size_t most_swept = 8;
+
+// The first, the affordable one, the rungs of the ladder, and the front: what one chooses from. Of
+// designs that are alike the first alone.
+std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
+
+// Of these designs; no sweep if it was stopped now or before.
+void add_sweep(ExploreReport& report, const SweepOptions& options,
+               const StudySupervision& supervision);
 
 }  // namespace reeve::studies

@@ -6,19 +6,27 @@
 #include "catalog/names.hpp"
 #include "core/notation.hpp"
 #include "search/decide/alike.hpp"
+#include "search/decide/places.hpp"
 
 namespace reeve::studies {
 
 std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<Routing>& routings,
-                                       const std::vector<RankDistribution>& distributions,
-                                       const Catalogue& catalogue) {
+                                       const DrawnDesigns& drawn, const Catalogue& catalogue) {
   std::vector<ListedDesign> designs;
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     designs.push_back({ranked[i], routings[i], name_of(catalogue, routings[i]), std::nullopt});
-    if (!distributions.empty()) designs.back().distribution = distributions[i];
+    if (!drawn.ranks.empty()) designs.back().distribution = drawn.ranks[i];
+    if (!drawn.bands.empty()) designs.back().bands = drawn.bands[i];
   }
   return designs;
+}
+
+void mark_places(std::vector<ListedDesign>& designs, const Order& order) {
+  std::vector<RankedDesign> ranked;
+  for (const ListedDesign& design : designs) ranked.push_back(design.ranked);
+  const std::vector<std::size_t> shared = places(ranked, order);
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].place = shared[i];
 }
 
 void mark_alike(std::vector<ListedDesign>& designs, const Order& order, FingerIdentity identity) {

@@ -25,6 +25,8 @@ struct ListedDesign {
   // first of them the words of the others that are listed, and of these its word.
   std::vector<std::string> alike = {};
   std::string same_as = {};
+  Bands bands = {};       // only where uncertainty was asked for
+  std::size_t place = 0;  // its rank, but that designs that are equal share the first of theirs
 };
 
 // A ladder with what is known of its designs. Ranks and fronts are 0 where they are beyond the
@@ -36,11 +38,12 @@ struct ListedLadder {
   std::string cost_unit;  // of the prices; "" if there are none, or nobody says
 };
 
-// `routings` begins parallel to `ranked`, and so does `distributions` or is empty.
+// `routings` begins parallel to `ranked`, and so do ranks and bands of `drawn` or are empty.
 std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<Routing>& routings,
-                                       const std::vector<RankDistribution>& distributions,
-                                       const Catalogue& catalogue);
+                                       const DrawnDesigns& drawn, const Catalogue& catalogue);
+
+void mark_places(std::vector<ListedDesign>& designs, const Order& order);
 
 void mark_alike(std::vector<ListedDesign>& designs, const Order& order, FingerIdentity identity);
 

@@ -19,11 +19,6 @@ std::vector<RankedDesign> ranked(const RankRequest& request, std::uint64_t& unco
   return rank(designs, request.order);
 }
 
-UncertaintyOptions uncertainty(const RankRequest& request) {
-  return {request.model,       request.ranges,  request.grasps, request.order, request.draws->count,
-          request.draws->seed, request.threads, request.score,  request.prices};
-}
-
 std::vector<Routing> in_order(const std::vector<Routing>& routings,
                               const std::vector<RankedDesign>& designs) {
   std::vector<Routing> ordered;
@@ -49,6 +44,12 @@ RankDetails details(const RankRequest& request, const std::vector<RankedDesign>&
 
 }  // namespace
 
+UncertaintyOptions uncertainty_of(const RankRequest& request) {
+  const Draws draws = request.draws.value_or(Draws{});
+  return {request.model, request.ranges,  request.grasps, request.order, draws.count,
+          draws.seed,    request.threads, request.score,  request.prices};
+}
+
 std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,
                                         const StudySupervision& supervision) {
   RankReport report;
@@ -58,13 +59,13 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   report.model = request.model;
   const std::vector<RankedDesign> designs = ranked(request, report.unconverged);
   const std::vector<Routing> routings = in_order(request.routings, designs);
-  std::vector<RankDistribution> drawn;
+  DrawnDesigns drawn;
   if (request.draws) {
-    report.uncertainty = uncertainty(request);
-    auto distributions =
-        rank_distributions(routings, *report.uncertainty, supervision.during("drawing"));
-    if (!distributions) return std::nullopt;
-    drawn = std::move(*distributions);
+    report.uncertainty = uncertainty_of(request);
+    auto designs_drawn =
+        drawn_designs(routings, *report.uncertainty, supervision.during("drawing"));
+    if (!designs_drawn) return std::nullopt;
+    drawn = std::move(*designs_drawn);
   }
   if (request.margins) {
     MarginOptions options{request.model, request.ranges, request.grasps};
@@ -75,9 +76,15 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   report.designs = list_designs(designs, routings, drawn, catalogue);
   // Fingers are told apart here: a finger of another number is no superfluous bearing.
   mark_alike(report.designs, request.order, FingerIdentity::distinct);
+  mark_places(report.designs, request.order);
   report.ladder =
       list_ladder(ladder_of(request, designs), report.designs, request.prices, catalogue);
   report.prices = request.prices;
+  if (request.sweep) {
+    const SweepOptions options{uncertainty_of(request), request.draws.has_value(), *request.sweep};
+    report.sweep = swept_designs(report.designs, options, supervision);
+    if (!report.sweep) return std::nullopt;
+  }
   if (request.details) report.details = details(request, designs, routings, catalogue);
   return report;
 }

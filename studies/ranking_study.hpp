@@ -21,6 +21,7 @@
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
 #include "studies/tension_distributions.hpp"
+#include "studies/uncertainty/swept_designs.hpp"
 
 namespace reeve::studies {
 
@@ -43,6 +44,7 @@ struct RankRequest {
   int threads = 0;
   std::optional<PartPrices> prices;
   LadderOptions ladder;
+  std::optional<CoefficientRange> sweep = std::nullopt;
 };
 
 // What the page shows besides the ranking.
@@ -65,7 +67,11 @@ struct RankReport {
   std::optional<RankDetails> details;
   ListedLadder ladder;
   std::optional<PartPrices> prices;
+  std::optional<SweptDesigns> sweep = std::nullopt;  // only where it was asked for
 };
+
+// How its designs are judged and drawn.
+UncertaintyOptions uncertainty_of(const RankRequest& request);
 
 // Nothing if it was stopped. The details have no distributions yet.
 std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,

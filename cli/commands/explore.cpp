@@ -16,6 +16,7 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
+#include "cli/sweep_flags.hpp"
 #include "core/error.hpp"
 #include "reports/files.hpp"
 #include "reports/results/explore_report.hpp"
@@ -29,6 +30,7 @@ struct ExploreFlags {
   GeneratorFlags generator;
   RankingFlags ranking;
   LadderFlags ladder;
+  SweepFlags sweep;
   std::vector<std::string> constraints;
   std::string shard = "1/1";
   std::size_t top = 1000;
@@ -96,18 +98,25 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
   const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
+  const std::optional<CoefficientRange> over = flags.sweep.read();
+  require_sweep(over, uncertainty, flags.ranking.uncertainty);
   prepare_directory(flags.out, "--out");
   require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
   const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    return exploration_study(explore_options,
-                             flags.ranking.uncertainty ? std::optional(uncertainty) : std::nullopt,
-                             catalogue, supervision);
+    ExploreReport made = exploration_study(
+        explore_options, flags.ranking.uncertainty ? std::optional(uncertainty) : std::nullopt,
+        catalogue, supervision);
+    if (over) add_sweep(made, {uncertainty, flags.ranking.uncertainty, *over}, supervision);
+    return made;
   });
   write_exploration(report, command, catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json") ? explore_summary_json(report)
                                         : printed(explore_sheet(report), flags.format));
   std::cout << announced(
-      "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and figures",
+      report.sweep
+          ? "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, sweep.csv, summary.json "
+            "and figures"
+          : "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and figures",
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
   return report.result.unmet.empty() ? done : answer_is_no;
@@ -122,6 +131,7 @@ void add_explore(CLI::App& program, int& exit_code) {
   flags->generator.add_to(*command, true);
   flags->ranking.add_to(*command);
   flags->ladder.add_to(*command);
+  flags->sweep.add_to(*command, "the first design, those of the ladder and the front (up to 8)");
   command
       ->add_option("--constraint", flags->constraints,
                    "Keep only designs with, such as 'sheaths<=2'; may be given several times")
@@ -143,7 +153,7 @@ void add_explore(CLI::App& program, int& exit_code) {
       ->add_option(
           "--out", flags->out,
           "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
-          "figures")
+          "figures, and sweep.csv of --sweep")
       ->capture_default_str();
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));

@@ -20,6 +20,7 @@
 #include "cli/printing.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
+#include "cli/sweep_flags.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -30,6 +31,7 @@
 #include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/rank_report.hpp"
+#include "reports/uncertainty/sweep_report.hpp"
 #include "studies/ranking_study.hpp"
 #include "studies/tension_distributions.hpp"
 
@@ -49,6 +51,7 @@ struct RankFlags {
   std::string mu = "0.18,0.09";
   RankingFlags ranking;
   LadderFlags ladder;
+  SweepFlags sweep;
   ModelOption model;
   FormatOption format;
 };
@@ -180,6 +183,7 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
   const RankingPage page = ranking_page(report, command);
   write_figures(folder, page.figures);
   write_file(folder / "ladder.csv", ladder_csv(report.ladder));
+  if (report.sweep) write_file(folder / "sweep.csv", sweep_csv(*report.sweep));
   write_file(folder / "ranking.json", rank_json(report));
   write_file(folder / "index.html", page.html);
 }
@@ -202,6 +206,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   request.prices = flags.ladder.read_prices();
   request.ladder = flags.ladder.read();
   flags.ladder.require_prices(request.order, request.score, {});
+  request.sweep = flags.sweep.read();
+  require_sweep(request.sweep, uncertainty_of(request), request.draws.has_value());
   return request;
 }
 
@@ -215,7 +221,7 @@ int run(const RankFlags& flags, const CLI::App& command) {
     distributions =
         tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
     folder = flags.out.prepare();
-    for (const char* file : {"index.html", "ladder.csv", "ranking.json"}) {
+    for (const char* file : {"index.html", "ladder.csv", "sweep.csv", "ranking.json"}) {
       if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
     }
   }
@@ -230,8 +236,10 @@ int run(const RankFlags& flags, const CLI::App& command) {
   }
   print(*report, flags.format);
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, ladder.csv, ranking.json and figures", folder,
-                           flags.format);
+    std::cout << announced(report->sweep
+                               ? "index.html, ladder.csv, sweep.csv, ranking.json and figures"
+                               : "index.html, ladder.csv, ranking.json and figures",
+                           folder, flags.format);
   }
   return done;
 }
@@ -259,7 +267,9 @@ void add_rank(CLI::App& program, int& exit_code) {
                     "Search the ranges of the coefficients for where the first design's lead over "
                     "each other one is least");
   CLI::Option* out =
-      flags->out.add_to(*command, "a page, index.html, with ladder.csv, ranking.json and figures/");
+      flags->out.add_to(*command,
+                        "a page, index.html, with ladder.csv, ranking.json and figures/, and "
+                        "sweep.csv of --sweep");
   flags->data_given =
       command
           ->add_option("--data", flags->data,
@@ -276,6 +286,7 @@ void add_rank(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   flags->ranking.add_to(*command);
   flags->ladder.add_to(*command);
+  flags->sweep.add_to(*command, "the designs");
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json", "csv"}));
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

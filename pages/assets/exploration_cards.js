@@ -88,7 +88,8 @@ const explorationCards = (() => {
     return table("Objectives",
       ["objective", "value", "unit", "better"],
       state.objectives.map(({ title, unit, better }, column) =>
-        [title, explorationCharts.cell({ unit }, designs.values[column][row]), unit, better]));
+        [title, explorationCharts.cell({ unit }, designs.values[column][row]) +
+          explorationCharts.bandText(designs, column, row), unit, better]));
   }
 
   function standing(row) {

@@ -5,7 +5,8 @@
 // from the same designs by the same rules.
 //
 // `designs` has columns, all of one length: word, name, rank (0: none), kind, and values, a column
-// for each of `objectives`. The best come first.
+// for each of `objectives`. The best come first. `bands`, where there are any, has for each objective
+// null or {low, high}: columns of the 5 % and the 95 % quantile, null where there is none.
 const explorationCharts = (() => {
   const kinds = ["listed", "on the front", "known routing", "random sample"];
   const front = 1;
@@ -15,6 +16,7 @@ const explorationCharts = (() => {
   const letters = "ABCD";
   const grid = { columns: 110, lines: 75 }; // cells of the plot, each with one design at most
   const mostLines = 500;
+  const mostBands = 16;
 
   const number = (value) =>
     Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
@@ -74,12 +76,33 @@ const explorationCharts = (() => {
     return line.map((point, order) => ({ x: up[0] * point[0], y: up[1] * point[1], order }));
   }
 
+  // " (0.281–0.700 in 90 % of the draws)", or nothing.
+  function bandText(designs, column, row) {
+    const band = designs.bands?.[column];
+    if (!band || band.low[row] === null || band.low[row] === band.high[row]) return "";
+    return ` (${number(band.low[row])}–${number(band.high[row])} in 90 % of the draws)`;
+  }
+
+  // Bars both ways, of the front and of known routings: of more they would hide each other.
+  function bandBars(designs, points, axes) {
+    const bars = [];
+    const some = points.filter(({ row }) => [front, known].includes(designs.kind[row]))
+      .sort((a, b) => a.row - b.row).slice(0, mostBands);
+    for (const { row, x, y } of some) {
+      const [across, up] = axes.map((axis) => designs.bands?.[axis]);
+      const has = (band) => band && band.low[row] !== null;
+      if (has(across)) bars.push({ x: across.low[row], x2: across.high[row], y, y2: y });
+      if (has(up)) bars.push({ x, x2: x, y: up.low[row], y2: up.high[row] });
+    }
+    return bars;
+  }
+
   function tip(data, row, count) {
     const { designs, objectives } = data;
     const lines = [label(designs, row)];
     lines.push(designs.rank[row] > 0 ? `rank ${designs.rank[row]}` : kinds[designs.kind[row]]);
     objectives.forEach((objective, column) =>
-      lines.push(`${objective.title} ${number(designs.values[column][row])}`),
+      lines.push(`${objective.title} ${number(designs.values[column][row])}${bandText(designs, column, row)}`),
     );
     if (count > 1) lines.push(`and ${count - 1} more in this spot`);
     return lines.join("\n");
@@ -144,7 +167,7 @@ const explorationCharts = (() => {
       : [];
     const spec = specification(
       "pareto",
-      { edge: line, points, labels: knownLabels(designs, points, ranges) },
+      { edge: line, bands: bandBars(designs, points, axes), points, labels: knownLabels(designs, points, ranges) },
       {
         least_x: chosen[0].least,
         greatest_x: chosen[0].greatest,
@@ -222,5 +245,5 @@ const explorationCharts = (() => {
     height: 34 * values.length,
   });
 
-  return { kinds, letters, number, cell, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };
+  return { kinds, letters, number, bandText, cell, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };
 })();

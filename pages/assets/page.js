@@ -54,8 +54,8 @@ const reeve = (() => {
 
   const key = (cell) => {
     const text = cell?.dataset.value ?? cell?.textContent.trim() ?? "";
-    // A number may bear a unit: "0.12 N".
-    const [, digits] = /^([-+]?[\d.]+(?:e[-+]?\d+)?)(?: \S+)?$/i.exec(text) ?? [];
+    // A number may bear a unit, and a remark behind a comma: "0.12 N", "4.0 %, shared".
+    const [, digits] = /^([-+]?[\d.]+(?:e[-+]?\d+)?)(?: \S+)?(?:, .*)?$/i.exec(text) ?? [];
     return digits === undefined || Number.isNaN(Number(digits)) ? text : Number(digits);
   };
 

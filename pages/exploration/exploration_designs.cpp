@@ -53,10 +53,6 @@ const char* design_kind_name(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
-  return report.front.size() > report.top.size() ? report.front : report.top;
-}
-
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   const std::set<std::string> known = known_words(report);
@@ -70,13 +66,14 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
                                            : Kind::listed;
     held.insert(word);
     designs.push_back({kind, word, listed[i].name, ranked.rank, ranked.front, ranked.design.values,
-                       listed[i].distribution});
+                       listed[i].distribution, listed[i].bands});
   }
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
     if (!held.insert(reference.design.word).second) continue;
     designs.push_back({Kind::known, reference.design.word, report.reference_names[i],
-                       reference.rank, reference.front, reference.design.values, std::nullopt});
+                       reference.rank, reference.front, reference.design.values, std::nullopt,
+                       report.reference_bands.empty() ? Bands{} : report.reference_bands[i]});
   }
   // What is listed has a rank, even if there is no room for it here.
   for (const ListedDesign& design : listed) held.insert(design.ranked.design.word);
@@ -119,6 +116,25 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
   distribution["median"] = distribution_column(designs, &RankDistribution::median);
   distribution["low"] = distribution_column(designs, &RankDistribution::low);
   distribution["high"] = distribution_column(designs, &RankDistribution::high);
+  return columns;
+}
+
+Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown,
+                  const std::vector<Objective>& ranking) {
+  Json columns = Json::array();
+  for (const Objective objective : shown) {
+    const bool is_ranked = std::find(ranking.begin(), ranking.end(), objective) != ranking.end();
+    Json low = Json::array();
+    Json high = Json::array();
+    bool any = false;
+    for (const PageDesign& design : designs) {
+      const Band* band = is_ranked ? find_band(design.bands, objective) : nullptr;
+      low.push_back(band == nullptr ? Json(nullptr) : rounded(band->low));
+      high.push_back(band == nullptr ? Json(nullptr) : rounded(band->high));
+      any = any || band != nullptr;
+    }
+    columns.push_back(any ? Json{{"low", low}, {"high", high}} : Json(nullptr));
+  }
   return columns;
 }
 

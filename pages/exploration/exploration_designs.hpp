@@ -28,10 +28,8 @@ struct PageDesign {
   int front = 0;         // 1: the best
   ObjectiveValues values{};
   std::optional<RankDistribution> distribution;
+  Bands bands = {};
 };
-
-// The longer of top and front: both are the beginning of one ranking.
-const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
 
 // Of the listed designs the first `most`, then the known routings that are not among these, then
 // the random sample.
@@ -44,6 +42,11 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 std::vector<Objective> page_objectives(const ExploreReport& report);
 
 Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown);
+
+// Parallel to `shown`: {"low", "high"}, each a column, of the ranked objectives that have bands,
+// and null of the others.
+Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown,
+                  const std::vector<Objective>& ranking);
 
 // [{"name", "title", "unit", "better", "least", "greatest", "meaning"}], "least" and "greatest"
 // null where there is none.

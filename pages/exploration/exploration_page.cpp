@@ -17,9 +17,11 @@
 #include "pages/shell/compressed.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
+#include "pages/uncertainty/sweep_figures.hpp"
 #include "reports/decision/decision_words.hpp"
 #include "reports/decision/ladder_report.hpp"
 #include "reports/schematic/schematic_svg.hpp"
+#include "reports/uncertainty/band_report.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -38,7 +40,12 @@ HeldDesigns held_designs(const ExploreReport& report) {
   std::size_t most = listed_designs(report).size();
   for (;;) {
     std::vector<PageDesign> designs = page_designs(report, most);
-    std::string packed = compressed(design_columns(designs, page_objectives(report)).dump());
+    Json columns = design_columns(designs, page_objectives(report));
+    if (report.uncertainty) {
+      columns["bands"] =
+          band_columns(designs, page_objectives(report), report.options.order.objectives);
+    }
+    std::string packed = compressed(columns.dump());
     if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
     const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
     most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
@@ -234,6 +241,9 @@ Json ladder_body(const ExploreReport& report) {
   for (const SheetLine& line : answer_lines(report.top, report.ladder)) {
     body["ladder_lines"].push_back(line.text + ".");
   }
+  for (const SheetLine& line : shared_first_lines(report.top)) {
+    body["ladder_lines"].push_back(line.text + ".");
+  }
   body["ladder_table"] = html({"ladder-table",
                                "Gains are against the line above; kept is what is "
                                "left of the first design in the objective that "
@@ -261,6 +271,9 @@ PageFiles exploration_page(const ExplorationView& view) {
   body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);
   body["pareto"] = live_figure_html(pareto.figure, pareto.alt);
   body["parallel"] = live_figure_html(parallel.figure, parallel.alt);
+  const std::vector<Figure> swept =
+      report.sweep ? sweep_figures(*report.sweep) : std::vector<Figure>{};
+  body["sweep"] = report.sweep ? sweep_html(*report.sweep, swept) : "";
   body["command"] = view.command;
   body["legend"] = schematic_html("schematic-legend",
                                   schematic_legend(640, "schematic-legend", drawn_parts(view)));
@@ -276,6 +289,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   for (const Figure& figure : {pareto.figure, parallel.figure}) {
     figures.push_back({figure.id, figure.svg});
   }
+  for (const Figure& figure : swept) figures.push_back({figure.id, figure.svg});
   return {page_html(page(view, held, details, body)), std::move(figures)};
 }
 

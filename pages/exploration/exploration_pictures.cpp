@@ -8,6 +8,7 @@
 
 #include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
+#include "pages/uncertainty/band_spans.hpp"
 #include "reports/chart/chart_scale.hpp"
 #include "reports/chart/chart_svg.hpp"
 
@@ -123,6 +124,19 @@ std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
       layers.push_back({design_kind_name(kind), point_style(kind), std::move(some)});
   }
   return layers;
+}
+
+// Of known routings and of the front, whose values one chooses by.
+std::vector<BandedSpot> banded(const std::vector<PageDesign>& designs,
+                               const std::vector<DrawnDesign>& drawn, const TwoObjectives& axes) {
+  std::vector<BandedSpot> spots;
+  for (const DrawnDesign& each : drawn) {
+    const PageDesign& design = designs[each.design];
+    if (design.kind != Kind::front && design.kind != Kind::known) continue;
+    const Point at = spot(design, axes);
+    spots.push_back({at.x, at.y, design.bands, label(design)});
+  }
+  return spots;
 }
 
 // All known routings; of the others the first half of what fits, and the rest evenly.
@@ -243,6 +257,8 @@ ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
     dashed.dash = chart::Dash::dashed;
     panel.layers.push_back({"", dashed, edge_of_front(designs, axes)});
   }
+  const std::vector<chart::Layer> bands = band_layers(banded(designs, drawn, axes), axes);
+  panel.layers.insert(panel.layers.end(), bands.begin(), bands.end());
   for (chart::Layer& layer : point_layers(designs, drawn, axes)) {
     panel.layers.push_back(std::move(layer));
   }
@@ -254,7 +270,8 @@ ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
   chart.panels.push_back(std::move(panel));
   return {{"pareto", "Designs by two objectives.",
            "The dashed line is the edge of the Pareto front, drawn where both axes are what "
-           "the ranking counts. Where several designs share a spot, the first is drawn.",
+           "the ranking counts. Where several designs share a spot, the first is drawn." +
+               band_caption(bands),
            chart_svg(chart)},
           chart.alt};
 }

@@ -168,6 +168,10 @@ std::string draws_text(const ExploreReport& report, const std::vector<ListedDesi
       "With friction coefficients drawn {} times from their ranges, {} stays first in {:.1f} % of "
       "the draws.",
       report.uncertainty->draws, design_label(listed[0]), 100 * share(listed[0]));
+  if (listed[0].distribution->first_shared > 0) {
+    text += fmt::format(" In {:.1f} % it shares first place with designs that equal it.",
+                        100 * listed[0].distribution->first_shared);
+  }
   if (&most != &listed[0] && share(most) > share(listed[0])) {
     text +=
         fmt::format(" {} is first most often: in {:.1f} %.", design_label(most), 100 * share(most));

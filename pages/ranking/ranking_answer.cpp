@@ -9,6 +9,7 @@
 #include "pages/exploration/objective_title.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/band_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
@@ -91,10 +92,12 @@ Json others(const RankReport& report, const Labels& labels) {
 std::string uncertainty(const RankReport& report, const Labels& labels) {
   if (!report.uncertainty) return "";
   const RankDistribution& drawn = *report.designs.front().distribution;
-  return fmt::format(
+  std::string text = fmt::format(
       "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} % of the draws.",
       plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
       fixed(100 * drawn.first, 1));
+  for (const SheetLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
+  return text;
 }
 
 std::string margin(const RankReport& report, const Labels& labels) {

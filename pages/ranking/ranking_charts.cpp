@@ -9,6 +9,7 @@
 #include "pages/exploration/objective_title.hpp"
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
+#include "pages/uncertainty/band_spans.hpp"
 #include "reports/chart/chart_svg.hpp"
 #include "reports/sheet/text_table.hpp"
 
@@ -34,6 +35,7 @@ struct SharedSpot {
   double y = 0;
   bool on_front = false;
   std::vector<std::string> names;
+  Bands bands;  // of the first of them
 };
 
 std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, const Axes& axes) {
@@ -45,7 +47,8 @@ std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, c
     auto found = std::find_if(result.begin(), result.end(), [&](const SharedSpot& point) {
       return fixed(point.x) == fixed(x) && fixed(point.y) == fixed(y);
     });
-    if (found == result.end()) found = result.insert(found, {x, y, false, {}});
+    if (found == result.end())
+      found = result.insert(found, {x, y, false, {}, report.designs[i].bands});
     found->on_front = found->on_front || ranked.front == 1;
     found->names.push_back(labels[i]);
   }
@@ -89,7 +92,11 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
                                 objective_title(row(on.first)));
   chart::Points front;
   chart::Points dominated;
+  std::vector<BandedSpot> banded;
   for (const SharedSpot& point : points(report, labels, on)) {
+    if (all_named || point.on_front) {
+      banded.push_back({point.x, point.y, point.bands, shortened(point.names)});
+    }
     (point.on_front ? front : dominated)
         .spots.push_back(spot(point, on, all_named || point.on_front));
     alt += fmt::format(" {}: {}, {}.", shortened(point.names), fixed(point.x), fixed(point.y));
@@ -105,7 +112,10 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   panel.y = objective_axis(on.second);
   const chart::Style best{chart::Colour::blue, chart::Symbol::circle, 5};
   const chart::Style other{chart::Colour::orange, chart::Symbol::square, 5};
-  panel.layers = {{"on the Pareto front", best, front}, {"dominated", other, dominated}};
+  panel.layers = band_layers(banded, {on.first, on.second});
+  caption += band_caption(panel.layers);
+  panel.layers.push_back({"on the Pareto front", best, front});
+  panel.layers.push_back({"dominated", other, dominated});
   chart::Chart chart;
   chart.alt = alt;
   chart.panels.push_back(std::move(panel));

@@ -13,7 +13,9 @@
 #include "pages/routing/routing_parts.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
+#include "pages/uncertainty/sweep_figures.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/band_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
@@ -80,6 +82,17 @@ HtmlTable margin_table(const RankReport& report, const Labels& labels) {
           std::move(table), true};
 }
 
+// Of all objectives that the page shows and friction moves.
+HtmlTable bands_table(const RankReport& report) {
+  std::vector<Objective> objectives = shown_objectives(report.order, report.score);
+  std::erase_if(objectives, [](Objective objective) { return !depends_on_friction(objective); });
+  return {
+      "bands-table",
+      "Median, and in brackets 5 % to 95 % of the draws; designs that are equal in a draw share "
+      "their place",
+      band_table(report.designs, objectives), true};
+}
+
 std::string uncertainty_html(const UncertaintyOptions& options) {
   const UncertaintyRanges& ranges = options.ranges;
   const auto percent = [](double half_width) {
@@ -114,6 +127,7 @@ class RankingPageBuilder {
     return figure_html(figure);
   }
   std::string distributions();
+  std::string sweep();
   Json grasp(std::size_t index);
   Json grasps();
 
@@ -130,6 +144,13 @@ std::string RankingPageBuilder::distributions() {
     html += add(figure);
   }
   return html + distribution_notes(report_.details->distributions);
+}
+
+std::string RankingPageBuilder::sweep() {
+  if (!report_.sweep) return "";
+  const std::vector<Figure> figures = sweep_figures(*report_.sweep);
+  for (const Figure& figure : figures) page_.figures.push_back({figure.id, figure.svg});
+  return sweep_html(*report_.sweep, figures);
 }
 
 Json RankingPageBuilder::grasp(std::size_t index) {
@@ -164,7 +185,9 @@ RankingPage RankingPageBuilder::build() {
               {"distributions", distributions()},
               {"most", routings_.size() > most_drawn ? std::to_string(most_drawn) : ""}};
   values["grasps"] = grasps();
-  values["ranks"] = report_.uncertainty ? add(rank_figure(report_, labels_)) : "";
+  values["ranks"] =
+      report_.uncertainty ? add(rank_figure(report_, labels_)) + html(bands_table(report_)) : "";
+  values["sweep"] = sweep();
   values["margins"] =
       report_.margins && !report_.margins->empty() ? html(margin_table(report_, labels_)) : "";
   const std::string more = report_.uncertainty ? uncertainty_html(*report_.uncertainty) : "";

@@ -51,7 +51,7 @@ struct Style {
   Symbol symbol = Symbol::circle;
   double size = 4;    // of a symbol: half its width, px
   double line = 1.5;  // width of lines and of outlines, px
-  double fill = 1;    // opacity of symbols, bars and bands inside their outline
+  double fill = 1;    // opacity of symbols, bars, bands and ribbons inside their outline
   double opacity = 1;
   Dash dash = Dash::solid;
 };
@@ -115,6 +115,17 @@ struct Paths {
   bool steps = false;
 };
 
+// Areas between what is low and what is high at each place on the x axis; they break where there is
+// no number.
+struct Ribbon {
+  std::vector<Span> through;  // their titles say nothing
+  std::string title;
+};
+
+struct Ribbons {
+  std::vector<Ribbon> ribbons;
+};
+
 // Across the whole panel, between two values on that axis.
 struct Bands {
   std::vector<Span> bands;  // `at` says nothing
@@ -132,7 +143,7 @@ struct Texts {
   std::vector<Spot> texts;
 };
 
-using Marks = std::variant<Points, Bars, Spans, Paths, Bands, Rules, Texts>;
+using Marks = std::variant<Points, Bars, Spans, Paths, Bands, Rules, Texts, Ribbons>;
 
 struct Layer {
   std::string name;  // in the legend

@@ -81,6 +81,7 @@ Appearance appearance(const Layer& layer) {
     }
     Appearance operator()(const Bands&) const { return {"reeve-bands", filled(style, false)}; }
     Appearance operator()(const Texts&) const { return {"reeve-texts", ""}; }
+    Appearance operator()(const Ribbons&) const { return {"reeve-ribbons", filled(style, false)}; }
     Appearance operator()(const Rules&) const { return {"reeve-rules", no_fill + stroke(style)}; }
   };
   return std::visit(Visitor{style}, layer.marks);
@@ -154,6 +155,15 @@ class Drawing {
     return text;
   }
 
+  std::string operator()(const Ribbons& ribbons) const {
+    std::string text;
+    for (const Ribbon& ribbon : ribbons.ribbons) {
+      const std::string commands = around(ribbon);
+      if (!commands.empty()) text += ended(path(commands), "path", ribbon.title);
+    }
+    return text;
+  }
+
   std::string operator()(const Bands& bands) const {
     std::string text;
     for (const Span& band : bands.bands) {
@@ -216,6 +226,27 @@ class Drawing {
     return commands;
   }
 
+  // There along what is high, back along what is low, once for each stretch without a gap.
+  std::string around(const Ribbon& ribbon) const {
+    std::string commands;
+    std::string back;
+    const auto close = [&] {
+      if (!back.empty()) commands += back + "Z";
+      back.clear();
+    };
+    for (const Span& span : ribbon.through) {
+      if (!can_be_drawn(span.at) || !can_be_drawn(span.low) || !can_be_drawn(span.high)) {
+        close();
+        continue;
+      }
+      const Point high = place(panel_, span.at, span.high);
+      commands += back.empty() ? svg::move_to(high) : svg::line_to(high);
+      back.insert(0, svg::line_to(place(panel_, span.at, span.low)));
+    }
+    close();
+    return commands;
+  }
+
   const Style& style_;
   const LaidPanel& panel_;
 };
@@ -226,7 +257,8 @@ std::string legend_symbol(const Layer& layer, const Box& room) {
     const double size = std::clamp(layer.style.size, 3.0, 6.0);
     return symbol(layer.style.symbol, centre, size) + "/>\n";
   }
-  if (std::holds_alternative<Bars>(layer.marks) || std::holds_alternative<Bands>(layer.marks)) {
+  if (std::holds_alternative<Bars>(layer.marks) || std::holds_alternative<Bands>(layer.marks) ||
+      std::holds_alternative<Ribbons>(layer.marks)) {
     return rectangle({centre.x - 7, centre.y - 6, centre.x + 7, centre.y + 6}) + "/>\n";
   }
   return svg::line({room.left, centre.y}, {room.right, centre.y});

@@ -35,6 +35,19 @@ struct Adding {
       }
     }
   }
+  void operator()(const Ribbons& ribbons) const {
+    for (const Ribbon& ribbon : ribbons.ribbons) {
+      for (const Span& span : ribbon.through) {
+        if (!both_drawn(span.low, span.high) || !can_be_drawn(span.at)) continue;
+        if (along == Along::x) {
+          extent.add(span.at);
+        } else {
+          extent.add(span.low);
+          extent.add(span.high);
+        }
+      }
+    }
+  }
   void operator()(const Paths& paths) const {
     for (const Polyline& path : paths.paths) {
       for (const Point& at : path.through) {

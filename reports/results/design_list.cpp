@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reports/csv_field.hpp"
+#include "reports/uncertainty/band_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
@@ -16,10 +17,6 @@ namespace {
 bool with_distributions(const std::vector<ListedDesign>& designs) {
   return std::any_of(designs.begin(), designs.end(),
                      [](const ListedDesign& design) { return design.distribution.has_value(); });
-}
-
-std::string range(const RankDistribution& distribution) {
-  return fixed(distribution.low, 0) + "–" + fixed(distribution.high, 0);
 }
 
 // Objectives that make one column: the parts of one family.
@@ -74,16 +71,11 @@ std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values
   return cell;
 }
 
-std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike,
-                                 bool uncertain) {
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike) {
   std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
                                    text_column("name"), text_column("routing")};
   if (alike) columns.push_back(number_column("alike", "", 1));
   for (const ColumnRows& rows : objectives) columns.push_back(objective_column(*rows.front()));
-  if (!uncertain) return columns;
-  for (const char* heading : {"first", "median", "5–95 %"}) {
-    columns.push_back(number_column(heading, "", 1));
-  }
   return columns;
 }
 
@@ -91,10 +83,9 @@ std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool
 
 Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
                    const Score& score) {
-  const bool uncertain = with_distributions(designs);
   const std::vector<ColumnRows> objectives = objective_columns(designs, order, score);
   const bool alike = has_alike(designs);
-  Table table{columns(objectives, alike, uncertain), {}};
+  Table table{columns(objectives, alike), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
         std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
@@ -103,12 +94,6 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
     for (const ColumnRows& rows : objectives) {
       cells.push_back(objective_cell(rows, design.ranked.design.values));
     }
-    if (design.distribution) {
-      cells.push_back(percent(design.distribution->first));
-      cells.push_back(fixed(design.distribution->median, 0));
-      cells.push_back(range(*design.distribution));
-    }
-    cells.resize(table.columns.size());
     table.add(std::move(cells));
   }
   return table;
@@ -155,7 +140,9 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   csv += "rank,front,routing,name";
   csv += objective_headings(designs.empty() ? ObjectiveValues{}
                                             : designs.front().ranked.design.values);
-  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as\n" : ",same_as\n";
+  const Bands& bands = designs.empty() ? Bands{} : designs.front().bands;
+  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as,place" : ",same_as,place";
+  csv += (uncertain ? ",first_shared" : "") + band_headings(bands) + '\n';
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
                        design.ranked.design.word, csv_field(design.name));
@@ -166,7 +153,12 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
     } else if (uncertain) {
       csv += ",,,,";
     }
-    csv += "," + design.same_as + '\n';
+    csv += fmt::format(",{},{}", design.same_as, design.place);
+    if (uncertain) {
+      csv += design.distribution ? fmt::format(",{}", design.distribution->first_shared) : ",";
+      csv += design.bands.empty() ? std::string(3 * bands.size(), ',') : band_cells(design.bands);
+    }
+    csv += '\n';
   }
   return csv;
 }
@@ -179,11 +171,14 @@ Json to_json(const ListedDesign& design) {
   add_objectives(json, design.ranked.design.values);
   json["alike"] = design.alike;
   json["same_as"] = text_or_null(design.same_as);
+  json["place"] = design.place;
   if (design.distribution) {
     json["rank_distribution"] = {{"first_share", design.distribution->first},
                                  {"median", design.distribution->median},
                                  {"p5", design.distribution->low},
-                                 {"p95", design.distribution->high}};
+                                 {"p95", design.distribution->high},
+                                 {"first_shared", design.distribution->first_shared}};
+    json["bands"] = bands_json(design.bands);
   }
   return json;
 }

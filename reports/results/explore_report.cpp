@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "reports/decision/decision_words.hpp"
 #include "reports/decision/ladder_report.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
+#include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/sweep_report.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -99,6 +102,7 @@ std::vector<SheetLine> opening_lines(const ExploreReport& report) {
 Section answer_section(const ExploreReport& report) {
   std::vector<SheetLine> lines = unmet_lines(report.options, report.result);
   for (const SheetLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  for (const SheetLine& line : shared_first_lines(report.top)) lines.push_back(line);
   return {"", std::nullopt, lines};
 }
 
@@ -116,6 +120,7 @@ Json known_json(const ExploreReport& report) {
                   return Json(report.options.constraints[constraint].text);
                 })}};
     add_objectives(entry, reference.design.values);
+    if (!report.reference_bands.empty()) entry["bands"] = bands_json(report.reference_bands[i]);
     json.push_back(entry);
   }
   return json;
@@ -162,6 +167,7 @@ Json explore_settings(const ExploreReport& report) {
                             report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   add_ladder_settings(json, options.ladder, options.prices);
+  json["sweep"] = sweep_settings(report.sweep_over);
   return json;
 }
 
@@ -174,8 +180,14 @@ Sheet explore_sheet(const ExploreReport& report) {
                front_section(report),
                {fmt::format("Top {}", top.size()),
                 design_table(top, report.options.order, report.options.score), alike_lines(top)}}};
+  if (report.uncertainty) {
+    sheet.add(band_section(top, report.options.order, *report.uncertainty));
+  }
   sheet.add(ladder_section(report.ladder));
   sheet.add(known_section(report));
+  if (report.sweep) {
+    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+  }
   return sheet;
 }
 
@@ -193,7 +205,10 @@ std::vector<std::string> notes(const ExploreReport& report) {
 
 std::string partial_note(const ExploreReport& report) {
   if (report.draws_stopped) {
-    return "stopped while drawing coefficients; the ranks have no distributions";
+    return "stopped while drawing coefficients; ranks and objectives have no distributions";
+  }
+  if (report.sweep_over && !report.sweep && !report.result.partial) {
+    return "stopped while sweeping; there is no sweep";
   }
   if (!report.result.partial) return "";
   return fmt::format("stopped after {} of {} routings; ranks are among these",
@@ -213,7 +228,7 @@ std::string explore_summary_json(const ExploreReport& report) {
     json["rejected"][rejection_text(rejection, report.options)] = rejection.count;
   }
   json["evaluated"] = result.evaluated;
-  json["partial"] = result.partial || report.draws_stopped;
+  json["partial"] = !partial_note(report).empty();
   json["notes"] = notes(report);
   json["total"] = result.total;
   json["seconds"] = result.seconds;
@@ -225,6 +240,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);
   json["unmet"] = unmet_json(report);
+  if (report.sweep_over) json["sweep"] = value_or_null(report.sweep, sweep_json);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();
   return print(json);

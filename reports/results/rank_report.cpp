@@ -1,5 +1,7 @@
 #include "reports/results/rank_report.hpp"
 
+#include <utility>
+
 #include "reports/decision/decision_words.hpp"
 #include "reports/decision/ladder_report.hpp"
 #include "reports/json.hpp"
@@ -7,6 +9,8 @@
 #include "reports/results/distribution_report.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/results/show_report.hpp"
+#include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/sweep_report.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -74,10 +78,16 @@ Sheet rank_sheet(const RankReport& report) {
   Sheet sheet{{{"", std::nullopt, lines},
                {"", design_table(shown, report.order, report.score), alike_lines(shown)}}};
   if (report.designs.size() > 1) {
-    sheet.add({"", std::nullopt, answer_lines(report.designs, report.ladder)});
+    std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
+    for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);
+    sheet.add({"", std::nullopt, answer});
   }
+  if (report.uncertainty) sheet.add(band_section(shown, report.order, *report.uncertainty));
   sheet.add(ladder_section(report.ladder));
   sheet.add(margin_section(report));
+  if (report.sweep) {
+    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+  }
   return sheet;
 }
 
@@ -88,9 +98,12 @@ std::string rank_json(const RankReport& report) {
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   add_ladder_settings(json["settings"], report.ladder.ladder.options, report.prices);
+  json["settings"]["sweep"] =
+      sweep_settings(report.sweep ? std::optional(report.sweep->sweep.over) : std::nullopt);
   json["ladder"] = ladder_json(report.ladder);
   if (report.margins) json["margins"] = margins_json(*report.margins);
   if (report.details) add_details(json, *report.details);
+  if (report.sweep) json["sweep"] = sweep_json(*report.sweep);
   json["version"] = version_json();
   return print(json);
 }

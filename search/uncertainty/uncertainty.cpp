@@ -9,25 +9,28 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
+#include "search/decide/places.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {
 namespace {
 
-// The ranks of the routings, in their order, for one draw of the model.
-std::vector<std::uint32_t> ranks(const std::vector<Routing>& routings,
-                                 const std::vector<std::string>& words, const Model& model,
-                                 const UncertaintyOptions& options) {
-  DesignEvaluator evaluator(model, options.grasps, options.score, options.prices);
-  std::vector<Design> designs;
-  for (std::size_t i = 0; i < routings.size(); ++i) {
-    designs.push_back({words[i], evaluator.evaluate(routings[i])});
+// The places of the routings in one draw, in their order.
+struct DrawnPlaces {
+  std::vector<std::uint32_t> places;
+  bool first_is_shared = false;
+};
+
+DrawnPlaces drawn_places(std::vector<Design> designs, const Order& order) {
+  DrawnPlaces result;
+  result.places.resize(designs.size());
+  const std::vector<RankedDesign> ranked = rank(std::move(designs), order);
+  const std::vector<std::size_t> shared = places(ranked, order);
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    result.places[ranked[i].given] = static_cast<std::uint32_t>(shared[i]);
   }
-  std::vector<std::uint32_t> result(designs.size());
-  for (const RankedDesign& ranked : rank(std::move(designs), options.order)) {
-    result[ranked.given] = static_cast<std::uint32_t>(ranked.rank);
-  }
+  result.first_is_shared = std::count(shared.begin(), shared.end(), std::size_t{1}) > 1;
   return result;
 }
 
@@ -39,11 +42,92 @@ double quantile(const std::vector<std::uint32_t>& sorted, double share) {
   return sorted[std::min(index, sorted.size() - 1)];
 }
 
-RankDistribution distribution(std::vector<std::uint32_t> ranks) {
-  std::sort(ranks.begin(), ranks.end());
-  const auto first = std::upper_bound(ranks.begin(), ranks.end(), 1U) - ranks.begin();
-  return {static_cast<double>(first) / static_cast<double>(ranks.size()), quantile(ranks, 0.5),
-          quantile(ranks, 0.05), quantile(ranks, 0.95)};
+RankDistribution distribution(const std::vector<DrawnPlaces>& draws, std::size_t design) {
+  std::vector<std::uint32_t> places;
+  double first = 0;
+  double shared = 0;
+  for (const DrawnPlaces& draw : draws) {
+    places.push_back(draw.places[design]);
+    if (places.back() > 1) continue;
+    ++first;
+    if (draw.first_is_shared) ++shared;
+  }
+  std::sort(places.begin(), places.end());
+  const auto count = static_cast<double>(draws.size());
+  return {first / count, quantile(places, 0.5), quantile(places, 0.05), quantile(places, 0.95),
+          shared / count};
+}
+
+// Goes through all draws, once or several times, in slices, so that progress can be told and a stop
+// heard between them.
+class DrawLoop {
+ public:
+  using Work = std::function<void(std::size_t draw)>;
+
+  DrawLoop(const UncertaintyOptions& options, const Supervision& supervision, std::size_t times)
+      : workers_(options.threads),
+        draws_(options.draws),
+        supervision_(supervision),
+        total_(times * options.draws) {}
+
+  Workers& workers() { return workers_; }
+
+  // False if stopped.
+  bool pass(const Work& work) {
+    const std::size_t slice = std::max<std::size_t>(workers_.count() * 4, 16);
+    for (std::size_t begin = 0; begin < draws_; begin += slice) {
+      const std::size_t size = std::min(slice, draws_ - begin);
+      workers_.for_each_block(size, 1, [&](const IndexBlock& block) {
+        for (std::size_t d = begin + block.begin; d < begin + block.end; ++d) work(d);
+      });
+      done_ += size;
+      if (supervision_.report) supervision_.report({done_, total_});
+      const bool more = done_ < total_;
+      if (more && supervision_.stop != nullptr && supervision_.stop->load()) return false;
+    }
+    return true;
+  }
+
+ private:
+  Workers workers_;
+  std::size_t draws_;
+  const Supervision& supervision_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+};
+
+std::size_t designs_at_once(const UncertaintyOptions& options, std::size_t objectives) {
+  const std::size_t each = std::max<std::size_t>(1, options.draws * objectives);
+  return std::max<std::size_t>(1, options.values_at_once / each);
+}
+
+std::size_t passes(std::size_t designs, std::size_t at_once) {
+  return (std::max<std::size_t>(designs, 1) + at_once - 1) / at_once;
+}
+
+DesignEvaluator evaluator_of(const Model& model, const UncertaintyOptions& options) {
+  return {model, options.grasps, options.score, options.prices};
+}
+
+// Of the routings from `begin` on, a pass for each block of them that there is room for.
+bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective>& objectives,
+               const UncertaintyOptions& options, const DrawnModel& model, DrawLoop& loop,
+               std::vector<Bands>& bands) {
+  const Extent extent = extent_for(objectives, options.score);
+  const std::size_t at_once = designs_at_once(options, objectives.size());
+  while (bands.size() < routings.size()) {
+    DrawnValues values(objectives, options.draws, bands.size(),
+                       std::min(bands.size() + at_once, routings.size()));
+    const bool finished = loop.pass([&](std::size_t draw) {
+      DesignEvaluator evaluator = evaluator_of(model(draw), options);
+      for (std::size_t i = values.begin(); i < values.end(); ++i) {
+        values.keep(i, draw, evaluator.evaluate(routings[i], extent));
+      }
+    });
+    if (!finished) return false;
+    for (Bands& some : values.bands(loop.workers())) bands.push_back(std::move(some));
+  }
+  return true;
 }
 
 }  // namespace
@@ -71,34 +155,51 @@ void validate(const UncertaintyOptions& options, std::size_t designs) {
   }
 }
 
-std::optional<std::vector<RankDistribution>> rank_distributions(
-    const std::vector<Routing>& routings, const UncertaintyOptions& options,
-    const Supervision& supervision) {
+std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
+                                          const UncertaintyOptions& options,
+                                          const Supervision& supervision) {
   validate(options, routings.size());
   std::vector<std::string> words;
   for (const Routing& routing : routings) words.push_back(to_word(routing));
-  std::vector<std::vector<std::uint32_t>> by_draw(options.draws);
-  Workers workers(options.threads);
-  // In slices, so that progress can be told and a stop heard between them.
-  const std::size_t slice = std::max<std::size_t>(workers.count() * 4, 16);
-  for (std::size_t begin = 0; begin < options.draws; begin += slice) {
-    const std::size_t size = std::min(slice, options.draws - begin);
-    workers.for_each_block(size, 1, [&](const IndexBlock& block) {
-      for (std::size_t d = begin + block.begin; d < begin + block.end; ++d) {
-        by_draw[d] = ranks(routings, words, draw_model(options, d), options);
+  const DrawnModel model = [&](std::uint64_t draw) { return draw_model(options, draw); };
+  const std::vector<Objective> objectives =
+      friction_objectives(evaluator_of(options.nominal, options).has_hand());
+  const std::size_t at_once = designs_at_once(options, objectives.size());
+  DrawLoop loop(options, supervision, passes(routings.size(), at_once));
+  std::vector<DrawnPlaces> by_draw(options.draws);
+  DrawnDesigns result;
+  {
+    DrawnValues values(objectives, options.draws, 0, std::min(at_once, routings.size()));
+    const bool finished = loop.pass([&](std::size_t draw) {
+      DesignEvaluator evaluator = evaluator_of(model(draw), options);
+      std::vector<Design> designs;
+      for (std::size_t i = 0; i < routings.size(); ++i) {
+        designs.push_back({words[i], evaluator.evaluate(routings[i])});
+        values.keep(i, draw, designs.back().values);
       }
+      by_draw[draw] = drawn_places(std::move(designs), options.order);
     });
-    if (supervision.report) supervision.report({begin + size, options.draws});
-    const bool more = begin + size < options.draws;
-    if (more && supervision.stop != nullptr && supervision.stop->load()) return std::nullopt;
+    if (!finished) return std::nullopt;
+    result.bands = values.bands(loop.workers());
   }
-  std::vector<RankDistribution> result;
   for (std::size_t i = 0; i < routings.size(); ++i) {
-    std::vector<std::uint32_t> of_design;
-    for (const auto& draw : by_draw) of_design.push_back(draw[i]);
-    result.push_back(distribution(std::move(of_design)));
+    result.ranks.push_back(distribution(by_draw, i));
   }
+  by_draw.clear();
+  if (!add_bands(routings, objectives, options, model, loop, result.bands)) return std::nullopt;
   return result;
+}
+
+std::optional<std::vector<Bands>> drawn_bands(const std::vector<Routing>& routings,
+                                              const std::vector<Objective>& objectives,
+                                              const UncertaintyOptions& options,
+                                              const DrawnModel& model,
+                                              const Supervision& supervision) {
+  const std::size_t at_once = designs_at_once(options, objectives.size());
+  DrawLoop loop(options, supervision, passes(routings.size(), at_once));
+  std::vector<Bands> bands;
+  if (!add_bands(routings, objectives, options, model, loop, bands)) return std::nullopt;
+  return bands;
 }
 
 }  // namespace reeve::search

@@ -1,10 +1,18 @@
 // How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated
-// and ranked anew for each draw, and each design's rank becomes a distribution.
+// and ranked anew for each draw, and each design's place and each of its objectives become a
+// distribution.
 //
 // A draw is a point of the box of uncertain coefficients (coefficient_box.hpp), uniform in it.
+// Designs that are equal in a draw share their place (decide/places.hpp): two of them can both be
+// first.
+//
+// Memory does not grow with the draws times the designs times the objectives: of as many designs as
+// there is room for the values are kept while all are ranked, and the others are evaluated once
+// more. The result is the same for any number of threads and any room.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,6 +23,7 @@
 #include "core/uncertainty_ranges.hpp"
 #include "search/explore.hpp"
 #include "search/judge/ranking.hpp"
+#include "search/uncertainty/bands.hpp"
 
 namespace reeve::search {
 
@@ -28,13 +37,21 @@ struct UncertaintyOptions {
   int threads = 0;
   Score score = authors_score();
   std::optional<PartPrices> prices = std::nullopt;
+  std::size_t values_at_once = 32'000'000;  // of draws, kept for bands; eight bytes each
 };
 
+// Of the place among the designs that were drawn together.
 struct RankDistribution {
-  double first = 0;  // share of draws in which the design is first
+  double first = 0;  // share of draws in which no design is better placed
   double median = 0;
-  double low = 0;   // 5 % quantile
-  double high = 0;  // 95 % quantile
+  double low = 0;           // 5 % quantile
+  double high = 0;          // 95 % quantile
+  double first_shared = 0;  // share of draws in which it is first and another one too
+};
+
+struct DrawnDesigns {
+  std::vector<RankDistribution> ranks;
+  std::vector<Bands> bands;
 };
 
 // The model of draw number `draw`: a function of seed and number alone. Its effects are the nominal
@@ -45,9 +62,17 @@ Model draw_model(const UncertaintyOptions& options, std::uint64_t draw);
 // and designs together are more than memory should hold.
 void validate(const UncertaintyOptions& options, std::size_t designs);
 
-// Ranks among the given routings, parallel to them. Nothing if stopped.
-std::optional<std::vector<RankDistribution>> rank_distributions(
-    const std::vector<Routing>& routings, const UncertaintyOptions& options,
-    const Supervision& supervision = {});
+// Ranks among the given routings, and their bands, parallel to them. Nothing if stopped.
+std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
+                                          const UncertaintyOptions& options,
+                                          const Supervision& supervision = {});
+
+// Bands of these objectives alone, of draws of any models. Nothing if stopped.
+using DrawnModel = std::function<Model(std::uint64_t draw)>;
+std::optional<std::vector<Bands>> drawn_bands(const std::vector<Routing>& routings,
+                                              const std::vector<Objective>& objectives,
+                                              const UncertaintyOptions& options,
+                                              const DrawnModel& model,
+                                              const Supervision& supervision = {});
 
 }  // namespace reeve::search

@@ -47,6 +47,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("syntax.toml", "[tube\n");
   folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
   folder.write("cause.toml", "[[effect]]\ncause = \"rust\"\n");
+  folder.write("steep.toml", "[sheath]\nmu = 0.1\nangle_rad = 20\n");
   const std::string joints = "joints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60 }]\n";
   folder.write("one_finger.toml", "[finger.1]\nforce_N = 5\n" + joints);
   folder.write("one_force.toml", "[finger.1]\nforce_N = 5\n[hand]\n" + joints);

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "search/judge/objectives.hpp"
 #include "tests/golden/json_keys.hpp"
 
 namespace reeve::testing {
@@ -19,6 +20,16 @@ void collect(const Json& json, std::set<std::string>& keys) {
   }
 }
 
+// The columns of an objective's band have one line for all objectives.
+std::string as_documented(const std::string& name) {
+  for (const std::string suffix : {"_median", "_p5", "_p95"}) {
+    for (const ObjectiveRow& row : objective_table()) {
+      if (name == row.name + suffix) return "<objective>" + suffix;
+    }
+  }
+  return name;
+}
+
 TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   const std::string document =
       read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "json.md");
@@ -31,6 +42,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
   collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
   collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
+  collect(json_of({"rank", "TR3", "TR7", "--sweep", "mu=0.1..0.2"}), names);
   collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
   collect(json_of({"rank", "TR5", "--model", example_model}), names);
   collect(summary(), names);
@@ -59,7 +71,7 @@ TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
   }
   EXPECT_GT(names.size(), 60U);
   for (const std::string& name : names) {
-    EXPECT_NE(document.find('`' + name + '`'), std::string::npos) << name;
+    EXPECT_NE(document.find('`' + as_documented(name) + '`'), std::string::npos) << name;
   }
 }
 

@@ -13,9 +13,9 @@ const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel "
     "round_trip_efficiency return_friction adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity parts cost";
-const std::string alike = " alike same_as";
+const std::string alike = " alike same_as place";
 const std::string judged_settings = "objectives score grasps hardware model uncertainty";
-const std::string common_settings = judged_settings + " ladder prices";
+const std::string common_settings = judged_settings + " ladder prices sweep";
 
 void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");
@@ -65,8 +65,7 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
 
 TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"rank", "M-1-T-2-T-3-F", "--hardware", example_hand});
-  EXPECT_EQ(keys(json["designs"][0]),
-            "rank front routing name" + objectives + " hand alike same_as");
+  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + " hand" + alike);
   EXPECT_EQ(keys(json["designs"][0]["hand"]), hand_objectives);
   const Json& hardware = json["settings"]["hardware"];
   EXPECT_EQ(keys(hardware), "tube bearing sheath lengths fingers contacts hand motor");
@@ -126,8 +125,14 @@ TEST(KeysOfTheModel, AreThePromisedOnes) {
 TEST(KeysOfRank, AddADistributionWithUncertainty) {
   const Json json = json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"});
   EXPECT_EQ(keys(json["designs"][0]),
-            "rank front routing name" + objectives + alike + " rank_distribution");
-  EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]), "first_share median p5 p95");
+            "rank front routing name" + objectives + alike + " rank_distribution bands");
+  EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]),
+            "first_share median p5 p95 first_shared");
+  EXPECT_EQ(keys(json["designs"][0]["bands"]),
+            "uniformity_mean uniformity_worst efficiency_mean efficiency_worst force_transmission "
+            "return_friction adaptability torsional_balance reliability authors_efficiency "
+            "transmission score finger_uniformity_mean finger_uniformity_worst");
+  EXPECT_EQ(keys(json["designs"][0]["bands"]["score"]), "median p5 p95");
   EXPECT_EQ(keys(json["settings"]["uncertainty"]),
             "draws seed tube_mu sheath_mu bearing_mu_relative sheath_angle_relative");
 }
@@ -174,6 +179,29 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
   expect_pair(json["known"][0]);
   expect_settings(json["settings"]);
+}
+
+TEST(KeysOfASweep, AreThePromisedOnes) {
+  const Json json = json_of({"rank", "TR1", "TR7", "--sweep", "mu=0.1..0.2"})["sweep"];
+  EXPECT_EQ(keys(json), "coefficient unit at leads designs");
+  EXPECT_EQ(keys(json["leads"][0]), "from to first");
+  EXPECT_EQ(keys(json["designs"][0]), "routing name place objectives");
+  EXPECT_EQ(keys(json["designs"][0]["objectives"]), "uniformity_mean efficiency_mean");
+  const Json& curve = json["designs"][0]["objectives"]["efficiency_mean"];
+  EXPECT_EQ(keys(curve), "nominal median p5 p95");
+  EXPECT_EQ(curve["nominal"].size(), json["at"].size());
+  EXPECT_TRUE(curve["median"].is_null());
+  const Json explored =
+      summary({"--sweep", "mu=0.1..0.2", "--uncertainty", "--draws", "3", "--top", "1"});
+  EXPECT_EQ(keys(explored["sweep"]), keys(json));
+  EXPECT_EQ(explored["settings"]["sweep"].dump(), R"({"coefficient":"mu","from":0.1,"to":0.2})");
+  EXPECT_EQ(explored["sweep"]["designs"][0]["objectives"]["efficiency_mean"]["p5"].size(),
+            json["at"].size());
+  EXPECT_EQ(keys(explored["known"][0]),
+            "name routing rank front dominated_by generated "
+            "rejected_by" +
+                objectives + " bands");
+  EXPECT_EQ(explored["known"][0]["bands"].size(), 14U);
 }
 
 TEST(KeysOfTheLadder, AreThePromisedOnes) {

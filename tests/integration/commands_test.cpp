@@ -137,7 +137,7 @@ TEST(Help, MentionsEveryOption) {
                             "--ends",    "--anchored", "--blocks", "--distinct-fingers"};
   const Arguments ranking{"--grasps", "--objectives", "--score",    "--uncertainty", "--draws",
                           "--seed",   "--threads",    "--hardware", "--model",       "--format",
-                          "--ladder", "--within",     "--cost"};
+                          "--ladder", "--within",     "--cost",     "--sweep"};
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
        {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--format"}},

@@ -113,7 +113,7 @@ std::string in_documents(const std::string& figure) {
   return read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "figures" / figure);
 }
 
-// The commands stand below each figure, in README.md and docs/pages.md.
+// The commands stand beside each figure, in README.md, docs/pages.md and docs/uncertainty.md.
 TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
   const TemporaryFolder folder;
   const auto written = [&](std::vector<std::string> command, const std::string& file) {
@@ -124,6 +124,9 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
   const std::string out = (folder.path() / "out").string();
   EXPECT_TRUE(written({"explore", "--fingers", "5", "--out", out}, "out/figures/pareto.svg") ==
               in_documents("pareto.svg"));
+  EXPECT_TRUE(written({"rank", "--catalog", "--grasps", "paper", "--score", "authors", "--sweep",
+                       "mu=0.02..0.3", "--uncertainty", "--out", out},
+                      "out/figures/sweep-score.svg") == in_documents("sweep.svg"));
   EXPECT_TRUE(written({"rank", "--catalog", "--out", out}, "out/figures/figure-9.svg") ==
               in_documents("figure-9.svg"));
   const std::string readings = std::string(REEVE_SOURCE_DIR) + "/catalog/measured/exo_glove_ii.csv";

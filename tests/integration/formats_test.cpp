@@ -28,7 +28,7 @@ std::string output(Arguments arguments, const std::string& format) {
 std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
   const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
   return {{{"rank", "--catalog"}, 2},
-          {{"rank", "--catalog", "--margin", "--uncertainty", "--draws", "5"}, 3},
+          {{"rank", "--catalog", "--margin", "--uncertainty", "--draws", "5"}, 4},
           {{"explore"}, 4},
           {{"show", "TR5"}, 4},
           {{"count"}, 1},

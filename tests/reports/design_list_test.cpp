@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/band_report.hpp"
 
 namespace reeve {
 namespace {
@@ -41,17 +42,17 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
             "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
             "round_trip_efficiency,adaptability,torsional_balance,reliability,authors_efficiency,"
             "transmission,score,blocks,finger_uniformity_mean,finger_uniformity_worst,"
-            "parts,cost,same_as\n"
+            "parts,cost,same_as,place\n"
             "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"
-            "16.5,17.5,18.5,19.5,20.5,21.5,\n");
+            "16.5,17.5,18.5,19.5,20.5,21.5,,0\n");
 }
 
 TEST(DesignCsv, AddsSixColumnsWithAHand) {
   const std::string csv = design_csv({design("TR0")});
   EXPECT_NE(csv.find(",parts,cost,motor_force,fingertip_force_mean,"
-                     "fingertip_force_worst,stroke,closure,motor_power,same_as\n"),
+                     "fingertip_force_worst,stroke,closure,motor_power,same_as,place\n"),
             std::string::npos);
-  EXPECT_TRUE(csv.ends_with(",21.5,22.5,23.5,24.5,25.5,26.5,27.5,\n"));
+  EXPECT_TRUE(csv.ends_with(",21.5,22.5,23.5,24.5,25.5,26.5,27.5,,0\n"));
 }
 
 TEST(SampleCsv, HasTheColumnsOfAHandWhereThereIsOne) {
@@ -79,19 +80,20 @@ TEST(DesignCsv, PutsANoteIntoACommentLineAtTheTop) {
   EXPECT_TRUE(design_csv({}).starts_with("rank,front,"));
 }
 
-TEST(DesignCsv, AddsFourColumnsWithRankDistributions) {
+TEST(DesignCsv, AddsColumnsWithRankDistributions) {
   ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
-  EXPECT_NE(csv.find(",parts,cost,first_share,rank_median,rank_p5,rank_p95,same_as\n"),
-            std::string::npos);
-  EXPECT_TRUE(csv.ends_with(",21.5,0.25,4,1,9,\n"));
+  EXPECT_NE(
+      csv.find(",parts,cost,first_share,rank_median,rank_p5,rank_p95,same_as,place,first_shared\n"),
+      std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",21.5,0.25,4,1,9,,0,0\n"));
 }
 
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
   ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
-  EXPECT_TRUE(design_csv({uncertain, without_hand(design(""))}).ends_with(",21.5,,,,,\n"));
+  EXPECT_TRUE(design_csv({uncertain, without_hand(design(""))}).ends_with(",21.5,,,,,,0,\n"));
 }
 
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
@@ -102,7 +104,7 @@ TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {
   listed.name = "TR0";
   EXPECT_EQ(to_json(listed)["name"], "TR0");
   EXPECT_EQ(to_json(listed)["rank_distribution"].dump(),
-            R"({"first_share":0.25,"median":4.0,"p5":1.0,"p95":9.0})");
+            R"({"first_share":0.25,"median":4.0,"p5":1.0,"p95":9.0,"first_shared":0.0})");
 }
 
 TEST(DesignTable, TellsOfBlocksWhereThereAreAny) {
@@ -115,12 +117,12 @@ TEST(DesignTable, TellsOfBlocksWhereThereAreAny) {
   EXPECT_TRUE(told({without, design("")}));
 }
 
-TEST(DesignTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
+TEST(BandTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
   ListedDesign narrow = design("");
   narrow.distribution = RankDistribution{0.25, 4, 1, 9};
   ListedDesign wide = design("TR0");
   wide.distribution = RankDistribution{1, 100, 100, 1000};
-  const std::string table = text(design_table({narrow, wide}, {}, authors_score()));
+  const std::string table = text(band_table({narrow, wide}, {Objective::uniformity_mean}));
   // The range is the last column, to the right: all lines end at one place, in code points.
   std::vector<std::size_t> widths(1, 0);
   for (const char c : table) {

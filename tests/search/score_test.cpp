@@ -170,7 +170,7 @@ TEST(Score, OrdersTheDrawsOfAnUncertainRanking) {
   const std::vector<Routing> routings{parse_routing("M-1-T-2-F"), parse_routing("1-P-2-P-1")};
   const auto first_by = [&](const std::string& score) {
     options.score = parse_score(score);
-    const auto ranks = *rank_distributions(routings, options);
+    const auto ranks = drawn_designs(routings, options)->ranks;
     EXPECT_EQ(ranks[0].first + ranks[1].first, 1) << score;
     return ranks[0].first;
   };

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "search/decide/places.hpp"
 #include "search/judge/evaluation.hpp"
 #include "tests/support/published_words.hpp"
 
@@ -26,7 +27,7 @@ std::vector<Routing> parsed(const std::vector<std::string>& words) {
 
 std::vector<RankDistribution> drawn(const std::vector<std::string>& words,
                                     const UncertaintyOptions& options) {
-  return rank_distributions(parsed(words), options).value();
+  return drawn_designs(parsed(words), options).value().ranks;
 }
 
 std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardware& hardware,
@@ -258,15 +259,15 @@ TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
   const std::vector<Design> designs =
       evaluated(published_words(), options.nominal.hardware, options.grasps);
   const auto distributions = drawn(published_words(), options);
-  for (const RankedDesign& ranked : rank(designs, options.order)) {
-    for (std::size_t i = 0; i < designs.size(); ++i) {
-      if (designs[i].word != ranked.design.word) continue;
-      const auto place = static_cast<double>(ranked.rank);
-      EXPECT_EQ(distributions[i].first, ranked.rank == 1 ? 1 : 0);
-      EXPECT_EQ(distributions[i].median, place);
-      EXPECT_EQ(distributions[i].low, place);
-      EXPECT_EQ(distributions[i].high, place);
-    }
+  const std::vector<RankedDesign> ranked = rank(designs, options.order);
+  const std::vector<std::size_t> shared = places(ranked, options.order);
+  for (std::size_t k = 0; k < ranked.size(); ++k) {
+    const RankDistribution& drawn_ranks = distributions[ranked[k].given];
+    const auto place = static_cast<double>(shared[k]);
+    EXPECT_EQ(drawn_ranks.first, shared[k] == 1 ? 1 : 0);
+    EXPECT_EQ(drawn_ranks.median, place);
+    EXPECT_EQ(drawn_ranks.low, place);
+    EXPECT_EQ(drawn_ranks.high, place);
   }
 }
 
@@ -288,7 +289,7 @@ TEST(Uncertainty, StoppedItIsEmpty) {
   const std::atomic<bool> stop{true};
   Supervision supervision;
   supervision.stop = &stop;
-  EXPECT_FALSE(rank_distributions(parsed(published_words()), options, supervision).has_value());
+  EXPECT_FALSE(drawn_designs(parsed(published_words()), options, supervision).has_value());
 }
 
 TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
@@ -299,7 +300,7 @@ TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {
     heard.push_back(progress.done);
   };
   const UncertaintyOptions options = options_for(100);
-  rank_distributions(parsed(published_words()), options, supervision);
+  drawn_designs(parsed(published_words()), options, supervision);
   ASSERT_GE(heard.size(), 2U);
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.back(), 100U);

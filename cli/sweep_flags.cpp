@@ -1,0 +1,26 @@
+#include "cli/sweep_flags.hpp"
+
+#include "cli/inputs.hpp"
+
+namespace reeve::cli {
+
+void SweepFlags::add_to(CLI::App& command, const std::string& designs) {
+  given_ = command.add_option(
+      "--sweep", text,
+      "Show " + designs +
+          " over a coefficient, and where the first place changes hands: mu (of tubes and sheaths), "
+          "tube_mu, sheath_mu, bearing_mu or sheath_angle, such as mu=0.02..0.3; with --uncertainty "
+          "in bands of what else is uncertain");
+}
+
+std::optional<CoefficientRange> SweepFlags::read() const {
+  if (given_->count() == 0) return std::nullopt;
+  return for_name("--", [&] { return parse_sweep(text); });
+}
+
+void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& judged,
+                   bool draws) {
+  if (over) for_name("--", [&] { validate(SweepOptions{judged, draws, *over}); });
+}
+
+}  // namespace reeve::cli

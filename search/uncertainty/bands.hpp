@@ -1,0 +1,66 @@
+// What the objectives of a design are where the coefficients are drawn: median and 5–95 % band of
+// each.
+//
+// The value of a draw is the objective as it is always meant, over all grasps of the ranking, at
+// that draw's coefficients. Quantiles are those of `size` (numerics/robust.hpp): between two draws
+// in proportion.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "numerics/parallel.hpp"
+#include "search/judge/objectives.hpp"
+
+namespace reeve::search {
+
+struct Band {
+  double median = 0;
+  double low = 0;   // 5 % quantile
+  double high = 0;  // 95 % quantile
+
+  bool is_point() const { return low == high; }
+};
+
+struct ObjectiveBand {
+  Objective objective{};
+  Band band;
+};
+
+// Of one design, in the order of the table of objectives; empty where nothing was drawn.
+using Bands = std::vector<ObjectiveBand>;
+
+const Band* find_band(const Bands& bands, Objective objective);
+
+// Whether friction moves it. Parts are counted, and where fingers and carriage go is geometry.
+bool depends_on_friction(Objective objective);
+
+// Those that are, of a hardware with or without a hand.
+std::vector<Objective> friction_objectives(bool with_hand);
+
+// Infinite values are the worst or the best, as they are; none is NaN.
+Band band_of(const std::vector<double>& values);
+
+// Values of the designs `begin` to `end` of a list in each draw, from which their bands are made.
+class DrawnValues {
+ public:
+  DrawnValues(std::vector<Objective> objectives, std::size_t draws, std::size_t begin,
+              std::size_t end);
+
+  std::size_t begin() const { return begin_; }
+  std::size_t end() const { return end_; }
+  // Does nothing for designs that are not kept here. Each draw of each design once, from any
+  // thread.
+  void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values);
+  // Of the designs kept, in their order.
+  std::vector<Bands> bands(Workers& workers) const;
+
+ private:
+  std::vector<Objective> objectives_;
+  std::size_t draws_;
+  std::size_t begin_;
+  std::size_t end_;
+  std::vector<double> values_;  // [design][objective][draw]
+};
+
+}  // namespace reeve::search

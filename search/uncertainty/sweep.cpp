@@ -1,0 +1,211 @@
+#include "search/uncertainty/sweep.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "search/decide/ladder.hpp"
+#include "search/decide/places.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/uncertainty/coefficient_box.hpp"
+
+namespace reeve::search {
+namespace {
+
+// The designs as one value of the coefficient ranks them.
+struct SweptRanking {
+  std::vector<ObjectiveValues> values;
+  std::vector<std::size_t> places;
+  std::vector<std::size_t> first;
+};
+
+class SweepRanker {
+ public:
+  SweepRanker(const std::vector<Routing>& routings, const SweepOptions& options)
+      : routings_(routings), options_(options) {
+    for (const Routing& routing : routings) words_.push_back(to_word(routing));
+  }
+
+  SweptRanking at(double coefficient) const {
+    const UncertaintyOptions& judged = options_.uncertainty;
+    DesignEvaluator evaluator(
+        at_coefficient(judged.nominal, options_.over.coefficient, coefficient), judged.grasps,
+        judged.score, judged.prices);
+    SweptRanking result;
+    std::vector<Design> designs;
+    for (std::size_t i = 0; i < routings_.size(); ++i) {
+      designs.push_back({words_[i], evaluator.evaluate(routings_[i])});
+      result.values.push_back(designs.back().values);
+    }
+    const std::vector<RankedDesign> ranked = rank(std::move(designs), judged.order);
+    const std::vector<std::size_t> shared = places(ranked, judged.order);
+    result.places.resize(ranked.size());
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+      result.places[ranked[i].given] = shared[i];
+      if (shared[i] == 1) result.first.push_back(ranked[i].given);
+    }
+    std::sort(result.first.begin(), result.first.end());
+    return result;
+  }
+
+ private:
+  const std::vector<Routing>& routings_;
+  const SweepOptions& options_;
+  std::vector<std::string> words_;
+};
+
+// Where another one takes the lead between two values at which the first are known, in order.
+class LeadSearch {
+ public:
+  LeadSearch(const SweepRanker& ranker, double resolution)
+      : ranker_(ranker), resolution_(resolution) {}
+
+  void between(double low, const std::vector<std::size_t>& first_low, double high,
+               const std::vector<std::size_t>& first_high, std::vector<SweepLead>& leads) const {
+    if (first_low == first_high) return;
+    const double middle = low + (high - low) / 2;
+    if (high - low <= resolution_ || middle <= low || middle >= high) {
+      leads.back().to = middle;
+      leads.push_back({middle, middle, first_high});
+      return;
+    }
+    const std::vector<std::size_t> first = ranker_.at(middle).first;
+    between(low, first_low, middle, first, leads);
+    between(middle, first, high, first_high, leads);
+  }
+
+ private:
+  const SweepRanker& ranker_;
+  double resolution_;
+};
+
+// Without those that are no longer than a crossing, whose neighbours then meet in their middle.
+std::vector<SweepLead> that_last(const std::vector<SweepLead>& leads, double least) {
+  std::vector<SweepLead> lasting;
+  for (const SweepLead& lead : leads) {
+    if (leads.size() > 1 && lead.to - lead.from < least) continue;
+    if (!lasting.empty() && lasting.back().first == lead.first) {
+      lasting.back().to = lead.to;
+      continue;
+    }
+    lasting.push_back(lead);
+  }
+  if (lasting.empty()) return leads;
+  for (std::size_t i = 1; i < lasting.size(); ++i) {
+    const double meet = (lasting[i - 1].to + lasting[i].from) / 2;
+    lasting[i - 1].to = lasting[i].from = meet;
+  }
+  lasting.front().from = leads.front().from;
+  lasting.back().to = leads.back().to;
+  return lasting;
+}
+
+std::vector<double> equally_distant(const Interval& range, std::size_t steps) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(steps);
+    values.push_back(i == 0 ? range.low : on_grid(range.low + (range.high - range.low) * share));
+  }
+  values.push_back(range.high);
+  return values;
+}
+
+std::vector<SweepLead> leads_of(const Sweep& sweep,
+                                const std::vector<std::vector<std::size_t>>& first,
+                                const SweepRanker& ranker) {
+  const double width = sweep.over.range.high - sweep.over.range.low;
+  const LeadSearch search(ranker, 1e-10 * width);
+  std::vector<SweepLead> leads{{sweep.at.front(), sweep.at.front(), first.front()}};
+  for (std::size_t i = 0; i + 1 < sweep.at.size(); ++i) {
+    search.between(sweep.at[i], first[i], sweep.at[i + 1], first[i + 1], leads);
+  }
+  leads.back().to = sweep.at.back();
+  return that_last(leads, 1e-6 * width);
+}
+
+// Without draws of nothing; nothing if stopped.
+std::optional<std::vector<Bands>> bands_at(double at, const std::vector<Routing>& routings,
+                                           const SweepOptions& options,
+                                           const std::atomic<bool>* stop) {
+  if (!options.draws) return std::vector<Bands>(routings.size());
+  const UncertaintyOptions& drawn = options.uncertainty;
+  return drawn_bands(routings, swept_objectives(drawn.order), drawn,
+                     [&](std::uint64_t draw) {
+                       return at_coefficient(draw_model(drawn, draw), options.over.coefficient, at);
+                     },
+                     {{}, stop});
+}
+
+void add_point(const SweptRanking& ranking, const std::vector<Bands>& bands, Sweep& result) {
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    for (SweepCurve& curve : result.designs[i]) {
+      curve.values.push_back(value(ranking.values[i], curve.objective));
+      const Band* band = find_band(bands[i], curve.objective);
+      if (band != nullptr) curve.bands.push_back(*band);
+    }
+    result.places[i].push_back(ranking.places[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<Objective> swept_objectives(const Order& order) {
+  std::vector<Objective> objectives = ranked_by(order);
+  std::erase_if(objectives, [](Objective objective) { return !depends_on_friction(objective); });
+  return objectives;
+}
+
+void validate(const SweepOptions& options) {
+  if (swept_objectives(options.uncertainty.order).empty()) {
+    throw InputError({.what = "sweep",
+                      .value = row(options.over.coefficient).name,
+                      .expected = "a ranked objective that depends on friction, such as "
+                                  "uniformity or efficiency"});
+  }
+  const Model& nominal = options.uncertainty.nominal;
+  std::vector<Model> ends{nominal};
+  if (options.draws) {
+    std::vector<double> highest;
+    for (const Interval& interval : coefficient_box(nominal.hardware, options.uncertainty.ranges)) {
+      highest.push_back(interval.high);
+    }
+    ends.push_back(at_point(nominal, highest));
+  }
+  try {
+    for (const Model& end : ends) {
+      validate(effective_hardware(
+          at_coefficient(end, options.over.coefficient, options.over.range.high)));
+    }
+  } catch (const InputError& error) {
+    throw error.at("at the upper end of the sweep");
+  }
+}
+
+std::optional<Sweep> sweep(const std::vector<Routing>& routings, const SweepOptions& options,
+                           const Supervision& supervision) {
+  validate(options);
+  const std::vector<Objective> objectives = swept_objectives(options.uncertainty.order);
+  const SweepRanker ranker(routings, options);
+  Sweep result{options.over, equally_distant(options.over.range, options.steps), {}, {}, {}};
+  result.places.resize(routings.size());
+  result.designs.resize(routings.size());
+  for (std::vector<SweepCurve>& curves : result.designs) {
+    for (const Objective objective : objectives) curves.push_back({objective, {}, {}});
+  }
+  std::vector<std::vector<std::size_t>> first;
+  for (const double at : result.at) {
+    if (supervision.stop != nullptr && supervision.stop->load()) return std::nullopt;
+    const auto bands = bands_at(at, routings, options, supervision.stop);
+    if (!bands) return std::nullopt;
+    SweptRanking ranking = ranker.at(at);
+    add_point(ranking, *bands, result);
+    first.push_back(std::move(ranking.first));
+    if (supervision.report) supervision.report({first.size(), result.at.size()});
+  }
+  result.leads = leads_of(result, first, ranker);
+  return result;
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,63 @@
+// Designs over one coefficient: each ranked objective as a curve, with a band of what else is
+// uncertain, and which design comes first where.
+//
+// A curve goes through equally distant values of the coefficient, everything else nominal; its band
+// is that of the draws (uncertainty.hpp) of all other coefficients. Where the first place changes
+// hands is searched between two neighbouring values by halving; a lead that is lost and won back
+// between them is not seen, and one that is shorter than a millionth of the range passes for the
+// crossing itself, where designs are equal.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/routing.hpp"
+#include "search/explore.hpp"
+#include "search/uncertainty/bands.hpp"
+#include "search/uncertainty/swept_coefficient.hpp"
+#include "search/uncertainty/uncertainty.hpp"
+
+namespace reeve::search {
+
+struct SweepOptions {
+  UncertaintyOptions uncertainty;  // what is nominal, how is ranked, and the draws
+  bool draws = false;              // whether there are bands
+  CoefficientRange over;
+  std::size_t steps = 28;
+};
+
+// Of one design and one objective; parallel to the values of the coefficient.
+struct SweepCurve {
+  Objective objective{};
+  std::vector<double> values;
+  std::vector<Band> bands;  // empty without draws
+};
+
+// From one value of the coefficient to another these designs come first: one, or equal ones.
+struct SweepLead {
+  double from = 0;
+  double to = 0;
+  std::vector<std::size_t> first;  // in the order of the list
+};
+
+struct Sweep {
+  CoefficientRange over;
+  std::vector<double> at;                        // values of the coefficient
+  std::vector<std::vector<SweepCurve>> designs;  // [design][ranked objective]
+  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (decide/places.hpp)
+  std::vector<SweepLead> leads;                  // from one end of the range to the other
+};
+
+// The ranked objectives that friction moves.
+std::vector<Objective> swept_objectives(const Order& order);
+
+// Throws InputError if no ranked objective depends on friction, or if the hardware cannot be what
+// an end of the range makes of it.
+void validate(const SweepOptions& options);
+
+// Ranked among themselves. Nothing if stopped.
+std::optional<Sweep> sweep(const std::vector<Routing>& routings, const SweepOptions& options,
+                           const Supervision& supervision = {});
+
+}  // namespace reeve::search

@@ -1,0 +1,173 @@
+// Objectives under uncertainty from end to end: the same numbers in every file, for any number of
+// threads and shards, and those by which `size` judges.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::vector<std::map<std::string, std::string>> rows_of(const std::string& csv) {
+  const auto fields = [](const std::string& line) {
+    std::vector<std::string> list;
+    std::istringstream in(line + ",");
+    for (std::string field; std::getline(in, field, ',');) list.push_back(field);
+    return list;
+  };
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = fields(line);
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> values = fields(line);
+    EXPECT_EQ(values.size(), names.size()) << line;
+    rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) rows.back()[names[i]] = values[i];
+  }
+  return rows;
+}
+
+Json bands_by_word(const Json& designs) {
+  Json bands = Json::object();
+  for (const Json& design : designs) bands[design["routing"].get<std::string>()] = design["bands"];
+  return bands;
+}
+
+// `size` makes the 5 % quantile of its goal the thing to be great.
+TEST(Bands, HaveTheQuantileByWhichSizingIsRobust) {
+  const Arguments draws{"--draws", "40", "--seed", "3", "--format", "json"};
+  Arguments ranking{"rank", "TR1", "--uncertainty"};
+  Arguments sizing{"size", "TR1", "--goal", "efficiency_mean", "--vary", "tip_angle=1..4"};
+  ranking.insert(ranking.end(), draws.begin(), draws.end());
+  sizing.insert(sizing.end(), draws.begin(), draws.end());
+  const Json band = Json::parse(reeve(ranking).out)["designs"][0]["bands"]["efficiency_mean"];
+  const Json sized = Json::parse(reeve(sizing).out)["designs"][0];
+  EXPECT_NEAR(sized["before"]["goal"].get<double>(), band["p5"].get<double>(), 1e-9);
+}
+
+TEST(Bands, AreTheSameInCsvAndJson) {
+  const Arguments rank{"rank", "--catalog", "--uncertainty", "--draws", "30", "--format"};
+  Arguments as_json = rank;
+  Arguments as_csv = rank;
+  as_json.push_back("json");
+  as_csv.push_back("csv");
+  const Json json = Json::parse(reeve(as_json).out);
+  const auto rows = rows_of(reeve(as_csv).out);
+  ASSERT_EQ(rows.size(), 7U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Json& design = json["designs"][i];
+    EXPECT_EQ(rows[i].at("routing"), design["routing"]);
+    EXPECT_EQ(std::stoul(rows[i].at("place")), design["place"].get<std::size_t>());
+    for (const auto& [objective, band] : design["bands"].items()) {
+      for (const char* part : {"median", "p5", "p95"}) {
+        EXPECT_EQ(std::stod(rows[i].at(objective + "_" + part)), band[part].get<double>());
+      }
+    }
+  }
+  // TR3 and TR6 are equal.
+  EXPECT_EQ(rows[1].at("place"), "2");
+  EXPECT_EQ(rows[2].at("place"), "2");
+  EXPECT_EQ(rows[2].at("rank"), "3");
+}
+
+TEST(Bands, OfADesignAreTheSameInItsShardAndForAnyThreads) {
+  const Arguments common{"--uncertainty", "--draws", "15"};
+  const auto run = [&](Arguments more) {
+    more.insert(more.end(), common.begin(), common.end());
+    return Explored(more).summary();
+  };
+  const Json whole = run({"--threads", "1"});
+  EXPECT_EQ(run({"--threads", "3"})["top"], whole["top"]);
+  const Json all = bands_by_word(whole["top"]);
+  std::size_t seen = 0;
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const Json of_shard = bands_by_word(run({"--shard", shard})["top"]);
+    for (const auto& [word, bands] : of_shard.items()) {
+      EXPECT_EQ(bands, all[word]) << word;
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, all.size());
+}
+
+TEST(Bands, AreThereForKnownRoutingsBeyondTheList) {
+  const Json all = bands_by_word(Explored({"--uncertainty", "--draws", "9"}).summary()["top"]);
+  const Json few = Explored({"--uncertainty", "--draws", "9", "--top", "1"}).summary();
+  ASSERT_EQ(few["known"].size(), 7U);
+  for (const Json& known : few["known"]) {
+    EXPECT_EQ(known["bands"], all[known["routing"].get<std::string>()]) << known["name"];
+  }
+}
+
+TEST(SharedPlaces, AreSaidInWordsAndInTheTable) {
+  const std::string text =
+      reeve({"rank", "TR7", "1-P-2b-P-1", "TR1", "--uncertainty", "--draws", "9"}).out;
+  EXPECT_NE(text.find("First place is shared by TR7 and 1-P-2b-P-1, which are equal in all that is "
+                      "ranked; it is shared in 100.0 % of the draws"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("100.0 %, shared"), std::string::npos);
+}
+
+TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const ProcessResult result =
+      reeve({"rank", "--catalog", "--grasps", "paper", "--score", "authors", "--uncertainty",
+             "--draws", "20", "--sweep", "mu=0.02..0.3", "--out", out});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json sweep = Json::parse(read_text(folder.path() / "ranking.json"))["sweep"];
+  const auto rows = rows_of(read_text(folder.path() / "sweep.csv"));
+  ASSERT_EQ(rows.size(), 7U * 29);
+  for (std::size_t i = 0; i < 7; ++i) {
+    const Json& design = sweep["designs"][i];
+    for (std::size_t k = 0; k < 29; ++k) {
+      const auto& row = rows[29 * i + k];
+      EXPECT_EQ(row.at("routing"), design["routing"]);
+      EXPECT_EQ(std::stod(row.at("at")), sweep["at"][k].get<double>());
+      EXPECT_EQ(std::stoul(row.at("place")), design["place"][k].get<std::size_t>());
+      const Json& curve = design["objectives"]["score"];
+      EXPECT_EQ(std::stod(row.at("score")), curve["nominal"][k].get<double>());
+      EXPECT_EQ(std::stod(row.at("score_p5")), curve["p5"][k].get<double>());
+      EXPECT_EQ(std::stod(row.at("score_p95")), curve["p95"][k].get<double>());
+    }
+  }
+  // README: TR7 by the authors' own measure is first with much friction only.
+  EXPECT_EQ(sweep["leads"].size(), 3U);
+  EXPECT_EQ(sweep["leads"][1]["first"].dump(), R"(["F-1-P-2-F","1-T-2-P-1"])");
+  EXPECT_NE(result.out.find("\nTR3 and TR6, which are equal, come first from 0.0"),
+            std::string::npos);
+  const std::string html = read_text(folder.path() / "index.html");
+  EXPECT_NE(html.find("<p>TR3 and TR6, which are equal, come first from 0.0"), std::string::npos);
+  EXPECT_NE(html.find("id=\"sweep-score\""), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "figures" / "sweep-score.svg"));
+}
+
+TEST(Sweep, OfAnExplorationIsOfTheFirstTheLadderAndTheFront) {
+  const Explored explored({"--sweep", "tube_mu=0.05..0.2"});
+  const Json summary = explored.summary();
+  std::vector<std::string> words;
+  for (const Json& design : summary["sweep"]["designs"]) words.push_back(design["routing"]);
+  EXPECT_EQ(words[0], summary["top"][0]["routing"]);
+  EXPECT_LE(words.size(), 8U);
+  for (const Json& rung : summary["ladder"]["rungs"]) {
+    EXPECT_NE(std::find(words.begin(), words.end(), rung["routing"]), words.end());
+  }
+  EXPECT_NE(explored.file("sweep.csv").find("\ntube_mu,0.2,"), std::string::npos);
+  EXPECT_FALSE(summary["partial"]);
+}
+
+TEST(Sweep, OfNothingIsEmpty) {
+  const Explored explored({"--constraint", "sheaths<=0", "--sweep", "mu=0..0.3"});
+  EXPECT_EQ(explored.result.exit_code, 1);
+  EXPECT_TRUE(explored.summary()["sweep"]["designs"].empty());
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,154 @@
+#include "reports/uncertainty/band_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "reports/results/design_list.hpp"
+#include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/sweep_report.hpp"
+
+namespace reeve {
+namespace {
+
+ListedDesign placed(const std::string& word, std::size_t rank, std::size_t place) {
+  ListedDesign design;
+  design.ranked.design.word = word;
+  design.ranked.rank = rank;
+  design.ranked.front = 1;
+  design.place = place;
+  return design;
+}
+
+ListedDesign drawn_design(const std::string& word, std::size_t rank, std::size_t place) {
+  ListedDesign design = placed(word, rank, place);
+  design.distribution = RankDistribution{0.75, 1, 1, 2, 0.25};
+  design.bands = {{Objective::uniformity_mean, {0.9854, 0.9612, 0.9931}},
+                  {Objective::efficiency_mean, {0.32204, 0.32201, 0.32209}}};
+  return design;
+}
+
+TEST(BandText, IsTheMedianAndWhatLiesAboutIt) {
+  EXPECT_EQ(band_text({0.9854, 0.9612, 0.9931}, 3), "0.985 (0.961–0.993)");
+  EXPECT_EQ(band_text({-1.2, -3.51, 0.35}, 2), "-1.20 (-3.51 to 0.35)");
+  // No wider than the last decimal.
+  EXPECT_EQ(band_text({0.32204, 0.32201, 0.32209}, 3), "0.322");
+  EXPECT_EQ(band_text({40.2, 38, std::numeric_limits<double>::infinity()}, 1),
+            "40.2 (38.0 or more)");
+}
+
+TEST(FirstShareText, SaysHowMuchIsShared) {
+  EXPECT_EQ(first_share_text({0.75, 1, 1, 2, 0}), "75.0 %");
+  EXPECT_EQ(first_share_text({0.75, 1, 1, 2, 0.25}), "75.0 %, 25.0 % shared");
+  EXPECT_EQ(first_share_text({1, 1, 1, 1, 1}), "100.0 %, shared");
+}
+
+TEST(BandTable, HasTheObjectivesThatWereAskedForAndThePlace) {
+  const std::string table = text(band_table(
+      {drawn_design("1-P-2-P-1", 1, 1)}, {Objective::uniformity_mean, Objective::efficiency_mean}));
+  EXPECT_EQ(table,
+            "rank  name  routing             uniformity  efficiency                  first  "
+            "median place  5–95 %\n"
+            "   1  -     1-P-2-P-1  0.985 (0.961–0.993)       0.322  75.0 %, 25.0 % shared  "
+            "           1     1–2\n");
+}
+
+TEST(BandSection, IsNothingWhereNothingWasDrawn) {
+  EXPECT_FALSE(band_section({placed("1-P-2-P-1", 1, 1)}, {}, {}).table.has_value());
+  EXPECT_TRUE(band_section({drawn_design("1-P-2-P-1", 1, 1)}, {}, {}).table.has_value());
+}
+
+std::string line_of(const std::vector<ListedDesign>& designs) {
+  const std::vector<SheetLine> lines = shared_first_lines(designs);
+  return lines.empty() ? "" : lines.front().text;
+}
+
+TEST(SharedFirst, NamesWhoIsEqualUnlessBearingsAreAllThatDiffers) {
+  EXPECT_EQ(line_of({placed("A", 1, 1), placed("B", 2, 2)}), "");
+  EXPECT_EQ(line_of({placed("A", 1, 1), placed("B", 2, 1), placed("C", 3, 3)}),
+            "First place is shared by A and B, which are equal in all that is ranked");
+  ListedDesign twin = placed("B", 2, 1);
+  twin.same_as = "A";
+  EXPECT_EQ(line_of({placed("A", 1, 1), twin}), "");
+  EXPECT_EQ(line_of({placed("A", 1, 1), twin, placed("C", 3, 1)}),
+            "First place is shared by A, B and C, which are equal in all that is ranked");
+  std::vector<ListedDesign> many;
+  for (std::size_t i = 0; i < 6; ++i)
+    many.push_back(placed(std::string(1, char('A' + i)), i + 1, 1));
+  EXPECT_EQ(line_of(many),
+            "First place is shared by A, B, C, D and 2 more, which are equal in all "
+            "that is ranked");
+  EXPECT_EQ(line_of({drawn_design("A", 1, 1), drawn_design("B", 2, 1)}),
+            "First place is shared by A and B, which are equal in all that is ranked; it is shared "
+            "in 25.0 % of the draws");
+}
+
+TEST(DesignCsv, EndsWithPlaceAndBands) {
+  ListedDesign without = drawn_design("B", 2, 1);
+  without.distribution.reset();
+  without.bands.clear();
+  const std::string csv = design_csv({drawn_design("A", 1, 1), without});
+  EXPECT_NE(csv.find(",rank_p95,same_as,place,first_shared,uniformity_mean_median,"
+                     "uniformity_mean_p5,uniformity_mean_p95,efficiency_mean_median,"
+                     "efficiency_mean_p5,efficiency_mean_p95\n"),
+            std::string::npos);
+  EXPECT_NE(csv.find(",0.75,1,1,2,,1,0.25,0.9854,0.9612,0.9931,0.32204,0.32201,0.32209\n"),
+            std::string::npos);
+  EXPECT_TRUE(csv.ends_with(",,,,,,1,,,,,,,\n"));
+}
+
+TEST(BandsJson, IsKeyedByObjectiveAndNullWhereThereIsNoNumber) {
+  EXPECT_EQ(
+      bands_json({{Objective::motor_force, {40.5, 38, std::numeric_limits<double>::infinity()}}})
+          .dump(),
+      R"({"motor_force":{"median":40.5,"p5":38.0,"p95":null}})");
+  EXPECT_EQ(bands_json({}).dump(), "{}");
+}
+
+SweptDesigns two_swept() {
+  SweptDesigns swept;
+  swept.sweep.over = {Coefficient::sheath_angle, {1, 3}};
+  swept.sweep.at = {1, 2, 3};
+  swept.designs = {placed("A", 1, 1), placed("B", 2, 2)};
+  swept.designs[1].name = "a \"B\"";
+  for (const double high : {1.0, 0.5}) {
+    swept.sweep.designs.push_back({{Objective::uniformity_mean, {high, high / 2, 0}, {}}});
+    swept.sweep.places.push_back({high == 1 ? 1U : 2U, 1, 1});
+  }
+  swept.sweep.leads = {{1, 1.75, {0}}, {1.75, 3, {0, 1}}};
+  return swept;
+}
+
+TEST(SweepReport, SaysWhoComesFirstWhere) {
+  const std::vector<std::string> sentences = lead_sentences(two_swept());
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[0], "A comes first from 1 to 1.75");
+  EXPECT_EQ(sentences[1], "A and a \"B\", which are equal, come first from 1.75 to 3");
+}
+
+TEST(SweepCsv, HasARowForEachDesignAndValueAndBandsWhereTheyAre) {
+  SweptDesigns swept = two_swept();
+  EXPECT_EQ(sweep_csv(swept),
+            "coefficient,at,routing,name,place,uniformity_mean\n"
+            "sheath_angle,1,A,,1,1\nsheath_angle,2,A,,1,0.5\nsheath_angle,3,A,,1,0\n"
+            "sheath_angle,1,B,\"a \"\"B\"\"\",2,0.5\nsheath_angle,2,B,\"a \"\"B\"\"\",1,0.25\n"
+            "sheath_angle,3,B,\"a \"\"B\"\"\",1,0\n");
+  for (auto& curves : swept.sweep.designs) curves[0].bands = {{3, 2, 4}, {3, 2, 4}, {3, 2, 4}};
+  const std::string csv = sweep_csv(swept, "partial: half");
+  EXPECT_TRUE(
+      csv.starts_with("# partial: half\ncoefficient,at,routing,name,place,uniformity_mean,"
+                      "uniformity_mean_median,uniformity_mean_p5,uniformity_mean_p95\n"
+                      "sheath_angle,1,A,,1,1,3,2,4\n"));
+}
+
+TEST(SweepReport, IsNothingOfNoDesigns) {
+  const SweptDesigns nothing;
+  EXPECT_TRUE(sweep_sections(nothing).empty());
+  EXPECT_EQ(sweep_csv(nothing), "coefficient,at,routing,name,place\n");
+  EXPECT_TRUE(sweep_json(nothing)["designs"].empty());
+}
+
+}  // namespace
+}  // namespace reeve
