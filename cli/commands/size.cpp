@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
@@ -18,6 +19,8 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/sizing/sizing_page.hpp"
 #include "reports/files.hpp"
 #include "reports/sizing/explored_settings.hpp"
 #include "reports/sizing/sizing_report.hpp"
@@ -44,6 +47,7 @@ struct SizeFlags {
   SizingOptions search;  // draws, seed, starts, evaluations, threads
   std::string save;
   CLI::Option* save_given = nullptr;
+  OutOption out;
   ModelOption model;
   FormatOption format;
 };
@@ -166,7 +170,15 @@ void print(const SizingReport& report, const SizeFlags& flags) {
   }
 }
 
-int run(const SizeFlags& flags) {
+void write_page(const SizingReport& report, const std::filesystem::path& folder,
+                const std::string& command) {
+  const SizingPage page = sizing_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "sizing.json", sizing_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+int run(const SizeFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const std::vector<Routing> routings = read_routings(flags, catalogue);
   require_comparable(routings);
@@ -175,6 +187,8 @@ int run(const SizeFlags& flags) {
   const SizingOptions options = read_options(flags, file, finger_count(routings.front()));
   require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
   if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
+  std::filesystem::path folder;
+  if (flags.out.is_given()) folder = flags.out.prepare();
   SizingReport report = supervised([&](const StudySupervision& supervision) {
     return sizing_study(routings, options, catalogue, supervision);
   });
@@ -182,7 +196,14 @@ int run(const SizeFlags& flags) {
   if (flags.save_given->count() > 0) {
     write_file(flags.save, sized_hardware_toml(report, file.vary));
   }
+  if (flags.out.is_given()) {
+    report.details = sizing_details(report, catalogue);
+    write_page(report, folder, command_line(command, {"--format", "--threads"}));
+  }
   print(report, flags);
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, sizing.json and figures", folder, flags.format);
+  }
   if (report.partial) return interrupted;
   return best_meets_target(report) ? done : answer_is_no;
 }
@@ -259,9 +280,10 @@ void add_size(CLI::App& program, int& exit_code) {
   add_search(*command, *flags);
   flags->save_given = command->add_option("--save-hardware", flags->save,
                                           "Write the hardware, as it is sized, as a TOML file");
+  flags->out.add_to(*command, "a page, index.html, with sizing.json and figures/");
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 }  // namespace reeve::cli

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "catalog/rig/hardware_tables.hpp"
 #include "core/version.hpp"
@@ -65,28 +66,34 @@ std::string stands(const SizedVariable& variable) {
 Table variable_table(const SizedDesign& design) {
   Table table{{text_column("dimension"), text_column("unit"), number_column("least"),
                number_column("greatest"), number_column("before"), number_column("sized"),
-               number_column("may be less by"), number_column("more by"), text_column("stands")},
+               number_column("may be less by"), number_column("more by")},
               {}};
+  const bool together = design.together && design.variables.size() > 1;
+  if (together) {
+    table.columns.push_back(number_column("all at once less by"));
+    table.columns.push_back(number_column("more by"));
+  }
+  table.columns.push_back(text_column("stands"));
   table.columns.back().dispensable = 1;
-  for (const SizedVariable& sized : design.variables) {
+  for (std::size_t i = 0; i < design.variables.size(); ++i) {
+    const SizedVariable& sized = design.variables[i];
     const SizeVariable& about = sized.variable;
     table.add({about.name, *about.unit == '\0' ? "1" : about.unit, short_number(about.bounds.low),
                short_number(about.bounds.high), short_number(about.nominal),
-               short_number(sized.value), off(sized.sensitivity.less), off(sized.sensitivity.more),
-               stands(sized)});
+               short_number(sized.value), off(sized.sensitivity.less), off(sized.sensitivity.more)});
+    std::vector<std::string>& cells = table.rows.back().cells;
+    if (together) {
+      const JointTolerance::Ways& ways = design.together->ways[i];
+      cells.push_back(short_number(ways.less));
+      cells.push_back(short_number(ways.more));
+    }
+    cells.push_back(stands(sized));
   }
   return table;
 }
 
 std::string flat_text(const SizedDesign& design, const FlatDirection& flat) {
-  std::string moves;
-  for (std::size_t i = 0; i < flat.moves.size(); ++i) {
-    if (flat.moves[i] == 0) continue;
-    const SizeVariable& about = design.variables[i].variable;
-    moves += fmt::format("{}{} by {:+.3g}{}{}", moves.empty() ? "" : " with ", about.name,
-                         flat.moves[i], *about.unit == '\0' ? "" : " ", about.unit);
-  }
-  return fmt::format("Flat: moving {}, or back, costs {}", moves,
+  return fmt::format("Flat: moving {}, or back, costs {}", moves_text(design, flat.moves),
                      flat.loss < 1e-6 ? "nothing" : fmt::format("{:.2g}", flat.loss));
 }
 
@@ -130,9 +137,9 @@ Section best_section(const SizingReport& report) {
   if (design.least_miss) section.lines.push_back(target_line(report.options, design));
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(
-        {report.options.goal.is_target()
-             ? "A dimension may be off by so much, alone, before shares miss by 0.01 more"
-             : "A dimension may be off by so much, alone, before 1 % of the goal is lost"});
+        {"A dimension may be off by so much, alone, " + tolerance_text(report.options)});
+    const std::string together = together_text(report.options, design);
+    if (!together.empty()) section.lines.push_back({together});
   }
   for (const FlatDirection& flat : design.flat) section.lines.push_back({flat_text(design, flat)});
   return section;
@@ -167,12 +174,18 @@ Section objective_section(const SizingReport& report) {
 
 }  // namespace
 
+SizingSections sizing_sections(const SizingReport& report) {
+  return {opening_lines(report), ranking_section(report), best_section(report),
+          shares_section(report), objective_section(report)};
+}
+
 Sheet sizing_sheet(const SizingReport& report) {
-  Sheet sheet{{{"", std::nullopt, opening_lines(report)}}};
-  sheet.add(ranking_section(report));
-  sheet.add(best_section(report));
-  sheet.add(shares_section(report));
-  sheet.add(objective_section(report));
+  SizingSections sections = sizing_sections(report);
+  Sheet sheet{{{"", std::nullopt, std::move(sections.opening)}}};
+  for (Section* section :
+       {&sections.ranking, &sections.best, &sections.shares, &sections.objectives}) {
+    sheet.add(std::move(*section));
+  }
   return sheet;
 }
 

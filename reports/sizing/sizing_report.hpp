@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "catalog/rig/hardware_file.hpp"
 #include "core/uncertainty_ranges.hpp"
@@ -9,6 +10,16 @@
 #include "studies/sizing/sizing_study.hpp"
 
 namespace reeve::reports {
+
+// Pieces of it, for the sheet and the page. Without a table or a line one holds nothing.
+struct SizingSections {
+  std::vector<SheetLine> opening;
+  Section ranking;     // where there are several
+  Section best;        // the dimensions of the best
+  Section shares;      // of a target
+  Section objectives;  // before and sized
+};
+SizingSections sizing_sections(const SizingReport& report);
 
 // The ranking, where there are several, and the best of them in full.
 Sheet sizing_sheet(const SizingReport& report);

@@ -48,4 +48,28 @@ SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOpti
   return report;
 }
 
+SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalogue) {
+  const SizingOptions& options = report.options;
+  const SizedDesign& best = report.designs.front().design;
+  Model sized = options.nominal;
+  sized.hardware = best.hardware;
+  const auto shown = [&](const Model& model) {
+    return shown_routing(best.routing, model, options.grasps, Direction::pull, catalogue);
+  };
+  SizingDetails details{shown(options.nominal), shown(sized), {}};
+  if (report.partial) return details;
+  std::vector<double> point;
+  std::vector<Interval> spans;
+  for (std::size_t i = 0; i < best.variables.size(); ++i) {
+    const SizedVariable& variable = best.variables[i];
+    const Sensitivity& alone = variable.sensitivity;
+    const Interval& bounds = variable.variable.bounds;
+    point.push_back(variable.value);
+    spans.push_back({std::min(bounds.low, variable.value - alone.less.value_or(0)),
+                     std::max(bounds.high, variable.value + alone.more.value_or(0))});
+  }
+  details.profiles = goal_profiles(SizingProblem(best.routing, options), point, spans);
+  return details;
+}
+
 }  // namespace reeve::studies
