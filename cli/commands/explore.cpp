@@ -16,8 +16,11 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
+#include "cli/table_flags.hpp"
 #include "core/error.hpp"
+#include "core/hand/hand.hpp"
 #include "reports/files.hpp"
+#include "reports/results/design_list.hpp"
 #include "reports/results/explore_report.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
@@ -35,6 +38,7 @@ struct ExploreFlags {
   std::optional<std::size_t> details;
   std::string out = "out/explore";
   ModelOption model;
+  TableFlags tables;
   FormatOption format;
 };
 
@@ -95,6 +99,10 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
   const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
+  const ListedWith with{explore_options.prices.has_value(),
+                        hand(file.model.hardware).has_value(), flags.ranking.uncertainty};
+  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   prepare_directory(flags.out, "--out");
   require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
@@ -104,8 +112,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
                              catalogue, supervision);
   });
   write_exploration(report, command, catalogue, flags.details, flags.out);
-  std::cout << (flags.format.is("json") ? explore_summary_json(report)
-                                        : printed(explore_sheet(report), flags.format));
+  std::cout << (flags.format.is("json")
+                    ? explore_summary_json(report)
+                    : flags.tables.printed(explore_sheet(report, columns), flags.format));
   std::cout << announced(
       "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and figures",
       flags.out, flags.format);
@@ -146,6 +155,7 @@ void add_explore(CLI::App& program, int& exit_code) {
           "figures")
       ->capture_default_str();
   flags->model.add_to(*command);
+  flags->tables.add_to(*command, "the list of the best");
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }

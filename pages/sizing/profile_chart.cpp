@@ -40,12 +40,19 @@ chart::Paths line(const GoalProfile& profile, const std::string& title) {
   return {{line}, false};
 }
 
-chart::Panel profile_panel(const SizedDesign& design, std::size_t i, const GoalProfile& profile) {
+// A product's name is longer than the axis.
+std::string goal_title(const Goal& goal) {
+  if (goal.is_target()) return "miss of the target";
+  return goal.factors.size() == 1 ? to_text(goal) : "goal";
+}
+
+chart::Panel profile_panel(const Goal& goal, const SizedDesign& design, std::size_t i,
+                           const GoalProfile& profile) {
   const SizedVariable& sized = design.variables[i];
   chart::Panel panel;
   panel.title = sized.variable.name;
   panel.x.title = axis_title(sized.variable);
-  panel.y.title = "goal";
+  panel.y.title = goal_title(goal);
   chart::Style band{chart::Colour::sky};
   band.fill = 0.25;
   panel.layers.push_back({"may be off so far alone", band, tolerance_band(sized, profile)});
@@ -88,7 +95,7 @@ Figure profile_figure(const SizingReport& report) {
                           title_of(best));
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     if (profiles[i].values.empty()) continue;
-    chart.panels.push_back(profile_panel(best.design, i, profiles[i]));
+    chart.panels.push_back(profile_panel(report.options.goal, best.design, i, profiles[i]));
   }
   return {"profiles", "The goal about the sized dimensions.",
           fmt::format("Drawn is {}, as one dimension changes and the others stay.",

@@ -68,17 +68,18 @@ std::string motor_html(const SizingDetails& details) {
   return html({"motor-table", "The motor, at the nominal coefficients", std::move(table)});
 }
 
-// False, which the template passes over, without a hand.
-Json hand_values(const SizingDetails& details) {
-  if (!details.before.hand || !details.sized.hand) return false;
+// Without a hand there is nothing to fill in.
+void add_hand_values(const SizingDetails& details, Json& values) {
+  values["hand"] = false;
+  values["motor"] = Json::array();
+  if (!details.before.hand || !details.sized.hand) return;
   std::string tables = motor_html(details);
-  Json lines = Json::array();
   int number = 0;
   for (const Section& section : hand_sections(*details.sized.hand)) {
     tables += table_html(fmt::format("hand-table-{}", ++number), section);
-    for (const Json& line : line_values(section.lines)) lines.push_back(line);
+    for (const Json& line : line_values(section.lines)) values["motor"].push_back(line);
   }
-  return {{"tables", tables}, {"lines", lines}};
+  values["hand"] = {{"tables", tables}};
 }
 
 class SizingPageBuilder {
@@ -125,9 +126,9 @@ std::string SizingPageBuilder::profiles() {
 SizingPage SizingPageBuilder::build() {
   const SizedRouting& best = report_.designs.front();
   const SizingSections sections = sizing_sections(report_);
-  std::string drawings;
-  for (std::size_t g = 0; g < details_.sized.grasps.size(); ++g) {
-    drawings += drawing(details_.sized, g, "sized", stems_[0]);
+  std::string others;
+  for (std::size_t g = 1; g < details_.sized.grasps.size(); ++g) {
+    others += drawing(details_.sized, g, "sized", stems_[0]);
   }
   Json values{{"title", "Dimensions of " + title_of(best)},
               {"lead", fmt::format("{}: {}", title_of(best),
@@ -135,7 +136,8 @@ SizingPage SizingPageBuilder::build() {
               {"opening", line_values(sections.opening)},
               {"lines", line_values(sections.best.lines)},
               {"before", drawing(details_.before, 0, "before", stems_[1])},
-              {"sized", drawings},
+              {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
+              {"others", others},
               {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
               {"dimensions", table_html("dimensions-table",
                                         {"What was chosen, and how far it may be off",
@@ -146,7 +148,7 @@ SizingPage SizingPageBuilder::build() {
               {"objectives", table_html("objectives-table", sections.objectives)}};
   values["slopes"] = best.design.together ? slope_html(best.design) : "";
   values["profiles"] = profiles();
-  values["hand"] = hand_values(details_);
+  add_hand_values(details_, values);
   Model sized = report_.options.nominal;
   sized.hardware = best.design.hardware;
   values["settings"] =

@@ -35,7 +35,7 @@ std::string counts_text(const ExploreReport& report) {
   return text + fmt::format(", {} evaluated", result.evaluated);
 }
 
-Section front_section(const ExploreReport& report) {
+Section front_section(const ExploreReport& report, const ListColumns& columns) {
   std::string text = fmt::format("Pareto front over {}: {} design{}",
                                  objective_names(report.options.order.objectives),
                                  report.front.size(), report.front.size() == 1 ? "" : "s");
@@ -50,7 +50,8 @@ Section front_section(const ExploreReport& report) {
   if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
   return {
       text,
-      design_table(first(report.front, shown_at_most), report.options.order, report.options.score),
+      design_table(first(report.front, shown_at_most), report.options.order, report.options.score,
+                   columns),
       {}};
 }
 
@@ -167,13 +168,18 @@ Json explore_settings(const ExploreReport& report) {
 
 }  // namespace
 
-Sheet explore_sheet(const ExploreReport& report) {
+Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
-  Sheet sheet{{{"", std::nullopt, opening_lines(report)},
-               answer_section(report),
-               front_section(report),
-               {fmt::format("Top {}", top.size()),
-                design_table(top, report.options.order, report.options.score), alike_lines(top)}}};
+  const Section best{
+      fmt::format("Top {}", top.size()),
+      design_table(top, report.options.order, report.options.score, columns), alike_lines(top)};
+  Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
+  if (!columns.chosen.empty()) {
+    sheet.add(best);
+    return sheet;
+  }
+  sheet.add(front_section(report, columns));
+  sheet.add(best);
   sheet.add(ladder_section(report.ladder));
   sheet.add(known_section(report));
   return sheet;

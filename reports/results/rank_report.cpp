@@ -65,17 +65,19 @@ void add_details(Json& json, const RankDetails& details) {
 
 }  // namespace
 
-Sheet rank_sheet(const RankReport& report) {
+Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(shown, report.order, report.score), alike_lines(shown)}}};
+               {"", design_table(shown, report.order, report.score, columns),
+                alike_lines(shown)}}};
   if (report.designs.size() > 1) {
     sheet.add({"", std::nullopt, answer_lines(report.designs, report.ladder)});
   }
+  if (!columns.chosen.empty()) return sheet;
   sheet.add(ladder_section(report.ladder));
   sheet.add(margin_section(report));
   return sheet;

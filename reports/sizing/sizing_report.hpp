@@ -21,8 +21,13 @@ struct SizingSections {
 };
 SizingSections sizing_sections(const SizingReport& report);
 
-// The ranking, where there are several, and the best of them in full.
-Sheet sizing_sheet(const SizingReport& report);
+// The ranking, where there are several, and the best of them in full. Where columns are chosen, the
+// one table that has them: the dimensions of the best, or the ranking.
+Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns = {});
+
+// What can be chosen of either; no name is in both.
+std::vector<std::string> dimension_column_names();
+std::vector<std::string> sized_column_names(const Hardware& hardware);
 
 std::string sizing_json(const SizingReport& report);
 
