@@ -107,8 +107,10 @@ HtmlTable objective_table(const ShownRouting& report) {
               {}};
   for (const ObjectiveRow& row : search::objective_table()) {
     if (!is_there(row, report.values)) continue;
-    if (row.objective == Objective::cost) continue;  // there are no prices here
-    table.add({objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
+    if (row.objective == Objective::cost && !report.prices) continue;
+    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
+    table.add({objective_title(row), objective_text(row, report.values),
+               priced ? report.prices->unit : row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
 }

@@ -178,8 +178,11 @@ Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
     sheet.add(best);
     return sheet;
   }
-  sheet.add(front_section(report, columns));
-  sheet.add(best);
+  // What constraints leave nothing of, the answer says.
+  if (!top.empty()) {
+    sheet.add(front_section(report, columns));
+    sheet.add(best);
+  }
   sheet.add(ladder_section(report.ladder));
   sheet.add(known_section(report));
   return sheet;
