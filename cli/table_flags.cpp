@@ -44,8 +44,9 @@ bool is_table(const FormatOption& format) {
 void TableFlags::add_to(CLI::App& command, const std::string& list) {
   columns_given_ = command.add_option(
       "--columns", columns,
-      "Of " + list + ", such as name,routing,uniformity_mean: these, in this order, and no other "
-      "table");
+      "Of " + list +
+          ", such as name,routing,uniformity_mean: these, in this order, and no other "
+          "table");
   width_given_ = command.add_option(
       "--text-width", text_width,
       "How wide tables may be: with --format latex a length such as 88mm or 3.5in, otherwise "
@@ -84,8 +85,9 @@ double TableFlags::read_width(const FormatOption& format) const {
   const bool whole = characters && *characters == static_cast<int>(*characters);
   return whole && *characters >= 20 && *characters <= 1000
              ? *characters
-             : fail("a whole number of characters from 20 to 1000; a length goes with --format "
-                    "latex");
+             : fail(
+                   "a whole number of characters from 20 to 1000; a length goes with --format "
+                   "latex");
 }
 
 std::string TableFlags::printed(const Sheet& sheet, const FormatOption& format) const {

@@ -99,8 +99,8 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
   const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
-  const ListedWith with{explore_options.prices.has_value(),
-                        hand(file.model.hardware).has_value(), flags.ranking.uncertainty};
+  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value(),
+                        flags.ranking.uncertainty};
   const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
   flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);

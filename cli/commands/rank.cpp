@@ -234,7 +234,8 @@ int run(const RankFlags& flags, const CLI::App& command) {
   if (report->details) {
     report->unconverged += distributions.unconverged;
     report->details->distributions = std::move(distributions);
-    write_page(*report, folder, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
+    write_page(*report, folder,
+               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
   }
   print(*report, flags, columns);
   if (flags.out.is_given()) {

@@ -217,7 +217,8 @@ int run(const SizeFlags& flags, const CLI::App& command) {
   }
   if (flags.out.is_given()) {
     report.details = sizing_details(report, catalogue);
-    write_page(report, folder, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
+    write_page(report, folder,
+               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
   }
   print(report, flags, columns);
   if (flags.out.is_given()) {

@@ -136,8 +136,8 @@ std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
     const std::string id = schematic_id(routings[i].word);
     const std::string svg = grasp_svg(routings[i], 0, id);
     const std::string file = schematic_name(stems[i], shown.grasp);
-    result.push_back({schematic_html(id, svg, file),
-                      {file, svg, schematic_caption(routings[i], shown)}});
+    result.push_back(
+        {schematic_html(id, svg, file), {file, svg, schematic_caption(routings[i], shown)}});
   }
   return result;
 }

@@ -47,9 +47,9 @@ std::string coefficients_text(const Model& model) {
                         hardware.contacts.size() == 1 ? "" : "s");
   }
   if (!model.effects.empty()) {
-    text += fmt::format(", and {} of a model beyond plain friction",
-                        model.effects.size() == 1 ? "an effect"
-                                                  : fmt::format("{} effects", model.effects.size()));
+    text += fmt::format(
+        ", and {} of a model beyond plain friction",
+        model.effects.size() == 1 ? "an effect" : fmt::format("{} effects", model.effects.size()));
   }
   return text;
 }
@@ -59,15 +59,15 @@ std::string schematic_caption(const ShownRouting& report, const ShownGrasp& show
   return fmt::format(
       "Routing {} with {}, the carriage {}{}: simulated tensions in newton per newton of motor "
       "tension, and which way the tendon slides at each contact, with {}; {}.\n",
-      captioned_routing(report), grasp_words(shown.grasp), verb, shown.state.jams ? " (it jams)" : "",
-      coefficients_text(report.model), computed());
+      captioned_routing(report), grasp_words(shown.grasp), verb,
+      shown.state.jams ? " (it jams)" : "", coefficients_text(report.model), computed());
 }
 
 FigureFile captioned(const Figure& figure, const Model& model) {
   std::string what = figure.title;
   while (!what.empty() && what.back() == '.') what.pop_back();
-  std::string caption = fmt::format("{}: simulated, with {}; {}.", what, coefficients_text(model),
-                                    computed());
+  std::string caption =
+      fmt::format("{}: simulated, with {}; {}.", what, coefficients_text(model), computed());
   if (!figure.caption.empty()) caption += " " + figure.caption;
   return {figure.id, figure.svg, caption + "\n"};
 }

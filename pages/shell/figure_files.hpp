@@ -15,9 +15,9 @@ struct FigureFile {
   std::string caption{};  // "": none is written
 };
 
-// Writes figures/ID.svg and figures/ID.txt, and removes what an earlier run wrote there and this one
-// did not: what lies in the folder then belongs to one result. Files of others stay; which are ours
-// stands in figures/.reeve. Throws InputError.
+// Writes figures/ID.svg and figures/ID.txt, and removes what an earlier run wrote there and this
+// one did not: what lies in the folder then belongs to one result. Files of others stay; which are
+// ours stands in figures/.reeve. Throws InputError.
 void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
 
 }  // namespace reeve::pages

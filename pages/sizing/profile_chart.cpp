@@ -59,10 +59,11 @@ chart::Panel profile_panel(const Goal& goal, const SizedDesign& design, std::siz
   if (design.together && design.variables.size() > 1) {
     chart::Style inner{chart::Colour::green};
     inner.fill = 0.35;
-    panel.layers.push_back({"all at once", inner,
-                            together_band(sized.value, design.together->ways[i], profile)});
+    panel.layers.push_back(
+        {"all at once", inner, together_band(sized.value, design.together->ways[i], profile)});
   }
-  panel.layers.push_back({"goal, the other dimensions as sized", {chart::Colour::blue},
+  panel.layers.push_back({"goal, the other dimensions as sized",
+                          {chart::Colour::blue},
                           line(profile, sized.variable.name)});
   chart::Style before{chart::Colour::grey};
   before.dash = chart::Dash::dashed;
@@ -73,10 +74,11 @@ chart::Panel profile_panel(const Goal& goal, const SizedDesign& design, std::siz
          chart::Rules{{{nominal, fmt::format("before: {:.4g}", nominal), ""}}, chart::Along::x}});
   }
   panel.layers.push_back(
-      {"sized", {chart::Colour::orange, chart::Symbol::diamond, 5},
-       chart::Points{{{sized.value, design.after.goal,
-                       fmt::format("sized: {:.4g}, goal {:.4g}", sized.value, design.after.goal),
-                       ""}}}});
+      {"sized",
+       {chart::Colour::orange, chart::Symbol::diamond, 5},
+       chart::Points{
+           {{sized.value, design.after.goal,
+             fmt::format("sized: {:.4g}, goal {:.4g}", sized.value, design.after.goal), ""}}}});
   return panel;
 }
 

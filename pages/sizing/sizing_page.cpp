@@ -32,8 +32,8 @@ std::string table_html(const std::string& id, const Section& section) {
 }
 
 std::string slope_html(const SizedDesign& design) {
-  Table table{{text_column("dimension"), number_column("slope, less"),
-               number_column("slope, more"), text_column("per")},
+  Table table{{text_column("dimension"), number_column("slope, less"), number_column("slope, more"),
+               text_column("per")},
               {}};
   for (const SizedVariable& sized : design.variables) {
     const char* unit = sized.variable.unit;
@@ -62,8 +62,8 @@ std::string motor_html(const SizingDetails& details) {
   if (sized.torque_Nm) {
     table.add({"torque at the spool", "N m", short_text(*before.torque_Nm),
                short_text(*sized.torque_Nm)});
-    table.add({"speed of the spool", "rpm", short_text(*before.spool_rpm),
-               short_text(*sized.spool_rpm)});
+    table.add(
+        {"speed of the spool", "rpm", short_text(*before.spool_rpm), short_text(*sized.spool_rpm)});
   }
   return html({"motor-table", "The motor, at the nominal coefficients", std::move(table)});
 }
@@ -88,8 +88,8 @@ class SizingPageBuilder {
       : report_(report),
         details_(*report.details),
         command_(command),
-        stems_(file_stems({{details_.sized.name, details_.sized.word},
-                           {"", details_.sized.word + "-before"}})) {}
+        stems_(file_stems(
+            {{details_.sized.name, details_.sized.word}, {"", details_.sized.word + "-before"}})) {}
 
   SizingPage build();
 
@@ -130,31 +130,29 @@ SizingPage SizingPageBuilder::build() {
   for (std::size_t g = 1; g < details_.sized.grasps.size(); ++g) {
     others += drawing(details_.sized, g, "sized", stems_[0]);
   }
-  Json values{{"title", "Dimensions of " + title_of(best)},
-              {"lead", fmt::format("{}: {}", title_of(best),
-                                   gain_text(report_.options, best.design))},
-              {"opening", line_values(sections.opening)},
-              {"lines", line_values(sections.best.lines)},
-              {"before", drawing(details_.before, 0, "before", stems_[1])},
-              {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
-              {"others", others},
-              {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
-              {"dimensions", table_html("dimensions-table",
-                                        {"What was chosen, and how far it may be off",
-                                         sections.best.table,
-                                         {}})},
-              {"ranking", table_html("ranking-table", sections.ranking)},
-              {"shares", table_html("shares-table", sections.shares)},
-              {"objectives", table_html("objectives-table", sections.objectives)}};
+  Json values{
+      {"title", "Dimensions of " + title_of(best)},
+      {"lead", fmt::format("{}: {}", title_of(best), gain_text(report_.options, best.design))},
+      {"opening", line_values(sections.opening)},
+      {"lines", line_values(sections.best.lines)},
+      {"before", drawing(details_.before, 0, "before", stems_[1])},
+      {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
+      {"others", others},
+      {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
+      {"dimensions",
+       table_html("dimensions-table",
+                  {"What was chosen, and how far it may be off", sections.best.table, {}})},
+      {"ranking", table_html("ranking-table", sections.ranking)},
+      {"shares", table_html("shares-table", sections.shares)},
+      {"objectives", table_html("objectives-table", sections.objectives)}};
   values["slopes"] = best.design.together ? slope_html(best.design) : "";
   values["profiles"] = profiles();
   add_hand_values(details_, values);
   Model sized = report_.options.nominal;
   sized.hardware = best.design.hardware;
-  values["settings"] =
-      settings_html(sized, report_.unconverged, report_.options.grasps, command_);
-  page_.html = page_html({values["title"].get<std::string>(),
-                          render("sizing.mustache", values), "", Json::object()});
+  values["settings"] = settings_html(sized, report_.unconverged, report_.options.grasps, command_);
+  page_.html = page_html(
+      {values["title"].get<std::string>(), render("sizing.mustache", values), "", Json::object()});
   return std::move(page_);
 }
 

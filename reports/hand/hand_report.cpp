@@ -121,9 +121,10 @@ void add_reach_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
   if (!hand.stroke_reach) return;
   const StrokeReach& reach = *hand.stroke_reach;
   if (reach.closure < hand.demand.closure) {
-    lines.push_back({fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range: "
-                                 "finger {} closes least",
-                                 *hand.motor.stroke_mm, percent(reach.closure), reach.last)});
+    lines.push_back(
+        {fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range: "
+                     "finger {} closes least",
+                     *hand.motor.stroke_mm, percent(reach.closure), reach.last)});
   }
 }
 

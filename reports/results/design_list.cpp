@@ -117,8 +117,8 @@ std::vector<std::string> list_column_names(const ListedWith& with) {
   return names;
 }
 
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
-                   const Score& score, const ListColumns& wanted) {
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+                   const ListColumns& wanted) {
   const bool all = !wanted.chosen.empty();
   const bool uncertain = with_distributions(designs);
   const std::vector<ColumnRows> objectives = objective_columns(designs, order, score, wanted);

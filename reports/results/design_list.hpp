@@ -16,8 +16,8 @@ namespace reeve::reports {
 // Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
 // objectives that the order asks for, and what the score is made of where it orders. Or what is
 // chosen among all columns, which are called as those of the CSV.
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
-                   const Score& score, const ListColumns& wanted = {});
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+                   const ListColumns& wanted = {});
 
 // What can be chosen, of designs that were judged so.
 struct ListedWith {

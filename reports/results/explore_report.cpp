@@ -48,11 +48,10 @@ Section front_section(const ExploreReport& report, const ListColumns& columns) {
     text += fmt::format(", {} but for bearings that change nothing", lines.size());
   }
   if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
-  return {
-      text,
-      design_table(first(report.front, shown_at_most), report.options.order, report.options.score,
-                   columns),
-      {}};
+  return {text,
+          design_table(first(report.front, shown_at_most), report.options.order,
+                       report.options.score, columns),
+          {}};
 }
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
@@ -170,9 +169,9 @@ Json explore_settings(const ExploreReport& report) {
 
 Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
-  const Section best{
-      fmt::format("Top {}", top.size()),
-      design_table(top, report.options.order, report.options.score, columns), alike_lines(top)};
+  const Section best{fmt::format("Top {}", top.size()),
+                     design_table(top, report.options.order, report.options.score, columns),
+                     alike_lines(top)};
   Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
   if (!columns.chosen.empty()) {
     sheet.add(best);

@@ -72,8 +72,7 @@ Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(shown, report.order, report.score, columns),
-                alike_lines(shown)}}};
+               {"", design_table(shown, report.order, report.score, columns), alike_lines(shown)}}};
   if (report.designs.size() > 1) {
     sheet.add({"", std::nullopt, answer_lines(report.designs, report.ladder)});
   }

@@ -18,9 +18,9 @@
 namespace reeve::reports {
 namespace {
 
-constexpr double column_gap_pt = 6;      // twice \tabcolsep
-constexpr double least_text_pt = 34;     // a text is not wrapped into less
-constexpr double spare_pt = 0.5;         // of a column of wrapped text: what rounding takes
+constexpr double column_gap_pt = 6;   // twice \tabcolsep
+constexpr double least_text_pt = 34;  // a text is not wrapped into less
+constexpr double spare_pt = 0.5;      // of a column of wrapped text: what rounding takes
 
 // Digits behind the decimal mark; nothing of what is no plain number.
 std::optional<std::size_t> decimals(const std::string& cell) {
@@ -62,8 +62,7 @@ std::vector<std::string> words_of(const std::string& text) {
 std::vector<std::string> heading_lines(const std::string& heading, double width) {
   std::vector<std::string> lines;
   for (const std::string& word : words_of(heading)) {
-    const bool joins =
-        !lines.empty() && latex_width_pt(lines.back() + " " + word) <= width;
+    const bool joins = !lines.empty() && latex_width_pt(lines.back() + " " + word) <= width;
     if (joins) {
       lines.back() += " " + word;
     } else {
@@ -98,9 +97,7 @@ struct LatexColumn {
 };
 
 // A dash alone stands for what is not there.
-std::string latex_cell(const std::string& text) {
-  return text == "-" ? "--" : latex_escaped(text);
-}
+std::string latex_cell(const std::string& text) { return text == "-" ? "--" : latex_escaped(text); }
 
 LatexColumn number_cells(const TableColumn& about, const std::vector<std::string>& cells) {
   LatexColumn column{about, {}};

@@ -1,5 +1,5 @@
-// How wide text is when LaTeX typesets it, near enough to say whether a table fits: by the widths of
-// Computer Modern in \footnotesize of a document in 10 pt, which are those of most papers in two
+// How wide text is when LaTeX typesets it, near enough to say whether a table fits: by the widths
+// of Computer Modern in \footnotesize of a document in 10 pt, which are those of most papers in two
 // columns. Times, which many of them use, is narrower.
 #pragma once
 

@@ -79,9 +79,9 @@ Json together_json(const SizedDesign& design) {
 
 Json design_json(const SizedRouting& routing) {
   const SizedDesign& design = routing.design;
-  Json json{{"rank", routing.rank_after},    {"rank_before", routing.rank_before},
-            {"routing", routing.word},       {"name", text_or_null(routing.name)},
-            {"target", target_json(design)}, {"dimensions", Json::array()},
+  Json json{{"rank", routing.rank_after},        {"rank_before", routing.rank_before},
+            {"routing", routing.word},           {"name", text_or_null(routing.name)},
+            {"target", target_json(design)},     {"dimensions", Json::array()},
             {"together", together_json(design)}, {"flat", Json::array()}};
   for (std::size_t i = 0; i < design.variables.size(); ++i) {
     json["dimensions"].push_back(variable_json(design, i));

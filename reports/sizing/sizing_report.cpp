@@ -140,8 +140,7 @@ Table variable_table(const SizedDesign& design, bool all) {
   Table table;
   for (const VariableColumn& column : variable_columns) {
     if (!is_shown(column)) continue;
-    table.columns.push_back(
-        {column.heading, "", column.is_text, column.dispensable, column.key});
+    table.columns.push_back({column.heading, "", column.is_text, column.dispensable, column.key});
   }
   for (std::size_t i = 0; i < design.variables.size(); ++i) {
     const auto cells = variable_cells(design, i);
@@ -269,7 +268,7 @@ std::vector<std::string> dimension_column_names() {
 }
 
 std::vector<std::string> sized_column_names(const Hardware& hardware) {
-  std::vector<std::string> names{"rank", "rank_before", "name",
+  std::vector<std::string> names{"rank",    "rank_before", "name",
                                  "routing", "goal_before", "goal_sized"};
   for (const ObjectiveRow& row : objective_table()) {
     const bool there = !row.of_hand || hand(hardware);

@@ -29,7 +29,6 @@ std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
   return text;
 }
 
-
 std::string tolerance_text(const SizingOptions& options) {
   return options.goal.is_target() ? "before shares miss by 0.01 more"
                                   : "before 1 % of the goal is lost";

@@ -1,6 +1,7 @@
 // What a motor of a given force and stroke does with a hand.
 //
-//   share of the wanted   least F_f / F_w,f over fingers f and grasps, F_f the fingertip force at the
+//   share of the wanted   least F_f / F_w,f over fingers f and grasps, F_f the fingertip force at
+//   the
 //                         motor's force: so much of all wanted forces can be had at once. 0 if a
 //                         finger that is not held cannot even close against its springs
 //   closure               share of its range that the finger closes that closes least, the carriage
@@ -20,8 +21,8 @@ struct ForceReach {
   double motor_N = 0;
   // Of the wanted forces; infinite if no finger wants any.
   double share = 0;
-  int weakest = 0;  // the finger that has least of it; 0: none wants any
-  Grasp grasp{};    // and the grasp in which it has
+  int weakest = 0;        // the finger that has least of it; 0: none wants any
+  Grasp grasp{};          // and the grasp in which it has
   std::size_t joint = 0;  // its joint that gives first then, from 0
   double force_N = 0;     // what it presses with
 };

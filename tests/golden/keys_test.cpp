@@ -90,8 +90,7 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
 }
 
 TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {
-  const Json json =
-      json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
+  const Json json = json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
   EXPECT_EQ(keys(json),
             "routing name canonical direction motor_sides grasps" + objectives + " model prices");
   EXPECT_EQ(json["prices"]["unit"], "EUR");

@@ -48,7 +48,8 @@ TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
     arguments.insert(arguments.end(), {"--format", format});
     return printed(arguments);
   };
-  EXPECT_TRUE(has(in("table"), "\nrouting    uniformity, worst  rank\n1-P-2-P-1             0.997     1\n"))
+  EXPECT_TRUE(
+      has(in("table"), "\nrouting    uniformity, worst  rank\n1-P-2-P-1             0.997     1\n"))
       << in("table");
   EXPECT_TRUE(has(in("markdown"), "| routing   | uniformity, worst | rank |\n"));
   EXPECT_EQ(count(in("latex"), "\\begin{tabular}{lrr}"), 1U);
@@ -63,8 +64,8 @@ TEST(TablesForPapers, HaveMeanAndWorstInColumnsOfTheirOwn) {
 }
 
 TEST(TablesForPapers, OfSizesHaveThoseOfTheDimensionsOrOfTheRoutings) {
-  const Arguments size{"size", "TR1", "TR7", "--vary", "sheath_angle=3..9", "--nominal",
-                       "--columns"};
+  const Arguments size{"size",      "TR1",      "TR7", "--vary", "sheath_angle=3..9",
+                       "--nominal", "--columns"};
   Arguments dimensions = size;
   dimensions.emplace_back("sized,dimension,slope_more");
   EXPECT_TRUE(has(printed(dimensions), "\nsized  dimension        slope, more\n"));
@@ -91,7 +92,8 @@ TEST(TablesForPapers, AreTypesetWithinTheColumn) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string name = "t" + std::to_string(i);
     folder.write(name + ".tex", in_a_column(tables[i]));
-    document += "\\setbox0=\\vbox{\\hsize=252.945pt\\linewidth=\\hsize\\input{" + name + "}}\\box0\n";
+    document +=
+        "\\setbox0=\\vbox{\\hsize=252.945pt\\linewidth=\\hsize\\input{" + name + "}}\\box0\n";
   }
   folder.write("paper.tex", document + "\\end{document}\n");
   ProcessOptions options;
@@ -104,7 +106,8 @@ TEST(TablesForPapers, AreTypesetWithinTheColumn) {
 
 TEST(ShowCost, IsThatOfTheRanking) {
   const std::string price_file = REEVE_CATALOG_DIR "/prices/example.toml";
-  const Json shown = Json::parse(printed({"show", "TR3", "--cost", price_file, "--format", "json"}));
+  const Json shown =
+      Json::parse(printed({"show", "TR3", "--cost", price_file, "--format", "json"}));
   const Json ranked =
       Json::parse(printed({"rank", "TR3", "--cost", price_file, "--format", "json"}));
   EXPECT_EQ(shown["cost"], ranked["designs"][0]["cost"]);

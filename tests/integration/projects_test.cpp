@@ -60,8 +60,8 @@ TEST(Projects, RunAsTheyStandInTheDocument) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_FALSE(documented.lines.empty());
     for (const std::string& line : documented.lines) {
-      EXPECT_NE(("\n" + result.out).find("\n" + line + "\n"), std::string::npos)
-          << line << "\n\n" << result.out;
+      EXPECT_NE(("\n" + result.out).find("\n" + line + "\n"), std::string::npos) << line << "\n\n"
+                                                                                 << result.out;
     }
   }
   for (const char* page : {"out/prosthesis", "out/thumb", "out/glove"}) {

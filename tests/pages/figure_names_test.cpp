@@ -59,7 +59,8 @@ TEST(FigureNames, AreNeverAlikeWhateverTheCaseAndWhateverIsLeftOfThem) {
     }
   }
   EXPECT_EQ(stems[1], "Glove-2");
-  EXPECT_EQ(stems[3], "gl_ve-3");
+  EXPECT_EQ(stems[3], "gl_ve-2");
+  EXPECT_EQ(stems[4], "gl_ve-2-2");
 }
 
 TEST(FigureNames, OfMechanismsThatShareANameHaveTheirWordsBeside) {

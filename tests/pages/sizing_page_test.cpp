@@ -44,9 +44,10 @@ const SizedPage& hand_page() {
 TEST(SizingPage, AnswersWithDimensionsTolerancesAndTheMotor) {
   const SizedPage& page = hand_page();
   ASSERT_EQ(page.result.exit_code, 0) << page.result.err;
-  for (const char* part : {"id=\"gain\"", "All may be off at once by ", "<p>Motor force ",
-                           "id=\"dimensions-table\"", "id=\"slopes-table\"", "id=\"motor-table\"",
-                           "id=\"hand-table-2\"", "<pre id=\"command\">reeve size M-1b-T-2b-B-3b-M "}) {
+  for (const char* part :
+       {"id=\"gain\"", "All may be off at once by ", "<p>Motor force ", "id=\"dimensions-table\"",
+        "id=\"slopes-table\"", "id=\"motor-table\"", "id=\"hand-table-2\"",
+        "<pre id=\"command\">reeve size M-1b-T-2b-B-3b-M "}) {
     EXPECT_TRUE(page.has(part)) << part;
   }
   for (const Json& dimension : page.json["designs"][0]["dimensions"]) {
@@ -101,8 +102,8 @@ TEST(SizingPage, HasTheMotorThatShowGivesWithTheSizedHardware) {
                         "1=2,others=1", "--vary", "sheath_angle=1..12", "--nominal",
                         "--save-hardware", file});
   ASSERT_EQ(page.result.exit_code, 0) << page.result.err;
-  const Json shown = Json::parse(
-      reeve({"show", "M-1-P-2-P-3-M", "--hardware", file, "--format", "json"}).out);
+  const Json shown =
+      Json::parse(reeve({"show", "M-1-P-2-P-3-M", "--hardware", file, "--format", "json"}).out);
   EXPECT_EQ(page.json["details"]["sized"]["grasps"].size(), 4U);
   for (const char* key : {"force_N", "stroke_mm", "power_W"}) {
     EXPECT_NEAR(page.json["details"]["sized"]["hand"]["motor"][key],

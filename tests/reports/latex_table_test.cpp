@@ -49,8 +49,7 @@ TEST(ChosenColumns, ThatAreNotThereAreNamedWithWhatIs) {
   EXPECT_EQ(fault_of("rank,way"),
             "columns 'rank,way': there is no column 'way'; expected any of rank, routing");
   EXPECT_EQ(fault_of("rank,rank"), "columns 'rank,rank': 'rank' is there twice");
-  EXPECT_EQ(fault_of(""),
-            "columns '': there is no column ''; expected any of rank, routing");
+  EXPECT_EQ(fault_of(""), "columns '': there is no column ''; expected any of rank, routing");
 }
 
 TEST(LatexTables, HaveDecimalMarksBelowEachOther) {
@@ -63,7 +62,8 @@ TEST(LatexTables, HaveDecimalMarksBelowEachOther) {
 
 TEST(LatexTables, OfAWidthHaveHeadingsInSeveralLines) {
   const std::string text = typeset(list(), 88);
-  EXPECT_TRUE(has(text, "{\\footnotesize\\setlength{\\tabcolsep}{3pt}%\n\\begin{tabular}{@{}rlrr@{}}"))
+  EXPECT_TRUE(
+      has(text, "{\\footnotesize\\setlength{\\tabcolsep}{3pt}%\n\\begin{tabular}{@{}rlrr@{}}"))
       << text;
   EXPECT_TRUE(has(text, "   &  & way & share \\\\\n  rank & routing & (mm) & of all \\\\\n"))
       << text;
@@ -72,7 +72,8 @@ TEST(LatexTables, OfAWidthHaveHeadingsInSeveralLines) {
 TEST(LatexTables, TooWideWrapRoutingsAtTheirDashes) {
   const std::string text = typeset(with_columns(list(), {"rank", "routing", "way_mm"}), 37);
   EXPECT_TRUE(has(text, "@{}rp{")) << text;
-  EXPECT_TRUE(has(text, "\\raggedright M-1b-B-2b+\\allowbreak{}F-3b-F & $-$1.25 \\tabularnewline\n"))
+  EXPECT_TRUE(
+      has(text, "\\raggedright M-1b-B-2b+\\allowbreak{}F-3b-F & $-$1.25 \\tabularnewline\n"))
       << text;
   EXPECT_FALSE(has(text, "\\\\\n"));
 }

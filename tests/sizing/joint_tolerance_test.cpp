@@ -51,9 +51,9 @@ struct Judged {
 // In M-1-T-2-F the uniformity is T4/T1 = e^{−μ(θ1 + θ2 + θ3)}: alone each angle may grow by
 // −ln(0.99)/μ, together by a third of it.
 TEST(JointTolerance, OfThreeAnglesOfOneTendonIsAThird) {
-  SizingOptions options =
-      sizing("uniformity", {"contact_angle[T1-T2]=1..2", "contact_angle[T2-T3]=1..2",
-                            "contact_angle[T3-T4]=1..2"});
+  SizingOptions options = sizing(
+      "uniformity",
+      {"contact_angle[T1-T2]=1..2", "contact_angle[T2-T3]=1..2", "contact_angle[T3-T4]=1..2"});
   options.grasps = parse_grasps("none", 2);
   const Judged judged("M-1-T-2-F", options, {1, 1, 1});
   const double alone = -std::log(0.99) / 0.18;
@@ -118,8 +118,8 @@ TEST(JointTolerance, OfATargetIsThatOfADenseGrid) {
 // Nine contacts, each of which takes its e^{−μθ}: more corners than are looked at one by one.
 TEST(JointTolerance, OfManyDimensionsIsFoundByAscent) {
   std::vector<std::string> varied;
-  for (const char* contact : {"T1-T2", "T2-T3", "T3-T4", "T4-T5", "T5-T6", "T6-T7", "T7-T8",
-                              "T8-T9", "T9-T10"}) {
+  for (const char* contact :
+       {"T1-T2", "T2-T3", "T3-T4", "T4-T5", "T5-T6", "T6-T7", "T7-T8", "T8-T9", "T9-T10"}) {
     varied.push_back(std::string("contact_angle[") + contact + "]=1..2");
   }
   SizingOptions options = sizing("uniformity", varied, 5);

@@ -19,8 +19,7 @@ using testing::simple_finger;
 using testing::three_joint_finger;
 
 ShownHand reach_of(const std::string& word, const Hardware& hardware) {
-  return *studies::shown_hand(expand(parse_routing(word)), word, Model{hardware},
-                              single_grasps(2));
+  return *studies::shown_hand(expand(parse_routing(word)), word, Model{hardware}, single_grasps(2));
 }
 
 Hardware with_motor(Hardware hardware, double force_N, double stroke_mm) {
