@@ -22,7 +22,7 @@ constexpr std::size_t long_list = 200;
 ExplorationView view(const ExploreReport& report, const CLI::App& command,
                      const Catalogue& catalogue, std::optional<std::size_t> details) {
   const ExploreOptions& options = report.options;
-  return {report, command_line(command, {"--threads", "--format"}),
+  return {report, command_line(command, {"--threads", "--format", "--columns", "--text-width"}),
           given_options(command, {"--hardware", "--model"}),
           [&](const Routing& routing) {
             return shown_routing(routing, options.model, options.grasps, Direction::pull,

@@ -36,31 +36,33 @@ void LadderFlags::add_to(CLI::App& command) {
                   "Name the design with least of the ladder's measure that loses no more than this "
                   "in any ranked objective against the first")
       ->capture_default_str();
-  prices_given_ = command.add_option(
-      "--cost", prices,
-      "TOML file with what each kind of part costs, in money, mass or volume: makes cost an "
-      "objective; see catalog/prices/example.toml");
+  prices.add_to(command, "makes cost an objective");
 }
 
 LadderOptions LadderFlags::read() const {
-  const bool priced = prices_given_->count() > 0;
+  const bool priced = prices.is_given();
   const std::string measure = priced && by_given_->count() == 0 ? "cost" : by;
   if (measure == "cost" && !priced) fail_without_prices("--ladder", measure);
   return {parse_objective(measure, "--ladder"),
           for_name("--", [&] { return parse_within(within); })};
 }
 
-std::optional<PartPrices> LadderFlags::read_prices() const {
-  if (prices_given_->count() == 0) return std::nullopt;
-  if (prices.empty()) {
-    throw InputError({.what = "--cost", .value = "", .expected = "a TOML file"});
-  }
-  return read_price_file(prices);
+void PricesOption::add_to(CLI::App& command, const std::string& what) {
+  option_ = command.add_option(
+      "--cost", file_,
+      "TOML file with what each kind of part costs, in money, mass or volume: " + what +
+          "; see catalog/prices/example.toml");
+}
+
+std::optional<PartPrices> PricesOption::read() const {
+  if (!is_given()) return std::nullopt;
+  if (file_.empty()) throw InputError({.what = "--cost", .value = "", .expected = "a TOML file"});
+  return read_price_file(file_);
 }
 
 void LadderFlags::require_prices(const Order& order, const Score& score,
                                  const std::vector<Constraint>& constraints) const {
-  if (prices_given_->count() > 0) return;
+  if (prices.is_given()) return;
   const auto& objectives = order.objectives;
   if (std::find(objectives.begin(), objectives.end(), Objective::cost) != objectives.end()) {
     fail_without_prices("--objectives", "cost");

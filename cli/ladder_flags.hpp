@@ -16,22 +16,33 @@
 
 namespace reeve::cli {
 
+// --cost
+struct PricesOption {
+  void add_to(CLI::App& command, const std::string& what);
+  bool is_given() const { return option_->count() > 0; }
+  // Nothing if none are given. Throws InputError.
+  std::optional<PartPrices> read() const;
+
+ private:
+  std::string file_;
+  CLI::Option* option_ = nullptr;
+};
+
 struct LadderFlags {
   std::string by = "sheaths";
   std::string within = "2%";
-  std::string prices;
+  PricesOption prices;
 
   void add_to(CLI::App& command);
   // By the cost where prices are given and no measure is.
   LadderOptions read() const;
-  std::optional<PartPrices> read_prices() const;
+  std::optional<PartPrices> read_prices() const { return prices.read(); }
   // Throws InputError if what was asked for counts the cost, and there are no prices.
   void require_prices(const Order& order, const Score& score,
                       const std::vector<Constraint>& constraints) const;
 
  private:
   CLI::Option* by_given_ = nullptr;
-  CLI::Option* prices_given_ = nullptr;
 };
 
 }  // namespace reeve::cli

@@ -25,10 +25,12 @@ std::vector<std::string> with_tables(const std::vector<std::string>& others) {
   return formats;
 }
 
-std::string printed(const Sheet& sheet, const FormatOption& format) {
+std::string printed(const Sheet& sheet, const FormatOption& format, double width) {
   if (format.is("markdown")) return markdown(sheet);
-  if (format.is("latex")) return latex(sheet);
-  return text(sheet, look());
+  if (format.is("latex")) return latex(sheet, width);
+  Look shown = look();
+  if (width > 0) shown.width = static_cast<std::size_t>(width);
+  return text(sheet, shown);
 }
 
 std::string announced(const std::string& files, const std::filesystem::path& folder,

@@ -14,7 +14,8 @@ namespace reeve::cli {
 std::vector<std::string> with_tables(const std::vector<std::string>& others);
 
 // In the format that was asked for, one of table, markdown and latex.
-std::string printed(const Sheet& sheet, const FormatOption& format);
+// `width`: of the text in characters, with latex in pt; 0: as wide as the terminal, or any.
+std::string printed(const Sheet& sheet, const FormatOption& format, double width = 0);
 
 // Which files lie in the folder now, and where the page among them is. Only beside a table, where
 // nobody takes it for a part of the result; otherwise "".

@@ -27,6 +27,8 @@ inline constexpr std::uint32_t temperatures = 0x51a00016;
 inline constexpr std::uint32_t sheath_angles = 0x51a00018;
 // Where searches for dimensions start: one for each variable.
 inline constexpr std::uint32_t sizing_starts = 0x51ce0000;
+// Where searches for the worst of several tolerances start: likewise.
+inline constexpr std::uint32_t tolerance_corners = 0x51cf0000;
 
 // Seeds for the replicates of each step of a search, and for those of what it leaves. Prime steps:
 // seeds that users try, 1, 2, 3, …, meet none of another's.

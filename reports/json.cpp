@@ -132,6 +132,13 @@ Json score_json(const Order& order, const Score& score) {
 
 }  // namespace
 
+Json to_json(const PartPrices& prices) {
+  Json json{{"unit", text_or_null(prices.unit)}};
+  for (const PriceRow& row : price_table()) json[row.name] = prices.*row.price;
+  json["tendon_mm"] = prices.tendon_mm;
+  return json;
+}
+
 Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
                    const Model& model, std::uint64_t unconverged) {
   Json json;

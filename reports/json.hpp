@@ -10,6 +10,7 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
+#include "core/parts/part_prices.hpp"
 #include "search/judge/objectives.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
@@ -34,6 +35,7 @@ void add_objectives(Json& target, const ObjectiveValues& values);
 
 Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
+Json to_json(const PartPrices& prices);
 
 // {"objectives","score","grasps","hardware","model"}
 Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,

@@ -9,7 +9,8 @@
 namespace reeve::studies {
 
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
-                           Direction direction, const Catalogue& catalogue) {
+                           Direction direction, const Catalogue& catalogue,
+                           const std::optional<PartPrices>& prices) {
   ShownRouting report;
   report.model = model;
   report.word = to_word(routing);
@@ -24,7 +25,8 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
     if (!solver.converged()) ++report.unconverged;
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }
-  report.values = DesignEvaluator(model, grasps).evaluate(routing);
+  report.prices = prices;
+  report.values = DesignEvaluator(model, grasps, authors_score(), prices).evaluate(routing);
   report.hand = shown_hand(report.network, report.word, report.model, grasps);
   return report;
 }

@@ -10,6 +10,7 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/network.hpp"
+#include "core/parts/part_prices.hpp"
 #include "core/performance.hpp"
 #include "core/routing.hpp"
 #include "core/tension/tension.hpp"
@@ -36,9 +37,11 @@ struct ShownRouting {
   std::vector<ShownGrasp> grasps;
   ObjectiveValues values{};  // over these grasps
   std::optional<ShownHand> hand;
+  std::optional<PartPrices> prices{};  // without them the cost among the values is infinite
 };
 
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
-                           Direction direction, const Catalogue& catalogue);
+                           Direction direction, const Catalogue& catalogue,
+                           const std::optional<PartPrices>& prices = std::nullopt);
 
 }  // namespace reeve::studies

@@ -17,8 +17,11 @@
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "cli/sweep_flags.hpp"
+#include "cli/table_flags.hpp"
 #include "core/error.hpp"
+#include "core/hand/hand.hpp"
 #include "reports/files.hpp"
+#include "reports/results/design_list.hpp"
 #include "reports/results/explore_report.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
@@ -37,6 +40,7 @@ struct ExploreFlags {
   std::optional<std::size_t> details;
   std::string out = "out/explore";
   ModelOption model;
+  TableFlags tables;
   FormatOption format;
 };
 
@@ -97,6 +101,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
   const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
+  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value()};
+  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
   const std::optional<CoefficientRange> over = flags.sweep.read();
   require_sweep(over, uncertainty, flags.ranking.uncertainty);
@@ -110,8 +117,9 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
     return made;
   });
   write_exploration(report, command, catalogue, flags.details, flags.out);
-  std::cout << (flags.format.is("json") ? explore_summary_json(report)
-                                        : printed(explore_sheet(report), flags.format));
+  std::cout << (flags.format.is("json")
+                    ? explore_summary_json(report)
+                    : flags.tables.printed(explore_sheet(report, columns), flags.format));
   std::cout << announced(
       report.sweep
           ? "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, sweep.csv, summary.json "
@@ -156,6 +164,7 @@ void add_explore(CLI::App& program, int& exit_code) {
           "figures, and sweep.csv of --sweep")
       ->capture_default_str();
   flags->model.add_to(*command);
+  flags->tables.add_to(*command, "the list of the best");
   flags->format.add_to(*command, with_tables({"json"}));
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }

@@ -21,8 +21,10 @@
 #include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
 #include "cli/sweep_flags.hpp"
+#include "cli/table_flags.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
+#include "core/hand/hand.hpp"
 #include "core/notation.hpp"
 #include "pages/ranking/ranking_page.hpp"
 #include "pages/shell/figure_files.hpp"
@@ -53,6 +55,7 @@ struct RankFlags {
   LadderFlags ladder;
   SweepFlags sweep;
   ModelOption model;
+  TableFlags tables;
   FormatOption format;
 };
 
@@ -168,13 +171,14 @@ RankInputs read(const RankFlags& flags) {
   return inputs;
 }
 
-void print(const RankReport& report, const FormatOption& format) {
+void print(const RankReport& report, const RankFlags& flags, const ListColumns& columns) {
+  const FormatOption& format = flags.format;
   if (format.is("json")) {
     std::cout << rank_json(report);
   } else if (format.is("csv")) {
     std::cout << design_csv(report.designs);
   } else {
-    std::cout << printed(rank_sheet(report), format);
+    std::cout << flags.tables.printed(rank_sheet(report, columns), format);
   }
 }
 
@@ -214,6 +218,9 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 int run(const RankFlags& flags, const CLI::App& command) {
   const RankInputs inputs = read(flags);
   const RankRequest asked = request(flags, inputs);
+  const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
+  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  flags.tables.require_width(flags.format);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
   std::filesystem::path folder;
@@ -232,9 +239,10 @@ int run(const RankFlags& flags, const CLI::App& command) {
   if (report->details) {
     report->unconverged += distributions.unconverged;
     report->details->distributions = std::move(distributions);
-    write_page(*report, folder, command_line(command, {"--format", "--threads"}));
+    write_page(*report, folder,
+               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
   }
-  print(*report, flags.format);
+  print(*report, flags, columns);
   if (flags.out.is_given()) {
     std::cout << announced(report->sweep
                                ? "index.html, ladder.csv, sweep.csv, ranking.json and figures"
@@ -288,6 +296,7 @@ void add_rank(CLI::App& program, int& exit_code) {
   flags->ladder.add_to(*command);
   flags->sweep.add_to(*command, "the designs");
   flags->model.add_to(*command);
+  flags->tables.add_to(*command, "the ranking");
   flags->format.add_to(*command, with_tables({"json", "csv"}));
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }

@@ -6,6 +6,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
+#include "cli/ladder_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
@@ -25,6 +26,7 @@ struct ShowFlags {
   std::string direction = "pull";
   SvgOption svg;
   OutOption out;
+  PricesOption prices;
   ModelOption model;
   FormatOption format;
 };
@@ -51,8 +53,8 @@ ShownRouting report(const ShowFlags& flags) {
   require_contacts_to_match(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
-  ShownRouting shown =
-      shown_routing(routing, model, grasps(flags, finger_count(routing)), direction, catalogue);
+  ShownRouting shown = shown_routing(routing, model, grasps(flags, finger_count(routing)),
+                                     direction, catalogue, flags.prices.read());
   shown.own_hardware = own;
   // Another mechanism may have the same word.
   if (mechanism != nullptr) shown.name = mechanism->name;
@@ -129,6 +131,7 @@ void add_show(CLI::App& program, int&) {
                     "Also draw the routing into this file, in the grasp of --held (without --held: "
                     "the parts alone, no tensions)");
   flags->out.add_to(*command, "a page, index.html, with routing.json and figures/");
+  flags->prices.add_to(*command, "adds what this routing costs");
   flags->model.add_to(*command);
   flags->format.add_to(*command, with_tables({"json", "dot"}));
   command->callback([flags, command] { run(*flags, *command); });

@@ -9,15 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
+#include "cli/table_flags.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/sizing/sizing_page.hpp"
 #include "reports/files.hpp"
 #include "reports/sizing/explored_settings.hpp"
 #include "reports/sizing/sizing_report.hpp"
@@ -44,7 +48,9 @@ struct SizeFlags {
   SizingOptions search;  // draws, seed, starts, evaluations, threads
   std::string save;
   CLI::Option* save_given = nullptr;
+  OutOption out;
   ModelOption model;
+  TableFlags tables;
   FormatOption format;
 };
 
@@ -158,15 +164,38 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
                       flags.from, differing)};
 }
 
-void print(const SizingReport& report, const SizeFlags& flags) {
-  std::cout << (flags.format.is("json") ? sizing_json(report)
-                                        : printed(sizing_sheet(report), flags.format));
+// Of the dimensions, or of the routings that are sized: whichever has the first.
+std::vector<std::string> read_columns(const SizeFlags& flags, const Hardware& hardware) {
+  std::vector<std::string> known = dimension_column_names();
+  const std::vector<std::string> of_routings = sized_column_names(hardware);
+  const std::string first = flags.tables.columns.substr(0, flags.tables.columns.find(','));
+  if (std::find(of_routings.begin(), of_routings.end(), first) != of_routings.end()) {
+    known = of_routings;
+  } else if (std::find(known.begin(), known.end(), first) == known.end()) {
+    known.insert(known.end(), of_routings.begin(), of_routings.end());
+  }
+  return flags.tables.read_columns(flags.format, known).chosen;
+}
+
+void print(const SizingReport& report, const SizeFlags& flags,
+           const std::vector<std::string>& columns) {
+  std::cout << (flags.format.is("json")
+                    ? sizing_json(report)
+                    : flags.tables.printed(sizing_sheet(report, columns), flags.format));
   if (flags.save_given->count() > 0 && flags.format.is("table")) {
     std::cout << "\nHardware file: " << flags.save << '\n';
   }
 }
 
-int run(const SizeFlags& flags) {
+void write_page(const SizingReport& report, const std::filesystem::path& folder,
+                const std::string& command) {
+  const SizingPage page = sizing_page(report, command);
+  write_figures(folder, page.figures);
+  write_file(folder / "sizing.json", sizing_json(report));
+  write_file(folder / "index.html", page.html);
+}
+
+int run(const SizeFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const std::vector<Routing> routings = read_routings(flags, catalogue);
   require_comparable(routings);
@@ -174,7 +203,11 @@ int run(const SizeFlags& flags) {
   require_contacts_to_match(file.model.hardware, routings);
   const SizingOptions options = read_options(flags, file, finger_count(routings.front()));
   require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
+  const std::vector<std::string> columns = read_columns(flags, options.nominal.hardware);
+  flags.tables.require_width(flags.format);
   if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
+  std::filesystem::path folder;
+  if (flags.out.is_given()) folder = flags.out.prepare();
   SizingReport report = supervised([&](const StudySupervision& supervision) {
     return sizing_study(routings, options, catalogue, supervision);
   });
@@ -182,7 +215,15 @@ int run(const SizeFlags& flags) {
   if (flags.save_given->count() > 0) {
     write_file(flags.save, sized_hardware_toml(report, file.vary));
   }
-  print(report, flags);
+  if (flags.out.is_given()) {
+    report.details = sizing_details(report, catalogue);
+    write_page(report, folder,
+               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
+  }
+  print(report, flags, columns);
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, sizing.json and figures", folder, flags.format);
+  }
   if (report.partial) return interrupted;
   return best_meets_target(report) ? done : answer_is_no;
 }
@@ -259,9 +300,11 @@ void add_size(CLI::App& program, int& exit_code) {
   add_search(*command, *flags);
   flags->save_given = command->add_option("--save-hardware", flags->save,
                                           "Write the hardware, as it is sized, as a TOML file");
+  flags->out.add_to(*command, "a page, index.html, with sizing.json and figures/");
   flags->model.add_to(*command);
+  flags->tables.add_to(*command, "the dimensions, or of the routings sized");
   flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 }  // namespace reeve::cli

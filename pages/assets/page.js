@@ -48,7 +48,7 @@ const reeve = (() => {
   const pictureSvg = (figure) => new XMLSerializer().serializeToString(figure.querySelector("svg"));
 
   // Of a figure that was put into the page later, too. What `svgText` gives, or promises, is saved.
-  function savable(figure, name = figure.id, svgText = () => pictureSvg(figure)) {
+  function savable(figure, name = figure.dataset.file || figure.id, svgText = () => pictureSvg(figure)) {
     addSaving(figure, name, svgText);
   }
 

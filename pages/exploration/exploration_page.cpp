@@ -13,6 +13,8 @@
 #include "pages/exploration/exploration_pictures.hpp"
 #include "pages/exploration/exploration_tables.hpp"
 #include "pages/exploration/exploration_words.hpp"
+#include "pages/routing/figure_captions.hpp"
+#include "pages/routing/figure_names.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/compressed.hpp"
 #include "pages/shell/html_table.hpp"
@@ -104,7 +106,7 @@ std::vector<Routing> drawn_routings(const ExploreReport& report) {
   return routings;
 }
 
-// Fit for an element and a file.
+// Fit for an element.
 std::string schematic_id(std::string word) {
   for (std::size_t at = word.find('+'); at != std::string::npos; at = word.find('+', at)) {
     word.replace(at, 1, "-and-");
@@ -121,13 +123,30 @@ FloatingParts drawn_parts(const ExplorationView& view) {
   return parts;
 }
 
-std::vector<FigureFile> schematics(const ExplorationView& view) {
-  std::vector<FigureFile> files;
+struct ExploredSchematic {
+  std::string html;
+  FigureFile file;
+};
+
+// In the first grasp.
+std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
+  std::vector<ShownRouting> routings;
+  std::vector<NamedRouting> named;
   for (const Routing& routing : drawn_routings(view.report)) {
-    const std::string id = schematic_id(to_word(routing));
-    files.push_back({id, grasp_svg(view.solve(routing), 0, id)});
+    routings.push_back(view.solve(routing));
+    named.push_back({routings.back().name, routings.back().word});
   }
-  return files;
+  const std::vector<std::string> stems = file_stems(named);
+  std::vector<ExploredSchematic> result;
+  for (std::size_t i = 0; i < routings.size(); ++i) {
+    const ShownGrasp& shown = routings[i].grasps.front();
+    const std::string id = schematic_id(routings[i].word);
+    const std::string svg = grasp_svg(routings[i], 0, id);
+    const std::string file = schematic_name(stems[i], shown.grasp);
+    result.push_back(
+        {schematic_html(id, svg, file), {file, svg, schematic_caption(routings[i], shown)}});
+  }
+  return result;
 }
 
 std::string held_flags(const GraspSet& grasps, int fingers) {
@@ -259,7 +278,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   const HeldDesigns held = held_designs(report);
   const ExplorationPicture pareto = pareto_picture(held.designs, report.options.order.objectives);
   const ExplorationPicture parallel = parallel_picture(held.designs, page_objectives(report));
-  std::vector<FigureFile> figures = schematics(view);
+  const std::vector<ExploredSchematic> drawn = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));
   body.update(ladder_body(report));
@@ -279,15 +298,17 @@ PageFiles exploration_page(const ExplorationView& view) {
                                   schematic_legend(640, "schematic-legend", drawn_parts(view)));
   body["first_grasp"] = "held: " + to_text(report.options.grasps.front().grasp);
   body["schematics"] = Json::array();
-  for (const FigureFile& file : figures) {
-    body["schematics"].push_back(schematic_html(file.id, file.svg));
+  std::vector<FigureFile> figures;
+  for (const ExploredSchematic& schematic : drawn) {
+    body["schematics"].push_back(schematic.html);
+    figures.push_back(schematic.file);
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =
       design_details(in_order_of_details(report, details_of(view)), view.solve,
                      without < page_bytes ? page_bytes - without : 0, report.options.threads);
   for (const Figure& figure : {pareto.figure, parallel.figure}) {
-    figures.push_back({figure.id, figure.svg});
+    figures.push_back(captioned(figure, report.options.model));
   }
   for (const Figure& figure : swept) figures.push_back({figure.id, figure.svg});
   return {page_html(page(view, held, details, body)), std::move(figures)};

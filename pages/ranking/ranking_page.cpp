@@ -10,6 +10,8 @@
 #include "pages/ranking/distribution_notes.hpp"
 #include "pages/ranking/ranking_answer.hpp"
 #include "pages/ranking/ranking_charts.hpp"
+#include "pages/routing/figure_captions.hpp"
+#include "pages/routing/figure_names.hpp"
 #include "pages/routing/routing_parts.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
@@ -24,12 +26,12 @@ namespace {
 // The page draws so many of the best; more would make it unwieldy. The rest is in the JSON.
 constexpr std::size_t most_drawn = 20;
 
-Labels design_labels(const RankReport& report) {
+std::vector<NamedRouting> named(const RankReport& report) {
   std::vector<NamedRouting> routings;
   for (const ListedDesign& design : report.designs) {
     routings.push_back({design.name, design.ranked.design.word});
   }
-  return labels(routings);
+  return routings;
 }
 
 HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
@@ -116,14 +118,20 @@ class RankingPageBuilder {
   RankingPageBuilder(const RankReport& report, const std::string& command)
       : report_(report),
         routings_(report.details->routings),
-        labels_(design_labels(report)),
+        labels_(labels(named(report))),
+        stems_(file_stems(named(report))),
         command_(command) {}
 
   RankingPage build();
 
  private:
   std::string add(const Figure& figure) {
-    page_.figures.push_back({figure.id, figure.svg});
+    page_.figures.push_back(captioned(figure, report_.model));
+    return figure_html(figure);
+  }
+  // Its coefficients stand in its own caption.
+  std::string add_distribution(const Figure& figure) {
+    page_.figures.push_back({figure.id, figure.svg, figure.title + " " + figure.caption + "\n"});
     return figure_html(figure);
   }
   std::string distributions();
@@ -134,6 +142,7 @@ class RankingPageBuilder {
   const RankReport& report_;
   const std::vector<ShownRouting>& routings_;
   Labels labels_;
+  std::vector<std::string> stems_;  // of the schematics' files
   const std::string& command_;
   RankingPage page_;
 };
@@ -141,7 +150,7 @@ class RankingPageBuilder {
 std::string RankingPageBuilder::distributions() {
   std::string html;
   for (const Figure& figure : distribution_figures(report_.details->distributions)) {
-    html += add(figure);
+    html += add_distribution(figure);
   }
   return html + distribution_notes(report_.details->distributions);
 }
@@ -160,8 +169,9 @@ Json RankingPageBuilder::grasp(std::size_t index) {
     const ShownGrasp& shown = routings_[i].grasps[index];
     const std::string id =
         fmt::format("schematic-{}-{}", report_.designs[i].ranked.rank, grasp_id(held));
-    schematics += schematic_html(id, routings_[i], shown);
-    page_.figures.push_back(schematic_file(id, routings_[i], shown));
+    const std::string file = schematic_name(stems_[i], held);
+    schematics += schematic_html(id, routings_[i], shown, file);
+    page_.figures.push_back(schematic_file(file, routings_[i], shown));
   }
   return {{"id", grasp_id(held)},
           {"words", grasp_words(held)},

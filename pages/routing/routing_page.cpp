@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "pages/routing/figure_captions.hpp"
+#include "pages/routing/figure_names.hpp"
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
 #include "pages/shell/settings.hpp"
@@ -79,10 +81,11 @@ GraspSet grasps(const ShownRouting& report) {
 RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
   RoutingPage page;
   std::string schematics;
+  const std::string stem = file_stems({{report.name, report.word}}).front();
   for (const ShownGrasp& shown : report.grasps) {
-    const std::string id = "schematic-" + grasp_id(shown.grasp);
-    schematics += schematic_html(id, report, shown);
-    page.figures.push_back(schematic_file(id, report, shown));
+    const std::string file = schematic_name(stem, shown.grasp);
+    schematics += schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
+    page.figures.push_back(schematic_file(file, report, shown));
   }
   Json values{{"name", report.name},
               {"word", report.word},
@@ -100,7 +103,7 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
     const Figure tensions = tension_figure(report);
     values["figure"] = figure_html(tensions);
     values["shares"] = html(share_table(report));
-    page.figures.push_back({tensions.id, tensions.svg});
+    page.figures.push_back(captioned(tensions, report.model));
   }
   values["settings"] = settings_html(report.model, report.unconverged, grasps(report), command);
   const std::string title = report.name.empty() ? report.word : report.name + " " + report.word;

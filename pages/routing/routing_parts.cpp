@@ -1,12 +1,11 @@
 #include "pages/routing/routing_parts.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "pages/exploration/objective_title.hpp"
+#include "pages/routing/figure_captions.hpp"
 #include "reports/json.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/sheet/text_table.hpp"
@@ -29,31 +28,6 @@ std::string heading(const ShownGrasp& shown) {
 
 }  // namespace
 
-std::string grasp_words(Grasp grasp) {
-  const std::vector<int> held = held_fingers(grasp);
-  if (held.empty()) return "no finger held";
-  return fmt::format("finger{} {} held", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
-}
-
-std::string grasp_id(Grasp grasp) {
-  const std::vector<int> held = held_fingers(grasp);
-  return held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
-}
-
-std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
-  std::map<std::string, int> uses;
-  for (const NamedRouting& routing : routings) ++uses[routing.name];
-  std::vector<std::string> result;
-  for (const auto& [name, word] : routings) {
-    if (name.empty()) {
-      result.push_back(word);
-    } else {
-      result.push_back(uses[name] > 1 ? fmt::format("{}: {}", name, word) : name);
-    }
-  }
-  return result;
-}
-
 std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& values) {
   return fixed(value(values, row.objective), row.is_count() ? 0 : 3);
 }
@@ -71,13 +45,13 @@ std::vector<std::pair<Segment, double>> strands(const Network& network, const Te
 }
 
 std::string schematic_html(const std::string& id, const ShownRouting& report,
-                           const ShownGrasp& shown) {
-  return schematic_html(id, drawing(id, report, shown));
+                           const ShownGrasp& shown, const std::string& file) {
+  return schematic_html(id, drawing(id, report, shown), file);
 }
 
-FigureFile schematic_file(const std::string& id, const ShownRouting& report,
+FigureFile schematic_file(const std::string& file, const ShownRouting& report,
                           const ShownGrasp& shown) {
-  return {id, drawing("schematic", report, shown)};
+  return {file, drawing("schematic", report, shown), schematic_caption(report, shown)};
 }
 
 HtmlTable tension_table(const ShownRouting& report) {
@@ -133,8 +107,10 @@ HtmlTable objective_table(const ShownRouting& report) {
               {}};
   for (const ObjectiveRow& row : search::objective_table()) {
     if (!is_there(row, report.values)) continue;
-    if (row.objective == Objective::cost) continue;  // there are no prices here
-    table.add({objective_title(row), objective_text(row, report.values), row.unit, row.meaning});
+    if (row.objective == Objective::cost && !report.prices) continue;
+    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
+    table.add({objective_title(row), objective_text(row, report.values),
+               priced ? report.prices->unit : row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
 }

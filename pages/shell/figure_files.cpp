@@ -16,8 +16,8 @@ std::set<std::string> listed(const std::filesystem::path& folder) {
   std::set<std::string> names;
   std::ifstream list(folder / list_name);
   for (std::string name; std::getline(list, name);) {
-    const bool is_plain = std::filesystem::path(name).filename() == name && name.ends_with(".svg");
-    if (is_plain) names.insert(name);
+    const bool is_plain = std::filesystem::path(name).filename() == name;
+    if (is_plain && (name.ends_with(".svg") || name.ends_with(".txt"))) names.insert(name);
   }
   return names;
 }
@@ -29,11 +29,14 @@ void write_figures(const std::filesystem::path& directory, const std::vector<Fig
   prepare_directory(folder, "--out");
   std::set<std::string> stale = listed(folder);
   std::string names;
-  for (const FigureFile& figure : figures) {
-    const std::string name = figure.id + ".svg";
-    write_file(folder / name, figure.svg);
+  const auto write = [&](const std::string& name, const std::string& content) {
+    write_file(folder / name, content);
     stale.erase(name);
     names += name + "\n";
+  };
+  for (const FigureFile& figure : figures) {
+    write(figure.id + ".svg", figure.svg);
+    if (!figure.caption.empty()) write(figure.id + ".txt", figure.caption);
   }
   for (const std::string& name : stale) {
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// The figures of a page as files.
+// The figures of a page as files, and a sentence beside each that can stand below it in a paper.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,14 @@
 namespace reeve::pages {
 
 struct FigureFile {
-  std::string id;
+  std::string id;  // of no two the same, also where case does not count
   std::string svg;
+  std::string caption{};  // "": none is written
 };
 
-// Writes figures/ID.svg, and removes what an earlier run wrote there and this one did not: what
-// lies in the folder then belongs to one result. Files of others stay; which are ours stands in
-// figures/.reeve. Throws InputError.
+// Writes figures/ID.svg and figures/ID.txt, and removes what an earlier run wrote there and this
+// one did not: what lies in the folder then belongs to one result. Files of others stay; which are
+// ours stands in figures/.reeve. Throws InputError.
 void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
 
 }  // namespace reeve::pages

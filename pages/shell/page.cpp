@@ -25,8 +25,8 @@ std::string live_figure_html(const Figure& figure, const std::string& alt) {
   return render("live_figure.mustache", all);
 }
 
-std::string schematic_html(const std::string& id, const std::string& svg) {
-  return render("schematic.mustache", {{"id", id}, {"svg", svg}});
+std::string schematic_html(const std::string& id, const std::string& svg, const std::string& file) {
+  return render("schematic.mustache", {{"id", id}, {"svg", svg}, {"file", file}});
 }
 
 namespace {

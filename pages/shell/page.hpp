@@ -27,8 +27,9 @@ std::string figure_html(const Figure& figure);
 // shows, in words.
 std::string live_figure_html(const Figure& figure, const std::string& alt);
 
-// A schematic with buttons to save it.
-std::string schematic_html(const std::string& id, const std::string& svg);
+// A schematic with buttons to save it, under the file's name if it has one of its own.
+std::string schematic_html(const std::string& id, const std::string& svg,
+                           const std::string& file = "");
 
 struct Page {
   std::string title;

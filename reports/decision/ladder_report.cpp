@@ -22,7 +22,8 @@ std::string gain_cell(const ListedLadder& ladder, std::size_t i, Objective objec
   const std::vector<Rung>& rungs = ladder.ladder.rungs;
   const double before = std::abs(value(rungs[i - 1].design.values, objective));
   const double more = gain(objective, rungs[i], rungs[i - 1]);
-  return before == 0 && more != 0 ? "-" : signed_percent(before == 0 ? 0 : more / before);
+  const bool is_part = std::isfinite(before) && std::isfinite(more) && (before != 0 || more == 0);
+  return !is_part ? "-" : signed_percent(before == 0 ? 0 : more / before);
 }
 
 std::string marks(const ListedLadder& ladder, std::size_t i) {
@@ -164,12 +165,8 @@ Json ladder_json(const ListedLadder& ladder) {
 void add_ladder_settings(Json& settings, const LadderOptions& options,
                          const std::optional<PartPrices>& prices) {
   settings["ladder"] = {{"by", row(options.by).name}, {"within", options.within}};
-  settings["prices"] = value_or_null(prices, [](const PartPrices& given) {
-    Json json{{"unit", text_or_null(given.unit)}};
-    for (const PriceRow& row : price_table()) json[row.name] = given.*row.price;
-    json["tendon_mm"] = given.tendon_mm;
-    return json;
-  });
+  settings["prices"] =
+      value_or_null(prices, [](const PartPrices& given) { return to_json(given); });
 }
 
 }  // namespace reeve::reports

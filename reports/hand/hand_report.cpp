@@ -104,6 +104,47 @@ void add_limit_line(const char* what, const char* unit, double asked,
                    !enough});
 }
 
+// What the motor that there is does, where it does not meet the wish, and where it does more.
+void add_reach_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
+  if (hand.force_reach && hand.force_reach->weakest > 0) {
+    const ForceReach& reach = *hand.force_reach;
+    const std::string where = fmt::format("finger {} is the weakest, at its joint {}, with held {}",
+                                          reach.weakest, reach.joint + 1, to_text(reach.grasp));
+    lines.push_back(
+        {reach.share > 0
+             ? fmt::format("With {:.4g} N the fingers press with {} of all wanted forces or more: "
+                           "{}, {:.3g} N",
+                           reach.motor_N, percent(reach.share), where, reach.force_N)
+             : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
+                           where)});
+  }
+  if (!hand.stroke_reach) return;
+  const StrokeReach& reach = *hand.stroke_reach;
+  if (reach.closure < hand.demand.closure) {
+    lines.push_back(
+        {fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range: "
+                     "finger {} closes least",
+                     *hand.motor.stroke_mm, percent(reach.closure), reach.last)});
+  }
+}
+
+Json force_reach_json(const ForceReach& reach) {
+  Json json{{"motor_N", reach.motor_N}, {"share_of_wanted", number(reach.share)}};
+  if (reach.weakest == 0) {
+    json["weakest"] = nullptr;
+    return json;
+  }
+  json["weakest"] = {{"finger", reach.weakest},
+                     {"joint", reach.joint + 1},
+                     {"held", held_fingers(reach.grasp)},
+                     {"force_N", reach.force_N}};
+  return json;
+}
+
+Json stroke_reach_json(const StrokeReach& reach) {
+  return {{"stroke_mm", reach.stroke_mm}, {"closure", reach.closure}, {"closed", reach.closed}};
+}
+
 Json fingers_json(const ShownHand& hand) {
   Json json = Json::array();
   for (const ShownHandFinger& finger : hand.fingers) {
@@ -166,7 +207,9 @@ Json motor_json(const ShownHand& hand) {
           {"torque_Nm", value_or_null(demand.torque_Nm, number)},
           {"spool_rpm", value_or_null(demand.spool_rpm, number)},
           {"force_is_enough", enough(demand.force_N, hand.motor.force_N)},
-          {"stroke_is_enough", enough(demand.stroke_mm, hand.motor.stroke_mm)}};
+          {"stroke_is_enough", enough(demand.stroke_mm, hand.motor.stroke_mm)},
+          {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
+          {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
 }
 
 }  // namespace
@@ -177,6 +220,7 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_motion_lines(hand, lines);
   add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, lines);
   add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm, lines);
+  add_reach_lines(hand, lines);
   return {
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
        "that meets all wanted forces",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -38,9 +39,17 @@ bool has_cost(const std::vector<ListedDesign>& designs) {
          std::isfinite(value(designs.front().ranked.design.values, Objective::cost));
 }
 
+std::vector<ColumnRows> all_columns() {
+  std::vector<ColumnRows> columns;
+  for (const ObjectiveRow& row : objective_table()) columns.push_back({&row});
+  return columns;
+}
+
 // Blocks are told of where there are any, and the cost where it is known.
 std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
-                                          const Order& order, const Score& score) {
+                                          const Order& order, const Score& score,
+                                          const ListColumns& wanted) {
+  if (!wanted.chosen.empty()) return all_columns();
   std::vector<Objective> shown = shown_objectives(order, score);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
@@ -49,18 +58,22 @@ std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& desig
   std::vector<ColumnRows> columns;
   for (const Objective objective : shown) {
     const ObjectiveRow& about = row(objective);
-    const bool joins =
-        !columns.empty() && std::string_view(columns.back().front()->family) == about.family;
+    const bool joins = !wanted.apart && !columns.empty() &&
+                       std::string_view(columns.back().front()->family) == about.family;
     if (!joins) columns.emplace_back();
     columns.back().push_back(&about);
   }
   return columns;
 }
 
-TableColumn objective_column(const ObjectiveRow& row) {
+TableColumn objective_column(const ColumnRows& rows, bool apart) {
+  const ObjectiveRow& row = *rows.front();
   const std::string_view unit = row.unit;
   const bool is_told = unit != "1" && !row.is_count();
-  return number_column(row.heading, is_told ? row.unit : "", row.dispensable);
+  const std::string part = apart && *row.part != '\0' ? std::string(", ") + row.part : "";
+  TableColumn column = number_column(row.heading + part, is_told ? row.unit : "", row.dispensable);
+  column.key = row.name;
+  return column;
 }
 
 std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values) {
@@ -71,21 +84,33 @@ std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values
   return cell;
 }
 
-std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike) {
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike,
+                                 bool apart) {
   std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
                                    text_column("name"), text_column("routing")};
   if (alike) columns.push_back(number_column("alike", "", 1));
-  for (const ColumnRows& rows : objectives) columns.push_back(objective_column(*rows.front()));
+  for (const ColumnRows& rows : objectives) columns.push_back(objective_column(rows, apart));
   return columns;
 }
 
 }  // namespace
 
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
-                   const Score& score) {
-  const std::vector<ColumnRows> objectives = objective_columns(designs, order, score);
-  const bool alike = has_alike(designs);
-  Table table{columns(objectives, alike), {}};
+std::vector<std::string> list_column_names(const ListedWith& with) {
+  std::vector<std::string> names{"rank", "front", "name", "routing", "alike"};
+  for (const ObjectiveRow& row : objective_table()) {
+    if (row.of_hand && !with.hand) continue;
+    if (row.objective == Objective::cost && !with.prices) continue;
+    names.emplace_back(row.name);
+  }
+  return names;
+}
+
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+                   const ListColumns& wanted) {
+  const bool all = !wanted.chosen.empty();
+  const std::vector<ColumnRows> objectives = objective_columns(designs, order, score, wanted);
+  const bool alike = all || has_alike(designs);
+  Table table{columns(objectives, alike, all || wanted.apart), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
         std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
@@ -96,7 +121,7 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
     }
     table.add(std::move(cells));
   }
-  return table;
+  return all ? with_columns(table, wanted.chosen) : table;
 }
 
 std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/json.hpp"
+#include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "search/judge/order.hpp"
 #include "search/judge/score.hpp"
@@ -13,9 +14,17 @@
 namespace reeve::reports {
 
 // Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
-// objectives that the order asks for, and what the score is made of where it orders.
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
-                   const Score& score);
+// objectives that the order asks for, and what the score is made of where it orders. Or what is
+// chosen among all columns, which are called as those of the CSV.
+Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+                   const ListColumns& wanted = {});
+
+// What can be chosen, of designs that were judged so.
+struct ListedWith {
+  bool prices = false;
+  bool hand = false;
+};
+std::vector<std::string> list_column_names(const ListedWith& with);
 
 // Without those for which another one stands: a line of a table is for all designs that are alike.
 std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs);

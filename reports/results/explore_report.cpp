@@ -38,7 +38,7 @@ std::string counts_text(const ExploreReport& report) {
   return text + fmt::format(", {} evaluated", result.evaluated);
 }
 
-Section front_section(const ExploreReport& report) {
+Section front_section(const ExploreReport& report, const ListColumns& columns) {
   std::string text = fmt::format("Pareto front over {}: {} design{}",
                                  objective_names(report.options.order.objectives),
                                  report.front.size(), report.front.size() == 1 ? "" : "s");
@@ -51,10 +51,10 @@ Section front_section(const ExploreReport& report) {
     text += fmt::format(", {} but for bearings that change nothing", lines.size());
   }
   if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
-  return {
-      text,
-      design_table(first(report.front, shown_at_most), report.options.order, report.options.score),
-      {}};
+  return {text,
+          design_table(first(report.front, shown_at_most), report.options.order,
+                       report.options.score, columns),
+          {}};
 }
 
 std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
@@ -173,15 +173,23 @@ Json explore_settings(const ExploreReport& report) {
 
 }  // namespace
 
-Sheet explore_sheet(const ExploreReport& report) {
+Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
-  Sheet sheet{{{"", std::nullopt, opening_lines(report)},
-               answer_section(report),
-               front_section(report),
-               {fmt::format("Top {}", top.size()),
-                design_table(top, report.options.order, report.options.score), alike_lines(top)}}};
-  if (report.uncertainty) {
-    sheet.add(band_section(top, report.options.order, *report.uncertainty));
+  const Section best{fmt::format("Top {}", top.size()),
+                     design_table(top, report.options.order, report.options.score, columns),
+                     alike_lines(top)};
+  Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
+  if (!columns.chosen.empty()) {
+    sheet.add(best);
+    return sheet;
+  }
+  // What constraints leave nothing of, the answer says.
+  if (!top.empty()) {
+    sheet.add(front_section(report, columns));
+    sheet.add(best);
+    if (report.uncertainty) {
+      sheet.add(band_section(top, report.options.order, *report.uncertainty));
+    }
   }
   sheet.add(ladder_section(report.ladder));
   sheet.add(known_section(report));

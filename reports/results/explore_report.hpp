@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "studies/exploration_study.hpp"
 
 namespace reeve::reports {
 
-Sheet explore_sheet(const ExploreReport& report);
+// Where columns are chosen, of the tables that of the best alone.
+Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns = {});
 std::string explore_summary_json(const ExploreReport& report);
 // What the user should know of how the ranking came about; usually nothing.
 std::vector<std::string> notes(const ExploreReport& report);

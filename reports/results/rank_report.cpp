@@ -69,19 +69,20 @@ void add_details(Json& json, const RankDetails& details) {
 
 }  // namespace
 
-Sheet rank_sheet(const RankReport& report) {
+Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(shown, report.order, report.score), alike_lines(shown)}}};
+               {"", design_table(shown, report.order, report.score, columns), alike_lines(shown)}}};
   if (report.designs.size() > 1) {
     std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
     for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);
     sheet.add({"", std::nullopt, answer});
   }
+  if (!columns.chosen.empty()) return sheet;
   if (report.uncertainty) sheet.add(band_section(shown, report.order, *report.uncertainty));
   sheet.add(ladder_section(report.ladder));
   sheet.add(margin_section(report));

@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "studies/ranking_study.hpp"
 
 namespace reeve::reports {
 
-Sheet rank_sheet(const RankReport& report);
+// Where columns are chosen, of the tables the ranking alone.
+Sheet rank_sheet(const RankReport& report, const ListColumns& columns = {});
 std::string rank_json(const RankReport& report);
 
 }  // namespace reeve::reports

@@ -122,14 +122,17 @@ Table contact_table(const ShownRouting& report) {
   return table;
 }
 
-Table objective_list(const ObjectiveValues& values) {
+Table objective_list(const ShownRouting& report) {
+  const ObjectiveValues& values = report.values;
   Table table{{text_column("objective"), number_column("value"), text_column("unit"),
                text_column("meaning")},
               {}};
   for (const ObjectiveRow& row : objective_table()) {
     if (!is_there(row, values)) continue;
-    if (row.objective == Objective::cost) continue;  // there are no prices here
-    table.add({row.name, fixed(value(values, row.objective)), row.unit, row.meaning});
+    if (row.objective == Objective::cost && !report.prices) continue;
+    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
+    table.add({row.name, fixed(value(values, row.objective)),
+               priced ? report.prices->unit : row.unit, row.meaning});
   }
   return table;
 }
@@ -188,7 +191,7 @@ Sheet show_sheet(const ShownRouting& report) {
                 {}},
                {"Shares of the strands, %", share_table(report), {}},
                {"Sliding", contact_table(report), {}},
-               {"Over these grasps, pulling", objective_list(report.values), {}}}};
+               {"Over these grasps, pulling", objective_list(report), {}}}};
   if (!report.hand) return sheet;
   for (Section& section : hand_sections(*report.hand)) sheet.add(std::move(section));
   return sheet;
@@ -208,6 +211,7 @@ Json to_json(const ShownRouting& report) {
   add_objectives(json, report.values);
   if (report.hand) add_hand(json["hand"], *report.hand);
   json["model"] = model_json(report.model, report.unconverged);
+  if (report.prices) json["prices"] = to_json(*report.prices);
   return json;
 }
 

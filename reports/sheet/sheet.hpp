@@ -17,6 +17,7 @@ struct TableColumn {
   std::string unit;          // "" if there is none, or if each cell bears its own
   bool is_text = false;      // to the left; numbers go to the right
   unsigned dispensable = 0;  // where room is short the greatest is left out first; 0: never
+  std::string key = "";      // by which it is chosen; "": by its heading
 };
 
 TableColumn text_column(const std::string& heading);
@@ -34,6 +35,7 @@ struct TableRow {
 struct Table {
   std::vector<TableColumn> columns;
   std::vector<TableRow> rows;
+  bool chosen = false;  // somebody asked for just these columns
 
   void add(std::vector<std::string> cells, Tint tint = Tint::none);
 };

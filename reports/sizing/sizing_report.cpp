@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "catalog/rig/hardware_tables.hpp"
+#include "core/hand/hand.hpp"
 #include "core/version.hpp"
 #include "reports/results/model_text.hpp"
+#include "reports/sheet/chosen_columns.hpp"
 #include "reports/sizing/sizing_words.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -31,21 +36,39 @@ std::vector<SheetLine> opening_lines(const SizingReport& report) {
   return lines;
 }
 
-Section ranking_section(const SizingReport& report) {
-  if (report.designs.size() < 2) return {};
+// Of the ranking; with all objectives of the sized designs where columns are chosen.
+Table sized_table(const SizingReport& report, bool all) {
   Table table{{number_column("rank"), number_column("before"), text_column("name"),
-               text_column("routing"), number_column("goal before"), number_column("goal sized"),
-               number_column("sheaths", "", 1), number_column("pulleys", "", 2)},
+               text_column("routing"), number_column("goal before"), number_column("goal sized")},
               {}};
+  const std::array keys{"rank", "rank_before", "name", "routing", "goal_before", "goal_sized"};
+  for (std::size_t i = 0; i < keys.size(); ++i) table.columns[i].key = keys.at(i);
+  std::vector<Objective> objectives{Objective::sheaths, Objective::pulleys};
+  if (all) {
+    objectives.clear();
+    for (const ObjectiveRow& row : objective_table()) objectives.push_back(row.objective);
+  }
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    const ObjectiveRow& about = row(objectives[i]);
+    const std::string part = *about.part == '\0' ? "" : std::string(", ") + about.part;
+    table.columns.push_back(number_column(about.heading + part, "", static_cast<unsigned>(i) + 1));
+    table.columns.back().key = about.name;
+  }
   for (const SizedRouting& routing : report.designs) {
-    const ObjectiveValues& values = routing.design.after.values;
     table.add({std::to_string(routing.rank_after), std::to_string(routing.rank_before),
                routing.name.empty() ? "-" : routing.name, routing.word,
-               short_number(routing.design.before.goal), short_number(routing.design.after.goal),
-               fixed(value(values, Objective::sheaths), 0),
-               fixed(value(values, Objective::pulleys), 0)});
+               short_number(routing.design.before.goal), short_number(routing.design.after.goal)});
+    for (const Objective objective : objectives) {
+      table.rows.back().cells.push_back(
+          fixed(value(routing.design.after.values, objective), row(objective).decimals));
+    }
   }
-  return {"Ranked by the goal, sized and before", table, {}};
+  return table;
+}
+
+Section ranking_section(const SizingReport& report) {
+  if (report.designs.size() < 2) return {};
+  return {"Ranked by the goal, sized and before", sized_table(report, false), {}};
 }
 
 std::string off(const std::optional<double>& way) { return way ? short_number(*way) : "any"; }
@@ -62,31 +85,76 @@ std::string stands(const SizedVariable& variable) {
   return "between";
 }
 
-Table variable_table(const SizedDesign& design) {
-  Table table{{text_column("dimension"), text_column("unit"), number_column("least"),
-               number_column("greatest"), number_column("before"), number_column("sized"),
-               number_column("may be less by"), number_column("more by"), text_column("stands")},
-              {}};
-  table.columns.back().dispensable = 1;
-  for (const SizedVariable& sized : design.variables) {
-    const SizeVariable& about = sized.variable;
-    table.add({about.name, *about.unit == '\0' ? "1" : about.unit, short_number(about.bounds.low),
-               short_number(about.bounds.high), short_number(about.nominal),
-               short_number(sized.value), off(sized.sensitivity.less), off(sized.sensitivity.more),
-               stands(sized)});
+struct VariableColumn {
+  const char* key;
+  const char* heading;
+  bool is_text;
+  bool usual;  // in the table where no columns are chosen
+  unsigned dispensable;
+};
+
+constexpr std::array variable_columns{
+    VariableColumn{"dimension", "dimension", true, true, 0},
+    VariableColumn{"unit", "unit", true, true, 0},
+    VariableColumn{"least", "least", false, true, 0},
+    VariableColumn{"greatest", "greatest", false, true, 0},
+    VariableColumn{"before", "before", false, true, 0},
+    VariableColumn{"sized", "sized", false, true, 0},
+    VariableColumn{"less", "may be less by", false, true, 0},
+    VariableColumn{"more", "more by", false, true, 0},
+    VariableColumn{"together_less", "all at once less by", false, true, 0},
+    VariableColumn{"together_more", "more by", false, true, 0},
+    VariableColumn{"stands", "stands", true, true, 1},
+    VariableColumn{"slope_less", "slope, less", false, false, 0},
+    VariableColumn{"slope_more", "slope, more", false, false, 0}};
+
+// In the order of the columns.
+std::array<std::string, variable_columns.size()> variable_cells(const SizedDesign& design,
+                                                                std::size_t i) {
+  const SizedVariable& sized = design.variables[i];
+  const SizeVariable& about = sized.variable;
+  const Sensitivity& of = sized.sensitivity;
+  const auto* ways = design.together ? &design.together->ways[i] : nullptr;
+  return {about.name,
+          *about.unit == '\0' ? "1" : about.unit,
+          short_number(about.bounds.low),
+          short_number(about.bounds.high),
+          short_number(about.nominal),
+          short_number(sized.value),
+          off(of.less),
+          off(of.more),
+          ways != nullptr ? short_number(ways->less) : "-",
+          ways != nullptr ? short_number(ways->more) : "-",
+          stands(sized),
+          short_number(of.slope_less),
+          short_number(of.slope_more)};
+}
+
+// Of one dimension alone, all at once is no more than itself.
+Table variable_table(const SizedDesign& design, bool all) {
+  const bool together = design.together && design.variables.size() > 1;
+  const auto is_shown = [&](const VariableColumn& column) {
+    if (all) return true;
+    return column.usual && (together || !std::string_view(column.key).starts_with("together"));
+  };
+  Table table;
+  for (const VariableColumn& column : variable_columns) {
+    if (!is_shown(column)) continue;
+    table.columns.push_back({column.heading, "", column.is_text, column.dispensable, column.key});
+  }
+  for (std::size_t i = 0; i < design.variables.size(); ++i) {
+    const auto cells = variable_cells(design, i);
+    std::vector<std::string> shown;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (is_shown(variable_columns.at(k))) shown.push_back(cells.at(k));
+    }
+    table.add(std::move(shown));
   }
   return table;
 }
 
 std::string flat_text(const SizedDesign& design, const FlatDirection& flat) {
-  std::string moves;
-  for (std::size_t i = 0; i < flat.moves.size(); ++i) {
-    if (flat.moves[i] == 0) continue;
-    const SizeVariable& about = design.variables[i].variable;
-    moves += fmt::format("{}{} by {:+.3g}{}{}", moves.empty() ? "" : " with ", about.name,
-                         flat.moves[i], *about.unit == '\0' ? "" : " ", about.unit);
-  }
-  return fmt::format("Flat: moving {}, or back, costs {}", moves,
+  return fmt::format("Flat: moving {}, or back, costs {}", moves_text(design, flat.moves),
                      flat.loss < 1e-6 ? "nothing" : fmt::format("{:.2g}", flat.loss));
 }
 
@@ -125,14 +193,14 @@ Section best_section(const SizingReport& report) {
   if (design.variables.empty()) {
     section.lines.push_back({"It has none of the dimensions that are varied"});
   } else {
-    section.table = variable_table(design);
+    section.table = variable_table(design, false);
   }
   if (design.least_miss) section.lines.push_back(target_line(report.options, design));
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(
-        {report.options.goal.is_target()
-             ? "A dimension may be off by so much, alone, before shares miss by 0.01 more"
-             : "A dimension may be off by so much, alone, before 1 % of the goal is lost"});
+        {"A dimension may be off by so much, alone, " + tolerance_text(report.options)});
+    const std::string together = together_text(report.options, design);
+    if (!together.empty()) section.lines.push_back({together});
   }
   for (const FlatDirection& flat : design.flat) section.lines.push_back({flat_text(design, flat)});
   return section;
@@ -167,13 +235,46 @@ Section objective_section(const SizingReport& report) {
 
 }  // namespace
 
-Sheet sizing_sheet(const SizingReport& report) {
-  Sheet sheet{{{"", std::nullopt, opening_lines(report)}}};
-  sheet.add(ranking_section(report));
-  sheet.add(best_section(report));
-  sheet.add(shares_section(report));
-  sheet.add(objective_section(report));
+SizingSections sizing_sections(const SizingReport& report) {
+  return {opening_lines(report), ranking_section(report), best_section(report),
+          shares_section(report), objective_section(report)};
+}
+
+Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns) {
+  SizingSections sections = sizing_sections(report);
+  Sheet sheet{{{"", std::nullopt, std::move(sections.opening)}}};
+  if (!columns.empty()) {
+    const std::vector<std::string> of_dimensions = dimension_column_names();
+    const bool dimensions = std::find(of_dimensions.begin(), of_dimensions.end(),
+                                      columns.front()) != of_dimensions.end();
+    Section& section = dimensions ? sections.best : sections.ranking;
+    section.table = with_columns(dimensions ? variable_table(report.designs.front().design, true)
+                                            : sized_table(report, true),
+                                 columns);
+    sheet.add(std::move(section));
+    return sheet;
+  }
+  for (Section* section :
+       {&sections.ranking, &sections.best, &sections.shares, &sections.objectives}) {
+    sheet.add(std::move(*section));
+  }
   return sheet;
+}
+
+std::vector<std::string> dimension_column_names() {
+  std::vector<std::string> names;
+  for (const VariableColumn& column : variable_columns) names.emplace_back(column.key);
+  return names;
+}
+
+std::vector<std::string> sized_column_names(const Hardware& hardware) {
+  std::vector<std::string> names{"rank",    "rank_before", "name",
+                                 "routing", "goal_before", "goal_sized"};
+  for (const ObjectiveRow& row : objective_table()) {
+    const bool there = !row.of_hand || hand(hardware);
+    if (there && row.objective != Objective::cost) names.emplace_back(row.name);
+  }
+  return names;
 }
 
 std::string sized_hardware_toml(const SizingReport& report, const VaryTable& vary) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "catalog/rig/hardware_file.hpp"
 #include "core/uncertainty_ranges.hpp"
@@ -10,8 +11,23 @@
 
 namespace reeve::reports {
 
-// The ranking, where there are several, and the best of them in full.
-Sheet sizing_sheet(const SizingReport& report);
+// Pieces of it, for the sheet and the page. Without a table or a line one holds nothing.
+struct SizingSections {
+  std::vector<SheetLine> opening;
+  Section ranking;     // where there are several
+  Section best;        // the dimensions of the best
+  Section shares;      // of a target
+  Section objectives;  // before and sized
+};
+SizingSections sizing_sections(const SizingReport& report);
+
+// The ranking, where there are several, and the best of them in full. Where columns are chosen, the
+// one table that has them: the dimensions of the best, or the ranking.
+Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns = {});
+
+// What can be chosen of either; no name is in both.
+std::vector<std::string> dimension_column_names();
+std::vector<std::string> sized_column_names(const Hardware& hardware);
 
 std::string sizing_json(const SizingReport& report);
 

@@ -29,4 +29,32 @@ std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
   return text;
 }
 
+std::string tolerance_text(const SizingOptions& options) {
+  return options.goal.is_target() ? "before shares miss by 0.01 more"
+                                  : "before 1 % of the goal is lost";
+}
+
+std::string moves_text(const SizedDesign& design, const std::vector<double>& moves,
+                       const char* between) {
+  std::string text;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (moves[i] == 0) continue;
+    const SizeVariable& about = design.variables[i].variable;
+    text += fmt::format("{}{} by {:+.3g}{}{}", text.empty() ? "" : between, about.name, moves[i],
+                        *about.unit == '\0' ? "" : " ", about.unit);
+  }
+  return text;
+}
+
+std::string together_text(const SizingOptions& options, const SizedDesign& design) {
+  const JointTolerance& together = *design.together;
+  if (design.variables.size() == 1) return "";
+  if (together.worst.empty()) {
+    return "All may be off at once by as much: nothing worse was found than one alone";
+  }
+  return fmt::format("All may be off at once by {:.3g} of that {}; the worst that was found is {}",
+                     together.factor, tolerance_text(options),
+                     moves_text(design, together.worst, ", "));
+}
+
 }  // namespace reeve::reports

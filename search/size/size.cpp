@@ -197,7 +197,10 @@ void finish(const SizingProblem& problem, const SizingOptions& options, const Se
     design.variables.push_back(
         {variable, best.at[i], at_bound(variable.bounds, best.at[i]), sensitivity[i]});
   }
-  if (!search.stopped()) design.flat = flat_directions(problem, options.goal, best.at);
+  if (search.stopped()) return;
+  design.flat = flat_directions(problem, options.goal, best.at);
+  if (best.at.empty()) return;
+  design.together = joint_tolerance(problem, options.goal, best.at, sensitivity, options.seed);
 }
 
 // Counts steps of all threads.

@@ -15,6 +15,7 @@
 #include "core/hardware.hpp"
 #include "core/routing.hpp"
 #include "search/explore.hpp"
+#include "search/size/joint_tolerance.hpp"
 #include "search/size/sizing_problem.hpp"
 #include "search/size/tolerance.hpp"
 
@@ -40,6 +41,7 @@ struct SizedDesign {
   Routing routing;
   std::vector<SizedVariable> variables;  // none: it has none of the dimensions that are varied
   std::vector<FlatDirection> flat;
+  std::optional<JointTolerance> together;  // of variables; nothing if the search was stopped
   SizedGoal before;
   SizedGoal after;
   // Of a target, the least that shares miss it by at the nominal coefficients, wherever that is in

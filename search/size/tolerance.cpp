@@ -25,10 +25,6 @@ double width(const Interval& bounds) {
   return std::max(bounds.high - bounds.low, 1e-6 * std::max(1.0, std::abs(bounds.high)));
 }
 
-double tolerated(const SizingProblem& problem, const Goal& goal, const Point& point) {
-  return tolerated_loss * (goal.is_target() ? 1 : std::abs(problem.goal(point)));
-}
-
 Interval possible(const SizingProblem& problem, std::size_t variable) {
   const SizeSpace& space = problem.space();
   const std::size_t first = space.variables[variable].dimensions.front();
@@ -87,11 +83,7 @@ class Surroundings {
   }
 
   std::optional<double> off(std::size_t variable, int sign) const {
-    const Interval& bounds = problem_.space().variables[variable].bounds;
-    const Interval there = possible(problem_, variable);
-    const double beyond =
-        sign < 0 ? point_[variable] - std::max(there.low, bounds.low - width(bounds))
-                 : std::min(there.high, bounds.high + width(bounds)) - point_[variable];
+    const double beyond = room_beyond(problem_, point_, variable, sign);
     if (!(beyond > 0)) return std::nullopt;
     return way_to(beyond,
                   [&](double way) { return loss_at(variable, sign * way) > loss_ + tolerated_; });
@@ -192,6 +184,20 @@ AtBound at_bound(const Interval& bounds, double value) {
   const double near = near_bound * (bounds.high - bounds.low);
   if (value <= bounds.low + near) return AtBound::low;
   return value >= bounds.high - near ? AtBound::high : AtBound::no;
+}
+
+double tolerated(const SizingProblem& problem, const Goal& goal, const Point& point) {
+  return tolerated_loss * (goal.is_target() ? 1 : std::abs(problem.goal(point)));
+}
+
+double room_beyond(const SizingProblem& problem, const Point& point, std::size_t variable,
+                   int sign) {
+  const Interval& bounds = problem.space().variables[variable].bounds;
+  const Interval there = possible(problem, variable);
+  const double room = sign < 0
+                          ? point[variable] - std::max(there.low, bounds.low - width(bounds))
+                          : std::min(there.high, bounds.high + width(bounds)) - point[variable];
+  return std::max(room, 0.0);
 }
 
 std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal& goal,

@@ -13,6 +13,14 @@ namespace reeve::search {
 // much more.
 inline constexpr double tolerated_loss = 0.01;
 
+// That part, in the unit of the loss.
+double tolerated(const SizingProblem& problem, const Goal& goal, const SizingProblem::Point& point);
+
+// How far a variable is looked at beyond the point, less (−1) or more (1): to the width of its
+// bounds beyond them, or as far as there is hardware.
+double room_beyond(const SizingProblem& problem, const SizingProblem::Point& point,
+                   std::size_t variable, int sign);
+
 struct Sensitivity {
   // Change of the goal per unit that the variable gets less, and more.
   double slope_less = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "causes/model_solver.hpp"
@@ -81,6 +82,7 @@ class HandStudy {
       shown.grasps.back().frictionless_N =
           grip_demand(hand_, network_, ideal, weighted.grasp).motor_force_N;
     }
+    add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
     add_forces(shown);
     add_closing(shown);
@@ -90,6 +92,21 @@ class HandStudy {
  private:
   const TensionState& pulled(Grasp grasp) {
     return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions));
+  }
+
+  void add_reach(const GraspSet& grasps, ShownHand& shown) {
+    if (const auto force = hand_.motor.force_N) {
+      ForceReach& reach = shown.force_reach.emplace();
+      reach.motor_N = *force;
+      reach.share = std::numeric_limits<double>::infinity();
+      for (const WeightedGrasp& weighted : grasps) {
+        const FingerArray pulls = pulls_by_finger(network_, pulled(weighted.grasp));
+        add_grasp(hand_, network_.fingers, weighted.grasp, pulls, reach);
+      }
+    }
+    if (const auto stroke = hand_.motor.stroke_mm) {
+      shown.stroke_reach = stroke_reach(hand_, network_, plain_, *stroke);
+    }
   }
 
   void add_forces(ShownHand& shown) const {

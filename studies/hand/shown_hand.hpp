@@ -22,6 +22,7 @@
 #include "core/grasp.hpp"
 #include "core/hand/hand.hpp"
 #include "core/network.hpp"
+#include "studies/hand/motor_reach.hpp"
 
 namespace reeve::studies {
 
@@ -75,6 +76,9 @@ struct ShownHand {
   std::vector<ShownHandGrasp> grasps;
   MotorDemand demand;
   MotorParts motor;
+  // Of the motor's own force and stroke, where they are given (motor_reach.hpp).
+  std::optional<ForceReach> force_reach{};
+  std::optional<StrokeReach> stroke_reach{};
 };
 
 // Nothing if the hardware has no hand or does not know all fingers. Pulling, whatever is shown.

@@ -26,6 +26,13 @@ void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
   });
 }
 
+// A hand holds in any grasp, whatever dimensions were chosen in.
+GraspSet shown_grasps(const SizingOptions& options, const Routing& routing) {
+  const bool only_open = options.grasps.size() == 1 && options.grasps.front().grasp == Grasp{};
+  return options.goal.is_target() && only_open ? single_grasps(finger_count(routing))
+                                               : options.grasps;
+}
+
 }  // namespace
 
 bool best_meets_target(const SizingReport& report) { return is_met(report.designs.front().design); }
@@ -46,6 +53,31 @@ SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOpti
   sort(designs, &SizedDesign::after, better);
   for (std::size_t i = 0; i < designs.size(); ++i) designs[i].rank_after = i + 1;
   return report;
+}
+
+SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalogue) {
+  const SizingOptions& options = report.options;
+  const SizedDesign& best = report.designs.front().design;
+  Model sized = options.nominal;
+  sized.hardware = best.hardware;
+  const GraspSet grasps = shown_grasps(options, best.routing);
+  const auto shown = [&](const Model& model) {
+    return shown_routing(best.routing, model, grasps, Direction::pull, catalogue);
+  };
+  SizingDetails details{shown(options.nominal), shown(sized), {}};
+  if (report.partial) return details;
+  std::vector<double> point;
+  std::vector<Interval> spans;
+  for (std::size_t i = 0; i < best.variables.size(); ++i) {
+    const SizedVariable& variable = best.variables[i];
+    const Sensitivity& alone = variable.sensitivity;
+    const Interval& bounds = variable.variable.bounds;
+    point.push_back(variable.value);
+    spans.push_back({std::min(bounds.low, variable.value - alone.less.value_or(0)),
+                     std::max(bounds.high, variable.value + alone.more.value_or(0))});
+  }
+  details.profiles = goal_profiles(SizingProblem(best.routing, options), point, spans);
+  return details;
 }
 
 }  // namespace reeve::studies

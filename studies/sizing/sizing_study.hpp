@@ -3,12 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "core/routing.hpp"
+#include "search/size/goal_profile.hpp"
 #include "search/size/size.hpp"
+#include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
 
 namespace reeve::studies {
@@ -22,12 +25,21 @@ struct SizedRouting {
   std::size_t rank_after = 0;
 };
 
+// Of the best design, for a page: the hand that it makes, before and sized, and how the goal goes
+// about it. Shown in the grasps of the goal; of a target of the open hand also with each one held.
+struct SizingDetails {
+  ShownRouting before;
+  ShownRouting sized;
+  std::vector<GoalProfile> profiles;  // parallel to the variables
+};
+
 struct SizingReport {
   SizingOptions options;
   std::vector<SizedRouting> designs;  // best after sizing first
   bool partial = false;
   std::uint64_t unconverged = 0;  // tension solves
   std::vector<std::string> notes{};
+  std::optional<SizingDetails> details{};
 };
 
 // Of a goal of any other kind it is met always.
@@ -35,5 +47,7 @@ bool best_meets_target(const SizingReport& report);
 
 SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
                           const Catalogue& catalogue, const StudySupervision& supervision = {});
+
+SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalogue);
 
 }  // namespace reeve::studies

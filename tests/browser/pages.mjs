@@ -7,6 +7,8 @@ import { executable, sampleExecutable, sources, written } from "./places.mjs";
 const inputs = join(written, "inputs");
 const golden = (name) => join(sources, "tests/golden", `diagnose_${name}.csv`);
 
+const hand = join(sources, "catalog/hardware/three_finger_hand.toml");
+
 export const theSeven = join(sources, "catalog/measured/exo_glove_ii.csv");
 
 const hostileNames = () => ({ REEVE_CATALOG: hostileCatalogue(join(inputs, "catalog")) });
@@ -35,6 +37,13 @@ export const pages = [
   reeve("show-bench", () => ["show", "M-F"]),
   reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),
   reeve("show-hostile", () => ["show", "X"], {
+    environment: hostileNames,
+  }),
+  reeve("size", () => ["size", "M-1b-B-2b-B-3b-M", "--vary", "sheath_angle=4..9",
+    "--vary", "tip_angle=2..4", "--same", "tips", "--draws", "10", "--hardware", hand]),
+  reeve("size-target", () => ["size", "M-1-P-2-P-3-M", "--target", "1=2,others=1",
+    "--vary", "sheath_angle=1..12", "--nominal"]),
+  reeve("size-hostile", () => ["size", "X", "--vary", "sheath_angle=3..9", "--nominal"], {
     environment: hostileNames,
   }),
   reeve("diagnose-cause", () => ["diagnose", golden("cause")]),

@@ -89,7 +89,7 @@ describe("show", () => {
     assert.equal(drawn, barCount);
     const schematic = page.locator("#schematic-held-1");
     const { name, bytes } = await saved(page, saveButton(schematic, "SVG"));
-    assert.equal(name, "schematic-held-1.svg");
+    assert.equal(name, "TR5-held-1.svg");
     assert.equal(await countInSvg(page, bytes.toString("utf8"), "svg > desc"), 1);
     const picture = await saved(page, saveButton(schematic, "PNG"));
     assert.ok(pngSize(picture.bytes).height > 1000);

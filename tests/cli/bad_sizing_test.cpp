@@ -40,6 +40,39 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
   });
 }
 
+TEST(BadTables, AreNamedWithWhatWasExpected) {
+  expect_all_bad({
+      {{"rank", "--catalog", "--columns", "name,speed"},
+       "--columns 'name,speed': there is no column 'speed'; expected any of rank, front, name, "
+       "routing, alike, uniformity_mean, ",
+       {}},
+      {{"rank", "--catalog", "--columns", "rank_median"}, "there is no column 'rank_median'", {}},
+      {{"explore", "--columns", "motor_force"}, "there is no column 'motor_force'", {}},
+      {{"rank", "--catalog", "--format", "csv", "--columns", "name"},
+       "--columns 'name': --format csv has every column; expected --format table, markdown or "
+       "latex with it",
+       {}},
+      varied({"--columns", "dimension,routing"},
+             "--columns 'dimension,routing': there is no column 'routing'; expected any of "
+             "dimension, unit, "),
+      varied({"--columns", "speed"}, "there is no column 'speed'; expected any of dimension, "),
+      varied({"--columns", "sized", "--format", "latex", "--text-width", "19mm"},
+             "--text-width '19mm': expected a length from 20mm to 2000mm with its unit"),
+      {{"rank", "--catalog", "--text-width", "88mm"},
+       "--text-width '88mm': expected a whole number of characters from 20 to 1000",
+       {}},
+      {{"rank", "--catalog", "--format", "json", "--text-width", "88"},
+       "--text-width '88': expected --format table or latex with it",
+       {}},
+      {{"rank", "--catalog", "--format", "latex", "--text-width", "30mm", "--columns",
+        "name,routing,uniformity_mean"},
+       "--text-width '30 mm': expected ",
+       {}},
+      {{"show", "TR1", "--cost", "no.toml"}, "no.toml", {}},
+      {{"show", "TR1", "--cost", ""}, "--cost '': expected a TOML file", {}},
+  });
+}
+
 TEST(BadSizing, OfBoundsInAFileIsNamedWithItsPlace) {
   expect_all_bad({
       size_tr1({"--hardware", "vary.toml"},

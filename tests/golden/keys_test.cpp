@@ -59,7 +59,10 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   EXPECT_EQ(keys(hand["motor"]),
             "force_N frictionless_N friction_cost weakest stroke_mm closure speed_mm_s power_W "
             "work_J springs_J friction_J fingers_J torque_Nm spool_rpm force_is_enough "
-            "stroke_is_enough");
+            "stroke_is_enough force_reach stroke_reach");
+  EXPECT_EQ(keys(hand["motor"]["force_reach"]), "motor_N share_of_wanted weakest");
+  EXPECT_EQ(keys(hand["motor"]["force_reach"]["weakest"]), "finger joint held force_N");
+  EXPECT_EQ(keys(hand["motor"]["stroke_reach"]), "stroke_mm closure closed");
   EXPECT_EQ(keys(hand["motor"]["weakest"]), "finger joint held");
 }
 
@@ -83,6 +86,13 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["asks_motor_N"].is_null());
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["joint"].is_null());
   EXPECT_EQ(hand["motor"]["force_is_enough"], false);
+}
+
+TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {
+  const Json json = json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
+  EXPECT_EQ(keys(json),
+            "routing name canonical direction motor_sides grasps" + objectives + " model prices");
+  EXPECT_EQ(json["prices"]["unit"], "EUR");
 }
 
 TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
@@ -251,10 +261,12 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(json), "designs partial notes settings version");
   const Json& design = json["designs"][0];
   EXPECT_EQ(keys(design),
-            "rank rank_before routing name target dimensions flat before sized hardware");
+            "rank rank_before routing name target dimensions together flat before sized hardware");
   EXPECT_EQ(keys(design["target"]), "met least_miss nearest_shares");
   EXPECT_EQ(keys(design["dimensions"][0]),
-            "dimension unit bounds before sized at_bound slope tolerance");
+            "dimension unit bounds before sized at_bound slope tolerance tolerance_together");
+  EXPECT_EQ(keys(design["dimensions"][0]["tolerance_together"]), "less more");
+  EXPECT_EQ(keys(design["together"]), "factor worst");
   EXPECT_EQ(keys(design["dimensions"][0]["slope"]), "less more");
   EXPECT_EQ(keys(design["dimensions"][0]["tolerance"]), "less more");
   EXPECT_EQ(keys(design["flat"][0]), "moves loss");
@@ -263,6 +275,17 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]),
             "goal target_shares better robust vary same starts evaluations " + judged_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
+}
+
+TEST(KeysOfSize, AddWhatThePageShows) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = sizing;
+  arguments.insert(arguments.end(), {"--out", folder.path().string()});
+  EXPECT_EQ(reeve(arguments).exit_code, 0);
+  const Json json = Json::parse(read_text(folder.path() / "sizing.json"));
+  EXPECT_EQ(keys(json), "designs details partial notes settings version");
+  EXPECT_EQ(keys(json["details"]), "before sized profiles");
+  EXPECT_EQ(keys(json["details"]["profiles"][0]), "dimension values goals");
 }
 
 TEST(KeysOfSize, HaveNullWhereThereIsNoSuchThing) {

@@ -84,7 +84,7 @@ TEST(ExplorationPage, WritesItsPicturesAsFiles) {
     EXPECT_TRUE(file.svg.starts_with("<svg ")) << file.id;
     EXPECT_TRUE(ids.insert(file.id).second) << file.id;
   }
-  for (const char* id : {"pareto", "parallel", "schematic-1-P-2-P-1", "schematic-M-1-T-2-F"}) {
+  for (const char* id : {"pareto", "parallel", "1-P-2-P-1-held-none", "M-1-T-2-F-held-none"}) {
     EXPECT_TRUE(ids.contains(id)) << id;
   }
 }

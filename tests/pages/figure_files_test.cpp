@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
@@ -19,6 +20,19 @@ TEST(FigureFiles, ReplaceThoseOfAnEarlierRunAndNoOthers) {
   EXPECT_TRUE(fs::exists(figures / "both.svg"));
   EXPECT_TRUE(fs::exists(figures / "new.svg"));
   EXPECT_TRUE(fs::exists(figures / "mine.svg"));
+}
+
+TEST(FigureFiles, HaveCaptionsBesideThemThatGoWithThem) {
+  const TemporaryFolder folder;
+  const fs::path figures = folder.path() / "figures";
+  write_figures(folder.path(), {{"a", "<svg/>", "About a.\n"}, {"b", "<svg/>"}});
+  EXPECT_EQ(read_text(figures / "a.txt"), "About a.\n");
+  EXPECT_FALSE(fs::exists(figures / "b.txt"));
+  EXPECT_EQ(read_text(figures / ".reeve"), "a.svg\na.txt\nb.svg\n");
+  folder.write("figures/mine.txt", "");
+  write_figures(folder.path(), {{"b", "<svg/>"}});
+  EXPECT_FALSE(fs::exists(figures / "a.txt"));
+  EXPECT_TRUE(fs::exists(figures / "mine.txt"));
 }
 
 TEST(FigureFiles, RemoveNothingOutsideTheirFolder) {

@@ -290,7 +290,7 @@ TEST(RankingPage, DrawsEachRoutingInEachGrasp) {
   EXPECT_EQ(count(catalogue().html, "<figure class=\"schematic\""), 7U * 3);
   EXPECT_EQ(catalogue().json["routings"].size(), 7U);
   for (const char* file :
-       {"pareto", "figure-9", "tensions-held-none", "schematic-1-held-1", "schematic-7-held-2"}) {
+       {"pareto", "figure-9", "tensions-held-none", "TR7-held-1", "TR1-held-2"}) {
     const std::filesystem::path figures = catalogue().folder.path() / "page" / "figures";
     EXPECT_TRUE(std::filesystem::exists(figures / (std::string(file) + ".svg"))) << file;
   }

@@ -58,8 +58,9 @@ TEST(RoutingPage, HasTheTensionsOfEachGrasp) {
 TEST(RoutingPage, DrawsTheSchematicOfEachGraspHereAndAsAFile) {
   const Shown shown({"TR5"});
   for (const char* id : {"schematic-held-none", "schematic-held-1", "schematic-held-2"}) {
-    EXPECT_TRUE(shown.has(std::string("<figure class=\"schematic\" id=\"") + id + "\">")) << id;
-    const std::string file = std::string(id) + ".svg";
+    EXPECT_TRUE(shown.has(std::string("<figure class=\"schematic\" id=\"") + id + "\"")) << id;
+    const std::string file =
+        "TR5" + std::string(id).substr(std::string("schematic").size()) + ".svg";
     EXPECT_TRUE(read_text(shown.folder.path() / "figures" / file).starts_with("<svg "));
   }
   EXPECT_TRUE(read_text(shown.folder.path() / "figures" / "tensions.svg").starts_with("<svg "));

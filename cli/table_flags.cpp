@@ -1,0 +1,97 @@
+#include "cli/table_flags.hpp"
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "reports/sheet/latex_width.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct LengthUnit {
+  std::string_view name;
+  double pt;
+};
+constexpr std::array length_units{LengthUnit{"mm", pt_in_mm}, LengthUnit{"cm", 10 * pt_in_mm},
+                                  LengthUnit{"in", 72.27}, LengthUnit{"pt", 1}};
+
+std::optional<double> positive_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && value > 0 ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> length_pt(std::string_view text) {
+  for (const LengthUnit& unit : length_units) {
+    if (!text.ends_with(unit.name)) continue;
+    const auto number = positive_number(text.substr(0, text.size() - unit.name.size()));
+    if (number) return *number * unit.pt;
+  }
+  return std::nullopt;
+}
+
+bool is_table(const FormatOption& format) {
+  return format.is("table") || format.is("markdown") || format.is("latex");
+}
+
+}  // namespace
+
+void TableFlags::add_to(CLI::App& command, const std::string& list) {
+  columns_given_ = command.add_option(
+      "--columns", columns,
+      "Of " + list +
+          ", such as name,routing,uniformity_mean: these, in this order, and no other "
+          "table");
+  width_given_ = command.add_option(
+      "--text-width", text_width,
+      "How wide tables may be: with --format latex a length such as 88mm or 3.5in, otherwise "
+      "characters");
+}
+
+ListColumns TableFlags::read_columns(const FormatOption& format,
+                                     const std::vector<std::string>& known) const {
+  ListColumns wanted{{}, format.is("latex")};
+  if (columns_given_->count() == 0) return wanted;
+  if (!is_table(format)) {
+    throw InputError({.where = "--columns '" + columns + "'",
+                      .what = "--format " + format.format + " has every column",
+                      .expected = "--format table, markdown or latex with it",
+                      .form = InputForm::unknown});
+  }
+  wanted.chosen = for_name("--", [&] { return parse_columns(columns, known); });
+  return wanted;
+}
+
+double TableFlags::read_width(const FormatOption& format) const {
+  if (width_given_->count() == 0) return 0;
+  constexpr double least_pt = 20 * pt_in_mm;
+  constexpr double most_pt = 2000 * pt_in_mm;
+  const auto fail = [&](const std::string& expected) -> double {
+    throw InputError({.what = "--text-width", .value = text_width, .expected = expected});
+  };
+  if (format.is("latex")) {
+    const auto length = length_pt(text_width);
+    return length && *length >= least_pt && *length <= most_pt
+               ? *length
+               : fail("a length from 20mm to 2000mm with its unit, mm, cm, in or pt, such as 88mm");
+  }
+  if (!format.is("table")) return fail("--format table or latex with it");
+  const auto characters = positive_number(text_width);
+  const bool whole = characters && *characters == static_cast<int>(*characters);
+  return whole && *characters >= 20 && *characters <= 1000
+             ? *characters
+             : fail(
+                   "a whole number of characters from 20 to 1000; a length goes with --format "
+                   "latex");
+}
+
+std::string TableFlags::printed(const Sheet& sheet, const FormatOption& format) const {
+  return cli::printed(sheet, format, read_width(format));
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,36 @@
+// Which columns of a list are printed, and how wide tables may be.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "cli/inputs.hpp"
+#include "reports/sheet/chosen_columns.hpp"
+#include "reports/sheet/sheet.hpp"
+
+namespace reeve::cli {
+
+struct TableFlags {
+  std::string columns;
+  std::string text_width;
+
+  void add_to(CLI::App& command, const std::string& list);
+
+  // Throw InputError, also where the format has nothing to choose.
+  ListColumns read_columns(const FormatOption& format, const std::vector<std::string>& known) const;
+  void require_width(const FormatOption& format) const { read_width(format); }
+
+  // As `printed` of printing.hpp, within the width.
+  std::string printed(const Sheet& sheet, const FormatOption& format) const;
+
+ private:
+  // Of the text's columns with --format table, in pt with latex; 0: any.
+  double read_width(const FormatOption& format) const;
+
+  CLI::Option* columns_given_ = nullptr;
+  CLI::Option* width_given_ = nullptr;
+};
+
+}  // namespace reeve::cli

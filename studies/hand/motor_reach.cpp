@@ -1,0 +1,48 @@
+#include "studies/hand/motor_reach.hpp"
+
+#include <algorithm>
+
+namespace reeve::studies {
+
+void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerArray& pulls,
+               ForceReach& reach) {
+  for (int f = 1; f <= fingers; ++f) {
+    const HandFinger& finger = hand.finger(f);
+    const double pull = pulls[static_cast<std::size_t>(f)] * reach.motor_N;
+    const HeldForce held = held_force(finger, pull);
+    const bool closes = grasp.holds(f) || pull >= finger.close_pull_N;
+    if (closes && finger.force_N == 0) continue;
+    const double share = closes ? held.force_N / finger.force_N : 0;
+    if (reach.weakest > 0 && share >= reach.share) continue;
+    reach.share = share;
+    reach.weakest = f;
+    reach.grasp = grasp;
+    reach.joint = held.joint;
+    reach.force_N = held.force_N;
+  }
+}
+
+StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                         double limit_mm) {
+  StrokeReach reach;
+  reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  Kinematics kinematics;
+  Motion motion;
+  close_hand(hand, network, mechanics, kinematics, motion,
+             [&](Grasp, double travel_mm, const std::vector<double>& closings) {
+               const double way = std::min(travel_mm, limit_mm - reach.stroke_mm);
+               for (std::size_t f = 0; f < closings.size() && f < reach.closed.size(); ++f) {
+                 const double excursion = hand.finger(static_cast<int>(f) + 1).excursion_mm;
+                 reach.closed[f] = std::min(1.0, reach.closed[f] + way * closings[f] / excursion);
+               }
+               reach.stroke_mm += way;
+             });
+  const auto least = std::min_element(reach.closed.begin(), reach.closed.end());
+  reach.last = static_cast<int>(least - reach.closed.begin()) + 1;
+  // Sums of stretches miss the end by a rounding error.
+  constexpr double rounding = 1e-9;
+  reach.closure = *least > 1 - rounding ? 1 : *least;
+  return reach;
+}
+
+}  // namespace reeve::studies

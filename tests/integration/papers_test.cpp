@@ -1,0 +1,121 @@
+// Tables as an author takes them, and what routings cost.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+#include "tests/support/svg.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::string printed(Arguments arguments) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  const ProcessResult result = reeve(std::move(arguments), options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return result.out;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// In 3.5 in, the column of a two-column paper.
+std::vector<Arguments> tables_of_a_column() {
+  const std::string list = "rank,name,routing,uniformity_mean,efficiency_mean,sheaths";
+  return {{"rank", "--catalog", "--columns", list},
+          {"rank", "--catalog"},
+          {"explore", "--fingers", "5", "--columns", "rank,routing,uniformity_mean,travel,sheaths"},
+          {"explore", "--fingers", "4"},
+          {"size", "M-1-P-2-P-3-M", "--target", "1=2,others=1", "--vary", "sheath_angle=1..12",
+           "--nominal", "--columns", "dimension,unit,sized,less,more,together_less,together_more"}};
+}
+
+std::string in_a_column(Arguments arguments) {
+  arguments.insert(arguments.end(), {"--format", "latex", "--text-width", "3.5in"});
+  return printed(arguments);
+}
+
+TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
+  const Arguments rank{"rank", "--catalog", "--columns", "routing,uniformity_worst,rank"};
+  const auto in = [&](const char* format) {
+    Arguments arguments = rank;
+    arguments.insert(arguments.end(), {"--format", format});
+    return printed(arguments);
+  };
+  EXPECT_TRUE(
+      has(in("table"), "\nrouting    uniformity, worst  rank\n1-P-2-P-1              0.997     1\n"))
+      << in("table");
+  EXPECT_TRUE(has(in("markdown"), "| routing   | uniformity, worst | rank |\n"));
+  EXPECT_EQ(count(in("latex"), "\\begin{tabular}{lrr}"), 1U);
+  EXPECT_EQ(count(in("latex"), "\\begin{tabular}"), 1U);
+}
+
+TEST(TablesForPapers, HaveMeanAndWorstInColumnsOfTheirOwn) {
+  const std::string latex = printed({"rank", "--catalog", "--format", "latex"});
+  EXPECT_TRUE(has(latex, "uniformity, mean & uniformity, worst & efficiency, mean"));
+  EXPECT_TRUE(has(latex, " & 0.998 & 0.997 & "));
+  EXPECT_TRUE(has(printed({"rank", "--catalog"}), "0.998/0.997"));
+}
+
+TEST(TablesForPapers, OfSizesHaveThoseOfTheDimensionsOrOfTheRoutings) {
+  const Arguments size{"size",      "TR1",      "TR7", "--vary", "sheath_angle=3..9",
+                       "--nominal", "--columns"};
+  Arguments dimensions = size;
+  dimensions.emplace_back("sized,dimension,slope_more");
+  EXPECT_TRUE(has(printed(dimensions), "\nsized  dimension        slope, more\n"));
+  Arguments routings = size;
+  routings.emplace_back("name,goal_sized,efficiency_worst");
+  EXPECT_TRUE(has(printed(routings), "\nname  goal sized  efficiency, worst\n"));
+}
+
+TEST(TablesForPapers, OfCharactersFitIntoThem) {
+  const std::string text = printed({"rank", "--catalog", "--text-width", "60"});
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 62U) << line;
+}
+
+// With the LaTeX of Debian's texlive-latex-recommended, where it is installed.
+TEST(TablesForPapers, AreTypesetWithinTheColumn) {
+  if (run_process({"pdflatex", "--version"}).exit_code != 0) {
+    GTEST_SKIP() << "no pdflatex: texlive-latex-recommended has it, and booktabs";
+  }
+  const TemporaryFolder folder;
+  std::string document =
+      "\\documentclass[10pt]{article}\\usepackage{booktabs}\\begin{document}\\parindent=0pt\n";
+  const std::vector<Arguments> tables = tables_of_a_column();
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string name = "t" + std::to_string(i);
+    folder.write(name + ".tex", in_a_column(tables[i]));
+    document +=
+        "\\setbox0=\\vbox{\\hsize=252.945pt\\linewidth=\\hsize\\input{" + name + "}}\\box0\n";
+  }
+  folder.write("paper.tex", document + "\\end{document}\n");
+  ProcessOptions options;
+  options.directory = folder.path();
+  const ProcessResult result =
+      run_process({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "paper.tex"}, options);
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_FALSE(has(result.out, "Overfull \\hbox")) << result.out;
+}
+
+TEST(ShowCost, IsThatOfTheRanking) {
+  const std::string price_file = REEVE_CATALOG_DIR "/prices/example.toml";
+  const Json shown =
+      Json::parse(printed({"show", "TR3", "--cost", price_file, "--format", "json"}));
+  const Json ranked =
+      Json::parse(printed({"rank", "TR3", "--cost", price_file, "--format", "json"}));
+  EXPECT_EQ(shown["cost"], ranked["designs"][0]["cost"]);
+  EXPECT_EQ(shown["prices"], ranked["settings"]["prices"]);
+  const std::string table = printed({"show", "TR3", "--cost", price_file});
+  EXPECT_TRUE(has(table, "\ncost ") && has(table, " EUR ")) << table;
+  EXPECT_FALSE(has(printed({"show", "TR3"}), "\ncost "));
+}
+
+}  // namespace
+}  // namespace reeve::testing
