@@ -4,8 +4,35 @@
 
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
+#include "search/exploration_part.hpp"
 
 namespace reeve::studies {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Routing>& routings,
+                                  const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const Routing& routing : routings) names.push_back(name_of(catalogue, routing));
+  return names;
+}
+
+ExploreReport with_distributions(const ExploreOptions& options, ExploreResult result,
+                                 const std::optional<UncertaintyOptions>& uncertainty,
+                                 const Catalogue& catalogue, const StudySupervision& supervision) {
+  std::optional<std::vector<RankDistribution>> drawn;
+  const bool draws = uncertainty && !result.partial;
+  if (draws) {
+    drawn = rank_distributions(result.routings, *uncertainty, supervision.during("drawing"));
+  }
+  const bool draws_stopped = draws && !drawn;
+  ExploreReport report = explore_report(options, std::move(result),
+                                        drawn.value_or(std::vector<RankDistribution>{}), catalogue);
+  report.uncertainty = uncertainty;
+  report.draws_stopped = draws_stopped;
+  return report;
+}
+
+}  // namespace
 
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue) {
   std::vector<Routing> routings;
@@ -28,28 +55,34 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   report.ladder = list_ladder(result.ladder,
                               report.front.size() > report.top.size() ? report.front : report.top,
                               options.prices, catalogue);
-  for (const Routing& reference : options.references) {
-    report.reference_names.push_back(name_of(catalogue, reference));
-  }
+  report.reference_names = names_of(options.references, catalogue);
   report.result = std::move(result);
+  return report;
+}
+
+ExploreReport planned_report(const ExploreOptions& options,
+                             const std::optional<UncertaintyOptions>& uncertainty,
+                             const Catalogue& catalogue) {
+  ExploreReport report;
+  report.options = options;
+  report.uncertainty = uncertainty;
+  report.reference_names = names_of(options.references, catalogue);
   return report;
 }
 
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue, const StudySupervision& supervision) {
-  ExploreResult result = explore(options, supervision.during("exploring"));
-  std::optional<std::vector<RankDistribution>> drawn;
-  const bool draws = uncertainty && !result.partial;
-  if (draws) {
-    drawn = rank_distributions(result.routings, *uncertainty, supervision.during("drawing"));
-  }
-  const bool draws_stopped = draws && !drawn;
-  ExploreReport report = explore_report(options, std::move(result),
-                                        drawn.value_or(std::vector<RankDistribution>{}), catalogue);
-  report.uncertainty = uncertainty;
-  report.draws_stopped = draws_stopped;
-  return report;
+  return with_distributions(options, explore(options, supervision.during("exploring")), uncertainty,
+                            catalogue, supervision);
+}
+
+ExploreReport merged_study(const ExploreOptions& options,
+                           const std::optional<UncertaintyOptions>& uncertainty,
+                           const std::vector<ShardRecord>& shards, const Catalogue& catalogue,
+                           const StudySupervision& supervision) {
+  return with_distributions(options, conclude(shards, options), uncertainty, catalogue,
+                            supervision);
 }
 
 }  // namespace reeve::studies
