@@ -23,8 +23,8 @@ std::string given_options(const CLI::App& command, const std::vector<std::string
 std::vector<std::string> given_arguments(const CLI::App& command,
                                          const std::vector<std::string>& left_out);
 
-// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. Of all subcommands' options
-// those that are whole numbers take none that begins so.
+// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. Of all subcommands'
+// options those that are whole numbers take none that begins so.
 void refuse_leading_zeros(CLI::App& program);
 
 }  // namespace reeve::cli

@@ -54,9 +54,9 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   std::vector<std::pair<std::string, std::string>> others;
   others.emplace_back("index.html", stamped_markup(page.html, id));
   if (report.result.record) {
-    others.emplace_back("shard.json",
-                        shard_json(report, given_arguments(command, {"--shard", "--out",
-                                                                       "--threads", "--format"})));
+    others.emplace_back(
+        "shard.json", shard_json(report, given_arguments(command, {"--shard", "--out", "--threads",
+                                                                   "--format"})));
   }
   others.emplace_back("summary.json", explore_summary_json(report));
   // All is made by now: what runs out of memory leaves no temporary file.

@@ -34,7 +34,10 @@ std::string version_text() {
 
 // A script that hangs should say why.
 void say_what_is_waited_for(const char* file) {
-  std::cerr << "reeve: " << shortened(fmt::format("waiting for '{}': a pipe that nobody has written to yet", file)) << '\n';
+  std::cerr << "reeve: "
+            << shortened(
+                   fmt::format("waiting for '{}': a pipe that nobody has written to yet", file))
+            << '\n';
 }
 
 // Also what runs before main may fail.

@@ -21,7 +21,8 @@ std::error_code why_not(fs::path folder) {
   while (::stat(folder.c_str(), &status) != 0) {
     const std::error_code error(errno, std::generic_category());
     const bool is_link = ::lstat(folder.c_str(), &status) == 0;
-    if (error != std::errc::no_such_file_or_directory || is_link || !folder.has_relative_path()) return error;
+    if (error != std::errc::no_such_file_or_directory || is_link || !folder.has_relative_path())
+      return error;
     folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
     if (folder.empty()) folder = ".";
   }
@@ -41,9 +42,8 @@ void require_not_the_data(const fs::path& file, const fs::path& data, const std:
 }
 
 void require_folder_can_be_written(const fs::path& folder, const std::string& option) {
-  const std::error_code error = folder.empty()
-                                    ? std::make_error_code(std::errc::no_such_file_or_directory)
-                                    : why_not(folder);
+  const std::error_code error =
+      folder.empty() ? std::make_error_code(std::errc::no_such_file_or_directory) : why_not(folder);
   if (!error) return;
   throw InputError(
       {.what = option,
@@ -55,12 +55,11 @@ void require_file_can_be_written(const fs::path& file, const std::string& option
   const std::error_code error = destination(file).error;
   if (!error) return;
   const bool names_a_folder = !file.has_filename() || error == std::errc::is_a_directory;
-  throw InputError(
-      {.what = option,
-       .value = file.string(),
-       .expected = names_a_folder
-                       ? "the name of a file, not a folder"
-                       : fmt::format("a file that can be written: {}", error.message())});
+  throw InputError({.what = option,
+                    .value = file.string(),
+                    .expected = names_a_folder ? "the name of a file, not a folder"
+                                               : fmt::format("a file that can be written: {}",
+                                                             error.message())});
 }
 
 }  // namespace reeve::cli

@@ -49,7 +49,8 @@ void describe(Destination& there, const struct stat& status) {
   there.written_through = !S_ISREG(status.st_mode);
   there.replaced = ReplacedFile{status.st_mode & 0777, status.st_uid, status.st_gid};
   if (::access(there.file.c_str(), W_OK) != 0) there.error = last_error();
-  if (!there.error && !there.written_through) there.error = why_not_in_folder(folder_of(there.file));
+  if (!there.error && !there.written_through)
+    there.error = why_not_in_folder(folder_of(there.file));
 }
 
 }  // namespace

@@ -30,8 +30,7 @@ std::error_code last_failure() { return {errno, std::generic_category()}; }
 // Two runs that write the same file at a time must not share the temporary one.
 fs::path temporary_beside(const fs::path& file) {
   const std::string end = fmt::format(".{}.tmp", ::getpid());
-  return file.parent_path() /
-         (file.filename().string().substr(0, longest_name - end.size()) + end);
+  return file.parent_path() / (file.filename().string().substr(0, longest_name - end.size()) + end);
 }
 
 std::error_code write_all(int descriptor, std::string_view content) {

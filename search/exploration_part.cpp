@@ -49,11 +49,10 @@ class Evaluators {
 Routing generated_routing(const std::string& word, const ExploreOptions& options) {
   Routing routing = parse_routing(word);
   if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
-  throw InputError(
-      {.what = "routing",
-       .value = word,
-       .expected = fmt::format("one of {} fingers that the motor pulls",
-                               options.generator.fingers)});
+  throw InputError({.what = "routing",
+                    .value = word,
+                    .expected = fmt::format("one of {} fingers that the motor pulls",
+                                            options.generator.fingers)});
 }
 
 std::vector<Routing> parsed(const std::vector<std::string>& words, const ExploreOptions& options) {
@@ -65,8 +64,8 @@ std::vector<Routing> parsed(const std::vector<std::string>& words, const Explore
 // Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
 ReferenceStanding standing(Design design, const ReferenceCount& count,
                            const std::vector<RankedDesign>& ranked, std::size_t top) {
-  ReferenceStanding result{std::move(design), count.dominated_by, 0,
-                           0,                 count.generated,    count.rejected_by};
+  ReferenceStanding result{std::move(design), count.dominated_by, 0, 0,
+                           count.generated,   count.rejected_by};
   for (const RankedDesign& entry : ranked) {
     if (entry.design.word != result.design.word) continue;
     if (entry.rank > top && entry.front > 1) continue;
@@ -107,10 +106,17 @@ void place_kept(ExploreResult& result, const Archive::Content& content,
 }
 
 ShardRecord record_of(ExplorationPart& part) {
-  ShardRecord record{part.total,       part.generated, part.evaluated,
-                     part.unconverged, part.seconds,   part.constraint_failures,
-                     part.reaches.list(), part.references,
-                     {},                {},             {}};
+  ShardRecord record{part.total,
+                     part.generated,
+                     part.evaluated,
+                     part.unconverged,
+                     part.seconds,
+                     part.constraint_failures,
+                     part.reaches.list(),
+                     part.references,
+                     {},
+                     {},
+                     {}};
   for (ArchivedDesign& member : part.archive.members()) {
     record.archive.push_back({std::move(member.design.word), member.equals_left_out});
   }
@@ -138,7 +144,8 @@ ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options
   for (std::size_t i = 0; i < designs.size(); ++i) {
     part.archive.add(std::move(designs[i]), record.archive[i].equals_left_out);
   }
-  for (Design& rung : evaluators.evaluate(parsed(record.rungs, options))) part.ladder.add(std::move(rung));
+  for (Design& rung : evaluators.evaluate(parsed(record.rungs, options)))
+    part.ladder.add(std::move(rung));
   for (const SampledWord& sampled : record.sample) {
     part.sample.add(sampled.place, generated_routing(sampled.word, options));
   }

@@ -1,5 +1,5 @@
-// What a search through some of the routings keeps of them, such that parts of an enumeration can be
-// put together to what a search through all of it would have kept.
+// What a search through some of the routings keeps of them, such that parts of an enumeration can
+// be put together to what a search through all of it would have kept.
 //
 // Exact, whatever the cut: the keep-skyband of a union is within the union of the skybands, as a
 // front within that of the fronts; the lots of a sample belong to places of the whole enumeration;
@@ -40,8 +40,8 @@ struct ExplorationPart {
 // Ranks what was kept, evaluates what is shown besides.
 ExploreResult conclude(ExplorationPart part, const ExploreOptions& options);
 
-// All shards of an exploration, whose options these are, each once. Throws InputError on a word that
-// is no routing of theirs.
+// All shards of an exploration, whose options these are, each once. Throws InputError on a word
+// that is no routing of theirs.
 ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options);
 
 }  // namespace reeve::search

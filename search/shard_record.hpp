@@ -1,5 +1,5 @@
-// What the files of a shard must hold, so that shards can be put together exactly: routings as words
-// and what was counted. Values are worked out again from the words.
+// What the files of a shard must hold, so that shards can be put together exactly: routings as
+// words and what was counted. Values are worked out again from the words.
 #pragma once
 
 #include <cstddef>

@@ -36,8 +36,8 @@ ExploreReport exploration_study(const ExploreOptions& options,
                                 const Catalogue& catalogue,
                                 const StudySupervision& supervision = {});
 
-// The same of shards that were explored elsewhere, all of them. Throws InputError on words that are no
-// routings of this exploration.
+// The same of shards that were explored elsewhere, all of them. Throws InputError on words that are
+// no routings of this exploration.
 ExploreReport merged_study(const ExploreOptions& options,
                            const std::optional<UncertaintyOptions>& uncertainty,
                            const std::vector<ShardRecord>& shards, const Catalogue& catalogue,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands/commands.hpp"
+#include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -17,7 +18,6 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
-#include "cli/commands/explore_merged.hpp"
 #include "core/error.hpp"
 #include "reports/files.hpp"
 #include "reports/results/explore_report.hpp"
@@ -132,7 +132,7 @@ void add_options(CLI::App& command, ExploreFlags& flags) {
   flags.ladder.add_to(command);
   command
       .add_option("--constraint", flags.constraints,
-                   "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+                  "Keep only designs with, such as 'sheaths<=2'; may be given several times")
       ->allow_extra_args(false);
   flags.shard_given =
       command
@@ -141,14 +141,13 @@ void add_options(CLI::App& command, ExploreFlags& flags) {
           ->capture_default_str();
   command
       .add_option("--top", flags.top,
-                   "How many of the best designs to keep; the front is always kept")
+                  "How many of the best designs to keep; the front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command
-      .add_option(
-          "--details", flags.details,
-          "Of how many of the best designs the page holds schematics and tensions, besides "
-          "the known routings; by default as many as 170 schematics show in all grasps")
+      .add_option("--details", flags.details,
+                  "Of how many of the best designs the page holds schematics and tensions, besides "
+                  "the known routings; by default as many as 170 schematics show in all grasps")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
       .add_option(

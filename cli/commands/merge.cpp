@@ -35,9 +35,8 @@ ShardFile read_shard(const std::filesystem::path& folder) {
                       .expected = "the folder of an exploration with --shard",
                       .form = InputForm::unknown});
   }
-  ShardFile shard =
-      read_shard_json(read_input(file, most_bytes, "the shard.json of an exploration"),
-                      file.string());
+  ShardFile shard = read_shard_json(
+      read_input(file, most_bytes, "the shard.json of an exploration"), file.string());
   summary_of_one_exploration(folder);
   return shard;
 }
@@ -75,8 +74,7 @@ void add_merge(CLI::App& program, int& exit_code) {
   command->add_option("--out", flags->out, "Folder for the files of the whole exploration")
       ->required();
   command
-      ->add_option("--threads", flags->threads,
-                   "Threads; 0: all. The result does not depend on it")
+      ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   flags->format.add_to(*command, with_tables({"json"}));

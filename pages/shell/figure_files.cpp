@@ -3,7 +3,6 @@
 #include <fstream>
 #include <set>
 
-
 namespace reeve::pages {
 namespace {
 

@@ -1,8 +1,8 @@
 // Which exploration a file is of: a hash of what was asked and of the program that answered.
 //
-// FNV-1a of 64 bits over the settings as JSON, the version, the known routings with their names, and
-// how far it came if it was stopped. It tells accidents apart, not forgeries. It needs no clock, so
-// that the same command writes the same bytes. (Fowler, Noll, Vo: draft-eastlake-fnv.)
+// FNV-1a of 64 bits over the settings as JSON, the version, the known routings with their names,
+// and how far it came if it was stopped. It tells accidents apart, not forgeries. It needs no
+// clock, so that the same command writes the same bytes. (Fowler, Noll, Vo: draft-eastlake-fnv.)
 #pragma once
 
 #include <string>

@@ -51,8 +51,8 @@ std::string summary_of_one_exploration(const std::filesystem::path& folder) {
                       .form = InputForm::unknown});
   }
   const std::string id = stamp_of_json(*summary);
-  for (const char* name : {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "shard.json",
-                           "index.html"}) {
+  for (const char* name :
+       {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "shard.json", "index.html"}) {
     const std::optional<std::string> text = text_of(folder / name);
     if (!text || stamp_of(name, *text) == id || may_lack_stamp(name, *text)) continue;
     throw InputError({.where = folder.string(),

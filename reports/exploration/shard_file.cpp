@@ -40,10 +40,10 @@ Nearest nearest_pair_of(const Json& json) {
 Json reaches_json(const std::vector<ConstraintReach>& reaches) {
   Json json = Json::array();
   for (const ConstraintReach& reach : reaches) {
-    json.push_back({{"met_by_any", reach.met},
-                    {"nearest", nearest_pair_json(reach.of_all)},
-                    {"nearest_with_the_others_met",
-                     nearest_pair_json(reach.of_those_that_meet_the_others)}});
+    json.push_back(
+        {{"met_by_any", reach.met},
+         {"nearest", nearest_pair_json(reach.of_all)},
+         {"nearest_with_the_others_met", nearest_pair_json(reach.of_those_that_meet_the_others)}});
   }
   return json;
 }
@@ -51,10 +51,10 @@ Json reaches_json(const std::vector<ConstraintReach>& reaches) {
 Json references_json(const std::vector<ReferenceCount>& references) {
   Json json = Json::array();
   for (const ReferenceCount& reference : references) {
-    json.push_back({{"dominated_by", reference.dominated_by},
-                    {"generated", reference.generated},
-                    {"rejected_by", reference.rejected_by ? Json(*reference.rejected_by)
-                                                          : Json(nullptr)}});
+    json.push_back(
+        {{"dominated_by", reference.dominated_by},
+         {"generated", reference.generated},
+         {"rejected_by", reference.rejected_by ? Json(*reference.rejected_by) : Json(nullptr)}});
   }
   return json;
 }
@@ -197,12 +197,12 @@ void require_all_shards(const std::vector<ShardFile>& shards) {
                         .form = InputForm::unknown});
     }
     if (file.partial || file.record.generated != file.record.total) {
-      throw InputError({.where = file.name,
-                        .what = fmt::format("shard {} was stopped after {} of {} routings",
-                                            text_of(file.shard), file.record.generated,
-                                            file.record.total),
-                        .expected = "one that was explored to its end",
-                        .form = InputForm::unknown});
+      throw InputError(
+          {.where = file.name,
+           .what = fmt::format("shard {} was stopped after {} of {} routings", text_of(file.shard),
+                               file.record.generated, file.record.total),
+           .expected = "one that was explored to its end",
+           .form = InputForm::unknown});
     }
     const auto [there, is_new] = by_index.emplace(file.shard.index, &file);
     if (!is_new) {
@@ -227,10 +227,10 @@ void require_all_shards(const std::vector<ShardFile>& shards) {
 void require_same_exploration(const ShardFile& shard, const ExploreReport& planned) {
   const std::string whole = whole_exploration_id(planned);
   if (whole != shard.whole) {
-    throw InputError({.where = shard.name,
-                      .what = fmt::format(
-                          "it was made by {}",
-                          difference(shard, explore_settings(planned), version_json()))});
+    throw InputError(
+        {.where = shard.name,
+         .what = fmt::format("it was made by {}",
+                             difference(shard, explore_settings(planned), version_json()))});
   }
   const ShardRecord& record = shard.record;
   if (record.references.size() == planned.options.references.size() &&

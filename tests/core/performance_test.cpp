@@ -109,7 +109,9 @@ TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
 // Summed up, these products of tension and travel give 1.0000000000000002.
 TEST(Performance, IsNoMoreThanAllWhereNothingIsLost) {
   Hardware smooth;
-  smooth.tube.mu = smooth.sheath.mu = smooth.bearing.mu = 0;
+  smooth.tube.mu = 0;
+  smooth.sheath.mu = 0;
+  smooth.bearing.mu = 0;
   for (const char* word : {"M-1-P-2-T-3-F", "M-1-T-2-P-3-F", "M-1-P-2b-T-3-F", "M-1-T-2-F"}) {
     for (const Direction direction : {Direction::pull, Direction::release}) {
       const double efficiency = performance_of(word, {}, direction, smooth).efficiency;

@@ -170,11 +170,10 @@ TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
 TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
   const Explored two({"--fingers", "2"});
   const Explored three({"--fingers", "3"});
-  const Arguments size{"size", "--from", two.out().string(), "--vary", "tip_angle=1..4", "--top",
-                       "1", "--nominal"};
+  const Arguments size{"size",  "--from", two.out().string(), "--vary", "tip_angle=1..4",
+                       "--top", "1",      "--nominal"};
   EXPECT_EQ(reeve(size).exit_code, 0);
-  for (const char* name :
-       {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "index.html"}) {
+  for (const char* name : {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "index.html"}) {
     SCOPED_TRACE(name);
     const std::string own = two.file(name);
     two.folder.write(std::string("out/") + name, three.file(name));
@@ -195,8 +194,7 @@ TEST(ExplorationId, IsThatOfTheQuestion) {
   const std::string plain = id({});
   EXPECT_EQ(plain.size(), 16U);
   EXPECT_EQ(id({"--threads", "1", "--details", "2"}), plain);
-  EXPECT_EQ(id({"--fingers", "2", "--constraint", "jams<=9"}),
-            id({"--constraint", "jams<=9"}));
+  EXPECT_EQ(id({"--fingers", "2", "--constraint", "jams<=9"}), id({"--constraint", "jams<=9"}));
   for (const Arguments& other :
        {Arguments{"--fingers", "3"}, Arguments{"--top", "999"}, Arguments{"--shard", "1/2"},
         Arguments{"--grasps", "none"}, Arguments{"--constraint", "jams<=9"},

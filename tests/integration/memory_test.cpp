@@ -117,15 +117,17 @@ TEST(MemoryLimit, IsSaidToBeReached) {
     SCOPED_TRACE(limit_kB);
     const TemporaryFolder folder;
     const std::string out = (folder.path() / "out").string();
-    const ProcessResult result =
-        run_process({"bash", "-c", "ulimit -v " + std::to_string(limit_kB) +
-                                       "; exec \"$0\" explore --fingers 4 --out \"$1\"",
-                     REEVE_EXECUTABLE, out});
+    const ProcessResult result = run_process(
+        {"bash", "-c",
+         "ulimit -v " + std::to_string(limit_kB) + "; exec \"$0\" explore --fingers 4 --out \"$1\"",
+         REEVE_EXECUTABLE, out});
     EXPECT_EQ(result.signal, 0);
     if (result.exit_code == 127) continue;  // not enough to load it
     EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << result.exit_code;
     EXPECT_EQ(result.err, result.exit_code == 0 ? "" : no_memory);
-    if (result.exit_code == 3) EXPECT_TRUE(files_in(out).empty());
+    if (result.exit_code == 3) {
+      EXPECT_TRUE(files_in(out).empty());
+    }
     starved += result.exit_code == 3 ? 1 : 0;
   }
   EXPECT_GT(starved, 0);

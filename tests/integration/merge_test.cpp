@@ -104,9 +104,9 @@ INSTANTIATE_TEST_SUITE_P(
         MergedCase{"Constraints",
                    {"--fingers", "3", "--constraint", "sheaths<=3", "--constraint",
                     "uniformity>=0.5", "--objectives", "uniformity,efficiency,sheaths,travel"}},
-        MergedCase{"NothingThatMeetsThem",
-                   {"--fingers", "3", "--constraint", "uniformity>=2", "--constraint",
-                    "sheaths<=1"}},
+        MergedCase{
+            "NothingThatMeetsThem",
+            {"--fingers", "3", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
         MergedCase{"Uncertainty",
                    {"--fingers", "3", "--uncertainty", "--draws", "25", "--top", "20"}},
         MergedCase{"EqualDesigns", {"--fingers", "3", "--top", "2", "--objectives", "jams,knots"}},
@@ -148,9 +148,10 @@ TEST_F(Merging, TakesShardsOfOneExplorationOnly) {
   expect_bad({1, 2},
              "s2/shard.json: it is of another exploration than s1/shard.json: other settings: top, "
              "constraints");
-  expect_bad({1, 3},
-             "s3/shard.json: it is shard 3/4, and s1/shard.json is shard 1/3; expected shards of as "
-             "many");
+  expect_bad(
+      {1, 3},
+      "s3/shard.json: it is shard 3/4, and s1/shard.json is shard 1/3; expected shards of as "
+      "many");
 }
 
 TEST_F(Merging, NamesAHardwareThatHasChanged) {

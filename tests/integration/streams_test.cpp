@@ -160,8 +160,7 @@ TEST(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
         Arguments{"show", "TR1", "--hardware", "pipe"}}) {
     const ProcessResult result = reeve(command, options);
     EXPECT_EQ(result.signal, SIGTERM);
-    EXPECT_EQ(result.err,
-              "reeve: waiting for 'pipe': a pipe that nobody has written to yet\n");
+    EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody has written to yet\n");
   }
 }
 
