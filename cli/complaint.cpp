@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <typeinfo>
 
 #include "cli/commands/commands.hpp"
@@ -42,8 +43,12 @@ bool is_of_memory(const std::type_info* type) {
 }
 
 [[noreturn]] void end() {
-  if (is_of_memory(abi::__cxa_current_exception_type())) {
+  const std::type_info* type = abi::__cxa_current_exception_type();
+  if (is_of_memory(type)) {
     complain_of_memory();
+  } else if (*type == typeid(std::runtime_error)) {
+    // Ours are derived from it; this is a thread of the pool that could not start another one.
+    complain_of_threads();
   } else {
     say("reeve: internal error: ended in the middle of its work\n");
   }
@@ -71,6 +76,11 @@ int complain(const std::string& message, int exit_code) {
 
 int complain_of_memory() {
   say("reeve: not enough memory\n");
+  return interrupted;
+}
+
+int complain_of_threads() {
+  say("reeve: no more threads: not enough memory, or too many threads\n");
   return interrupted;
 }
 

@@ -14,8 +14,9 @@ int complain(const std::string& message, int exit_code);
 // Each line's beginning and end, and how many bytes were left out.
 std::string shortened(std::string_view message);
 
-// Both need no memory.
+// These need no memory.
 int complain_of_memory();
+int complain_of_threads();
 // From here on what nobody can catch (an exception in a destructor, or one for which there is no
 // memory) ends the process with a message and exit code 3, and not by a signal.
 void catch_termination();

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
 #include "core/version.hpp"
+#include "numerics/parallel.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);
+  } catch (const reeve::numerics::NoThreads&) {
+    return complain_of_threads();
   } catch (const std::bad_alloc&) {
     return complain_of_memory();
   } catch (const std::filesystem::filesystem_error& error) {

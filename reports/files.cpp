@@ -118,6 +118,12 @@ void FileBatch::add(const fs::path& file, const std::string& content) {
   if (error) fail_to_write(file, error);
 }
 
+void FileBatch::remove(const fs::path& file) {
+  Destination there = destination(file);
+  const bool is_ours = !there.error && !there.descriptor && !there.written_through;
+  if (is_ours) removed_.push_back(std::move(there.file));
+}
+
 void FileBatch::commit() {
   for (const fs::path& file : removed_) ::unlink(file.c_str());
   for (Entry& entry : entries_) {

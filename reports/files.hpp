@@ -27,8 +27,8 @@ class FileBatch {
   void add(const std::filesystem::path& file, const std::string& content);
   void commit();
 
-  // What is not there need not go.
-  void remove(const std::filesystem::path& file) { removed_.push_back(file); }
+  // What is not there need not go; of a link goes what it leads to.
+  void remove(const std::filesystem::path& file);
 
  private:
   struct Entry {

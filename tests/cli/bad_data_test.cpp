@@ -19,7 +19,7 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
       compare({"no_catalogue"}, "no_catalogue: is a directory: expected a CSV file"),
       compare({"cell.csv"}, "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "),
       compare({"tiny.csv"},
-              "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or a tension of at least 1e-09 N"),
+              "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or a tension of at least 1e-30 N"),
       {{"diagnose", "tiny.csv"}, "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or", {}},
       compare({"run.csv"},
               "run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a "

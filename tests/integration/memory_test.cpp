@@ -14,6 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* no_memory = "reeve: not enough memory\n";
+constexpr const char* no_threads =
+    "reeve: no more threads: not enough memory, or too many threads\n";
 
 bool has_sanitizer() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -28,7 +30,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    files[fs::relative(entry.path(), folder)] = entry.path().filename() == "summary.json"
+    files[fs::relative(entry.path(), folder)] = entry.path().extension() == ".json"
                                                     ? without_times(read_text(entry.path()))
                                                     : read_text(entry.path());
   }
@@ -113,18 +115,20 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MemoryLimit, IsSaidToBeReached) {
   if (has_sanitizer()) GTEST_SKIP() << "sanitizers reserve more than any limit";
   int starved = 0;
-  for (int limit_kB = 40000; limit_kB <= 120000; limit_kB += 4000) {
+  for (int limit_kB = 20000; limit_kB <= 80000; limit_kB += 3000) {
     SCOPED_TRACE(limit_kB);
     const TemporaryFolder folder;
     const std::string out = (folder.path() / "out").string();
-    const ProcessResult result = run_process(
-        {"bash", "-c",
-         "ulimit -v " + std::to_string(limit_kB) + "; exec \"$0\" explore --fingers 4 --out \"$1\"",
-         REEVE_EXECUTABLE, out});
+    const ProcessResult result =
+        run_process({"bash", "-c",
+                     "ulimit -v " + std::to_string(limit_kB) +
+                         "; exec \"$0\" explore --fingers 5 --threads 4 --out \"$1\"",
+                     REEVE_EXECUTABLE, out});
     EXPECT_EQ(result.signal, 0);
     if (result.exit_code == 127) continue;  // not enough to load it
     EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << result.exit_code;
-    EXPECT_EQ(result.err, result.exit_code == 0 ? "" : no_memory);
+    const bool of_threads = result.err == no_threads;
+    EXPECT_EQ(result.err, result.exit_code == 0 ? "" : of_threads ? no_threads : no_memory);
     if (result.exit_code == 3) {
       EXPECT_TRUE(files_in(out).empty());
     }

@@ -173,8 +173,12 @@ TEST(FileBatch, AppearsAtOnceAndTakesTheOldAway) {
   const TemporaryFolder folder;
   folder.write("stale", "old");
   folder.write("a", "old");
+  std::filesystem::create_symlink("elsewhere", folder.path() / "link");
+  folder.write("elsewhere", "old");
   FileBatch batch;
   batch.remove(folder.path() / "stale");
+  batch.remove(folder.path() / "link");
+  batch.remove(folder.path() / "none");
   batch.add(folder.path() / "a", "new");
   batch.add(folder.path() / "b", "new");
   EXPECT_EQ(read_text(folder.path() / "a"), "old");
@@ -183,7 +187,9 @@ TEST(FileBatch, AppearsAtOnceAndTakesTheOldAway) {
   batch.commit();
   EXPECT_EQ(read_text(folder.path() / "a"), "new");
   EXPECT_EQ(read_text(folder.path() / "b"), "new");
-  EXPECT_EQ(names_in(folder.path()).size(), 2U);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "elsewhere"));
+  EXPECT_EQ(names_in(folder.path()).size(), 3U);
 }
 
 TEST(FileBatch, LeavesNothingWhereItFails) {

@@ -43,10 +43,9 @@ std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, s
   return found->second;
 }
 
-// No sensor tells a nanonewton from nothing, and logarithms and squares of what is far less have no
-// place among the numbers of a fit.
+// What a spreadsheet leaves of nothing (some 1e-16) may stay; the square of far less is no number.
 void require_measurable(double tension_N) {
-  constexpr double least_N = 1e-9;
+  constexpr double least_N = 1e-30;
   if (tension_N == 0 || std::abs(tension_N) >= least_N) return;
   throw InputError({.expected = fmt::format("0, or a tension of at least {} N", least_N)});
 }
