@@ -107,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
         MergedCase{
             "NothingThatMeetsThem",
             {"--fingers", "3", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
+        MergedCase{"KnownRoutingsThatAreRejected",
+                   {"--constraint", "sheaths<=2", "--constraint", "jams<=0"}},
         MergedCase{"Uncertainty",
                    {"--fingers", "3", "--uncertainty", "--draws", "25", "--top", "20"}},
         MergedCase{"EqualDesigns", {"--fingers", "3", "--top", "2", "--objectives", "jams,knots"}},
