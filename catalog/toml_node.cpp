@@ -5,13 +5,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 
 #include "core/error.hpp"
+#include "core/input/input_file.hpp"
 
 namespace reeve::catalog {
 namespace {
@@ -38,20 +35,7 @@ std::string one_line(std::string text) {
 }
 
 std::string read_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError({.where = path.string(), .what = "is a directory", .expected = "a TOML file"});
-  }
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw InputError(
-        {.where = path.string(), .what = fmt::format("cannot be read: {}", std::strerror(errno))});
-  }
-  std::string text(max_file_size + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw InputError({.where = path.string(), .what = "cannot be read to its end"});
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text = read_input(path, max_file_size, "a TOML file");
   if (text.size() > max_file_size) {
     throw InputError({.where = path.string(),
                       .what = "is larger than 1 MiB",

@@ -55,4 +55,38 @@ std::string given_options(const CLI::App& command, const std::vector<std::string
   return options_text(command, [&](const CLI::Option& option) { return names(wanted, option); });
 }
 
+std::vector<std::string> given_arguments(const CLI::App& command,
+                                         const std::vector<std::string>& left_out) {
+  std::vector<std::string> arguments;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || !option->nonpositional() || names(left_out, *option)) continue;
+    if (option->get_expected_max() == 0) {
+      arguments.push_back(option->get_name());
+      continue;
+    }
+    for (const std::string& value : option->results()) {
+      arguments.push_back(option->get_name() + "=" + value);
+    }
+  }
+  return arguments;
+}
+
+void refuse_leading_zeros(CLI::App& program) {
+  const CLI::Validator decimal(
+      [](const std::string& text) {
+        const std::size_t begin = text.find_first_not_of("+-");
+        const bool is_fine = begin == std::string::npos || text[begin] != '0' ||
+                             text.find_first_not_of('0', begin) == std::string::npos;
+        return is_fine ? std::string()
+                       : "Value " + text + " begins with 0: expected a whole number such as 10";
+      },
+      "");
+  for (CLI::App* command : program.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      const std::string type = option->get_type_name();
+      if (type.starts_with("INT") || type.starts_with("UINT")) option->transform(decimal);
+    }
+  }
+}
+
 }  // namespace reeve::cli

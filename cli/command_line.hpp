@@ -19,4 +19,12 @@ std::string command_line(const CLI::App& command, const std::vector<std::string>
 // were given, each behind a blank.
 std::string given_options(const CLI::App& command, const std::vector<std::string>& names);
 
+// Its options, but for those left out, as they can be given to it again.
+std::vector<std::string> given_arguments(const CLI::App& command,
+                                         const std::vector<std::string>& left_out);
+
+// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. Of all subcommands'
+// options those that are whole numbers take none that begins so.
+void refuse_leading_zeros(CLI::App& program);
+
 }  // namespace reeve::cli

@@ -11,7 +11,8 @@
 
 namespace reeve::cli {
 
-// `command` is the subcommand as it was given; `details` as in ExplorationView.
+// Of a report that holds the record of a shard also shard.json. `command` is the subcommand as it
+// was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const Catalogue& catalogue, std::optional<std::size_t> details,
                        const std::filesystem::path& directory);

@@ -37,6 +37,7 @@ std::vector<FrictionCase> read_friction_cases(const std::string& text, const Mod
     std::vector<FrictionCase> cases;
     std::set<std::pair<FrictionKind, double>> seen;
     std::istringstream items(text + ",");
+    items.exceptions(std::ios::badbit);  // no memory is no end of the text
     for (std::string item; std::getline(items, item, ',');) {
       cases.push_back(read_case(item, model));
       const FrictionCase& last = cases.back();

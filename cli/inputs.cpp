@@ -98,19 +98,9 @@ void SvgOption::add_to(CLI::App& command, const std::string& what) {
   option_ = command.add_option("--svg", file_, what);
 }
 
-// A link is followed, so that writing to a link to a device does not replace the link.
 void SvgOption::write(const std::string& content) const {
-  std::error_code ignored;
-  std::filesystem::path file = file_;
-  if (std::filesystem::is_symlink(file, ignored)) {
-    file = std::filesystem::weakly_canonical(file, ignored);
-  }
-  const bool other =
-      std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
-  if (file.empty() || other) {
-    throw InputError({.what = "--svg", .value = file_, .expected = "the name of a file to write"});
-  }
-  for_option("--svg", [&] { write_file(file, content); });
+  require_file_can_be_written(file_, "--svg");
+  for_option("--svg", [&] { write_file(file_, content); });
 }
 
 CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {

@@ -1,13 +1,19 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/complaint.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
+#include "core/input/input_file.hpp"
 #include "core/version.hpp"
+#include "numerics/parallel.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -27,10 +33,16 @@ std::string version_text() {
   return fmt::format("reeve {} ({})", build.number, build.commit);
 }
 
-int complain(const std::string& message, int exit_code) {
-  std::cerr << "reeve: " << message << '\n';
-  return exit_code;
+// A script that hangs should say why.
+void say_what_is_waited_for(const char* file) {
+  std::cerr << "reeve: "
+            << shortened(
+                   fmt::format("waiting for '{}': a pipe that nobody has written to yet", file))
+            << '\n';
 }
+
+// Also what runs before main may fail.
+__attribute__((constructor(101))) void prepare_for_the_worst() { catch_termination(); }
 
 int run(int argc, char** argv) {
   CLI::App program(description, "reeve");
@@ -48,6 +60,9 @@ int run(int argc, char** argv) {
   add_simulate(program, exit_code);
   add_diagnose(program, exit_code);
   add_size(program, exit_code);
+  add_merge(program, exit_code);
+  refuse_leading_zeros(program);
+  core::set_waiting_notice(say_what_is_waited_for);
   program.footer("Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted.");
   try {
     program.parse(argc, argv);
@@ -79,8 +94,12 @@ int main(int argc, char** argv) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);
+  } catch (const reeve::numerics::NoThreads&) {
+    return complain_of_threads();
   } catch (const std::bad_alloc&) {
-    return complain("not enough memory", interrupted);
+    return complain_of_memory();
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(error.what(), bad_input);
   } catch (const std::exception& error) {
     return complain(std::string("internal error: ") + error.what(), interrupted);
   }

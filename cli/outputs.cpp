@@ -1,26 +1,34 @@
 #include "cli/outputs.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
 #include "core/error.hpp"
+#include "reports/destination.hpp"
 
 namespace reeve::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Empty if files can be written into the folder.
-std::error_code why_not(const fs::path& folder) {
-  std::error_code error;
-  const fs::file_status status = fs::status(folder, error);
-  if (!fs::exists(status)) return std::make_error_code(std::errc::no_such_file_or_directory);
-  if (!fs::is_directory(status)) return std::make_error_code(std::errc::not_a_directory);
+// The folder itself, or what there is of the way to it; empty if a file could lie there.
+std::error_code why_not(fs::path folder) {
+  struct stat status = {};
+  while (::stat(folder.c_str(), &status) != 0) {
+    const std::error_code error(errno, std::generic_category());
+    const bool is_link = ::lstat(folder.c_str(), &status) == 0;
+    if (error != std::errc::no_such_file_or_directory || is_link || !folder.has_relative_path())
+      return error;
+    folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
+    if (folder.empty()) folder = ".";
+  }
+  if (!S_ISDIR(status.st_mode)) return std::make_error_code(std::errc::not_a_directory);
   if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
-  return std::error_code(errno, std::generic_category());
+  return {errno, std::generic_category()};
 }
 
 }  // namespace
@@ -34,10 +42,8 @@ void require_not_the_data(const fs::path& file, const fs::path& data, const std:
 }
 
 void require_folder_can_be_written(const fs::path& folder, const std::string& option) {
-  std::error_code ignored;
-  fs::path there = folder.empty() ? fs::path() : fs::absolute(folder);
-  while (there.has_relative_path() && !fs::exists(there, ignored)) there = there.parent_path();
-  const std::error_code error = why_not(there);
+  const std::error_code error =
+      folder.empty() ? std::make_error_code(std::errc::no_such_file_or_directory) : why_not(folder);
   if (!error) return;
   throw InputError(
       {.what = option,
@@ -46,18 +52,14 @@ void require_folder_can_be_written(const fs::path& folder, const std::string& op
 }
 
 void require_file_can_be_written(const fs::path& file, const std::string& option) {
-  const std::error_code error =
-      why_not(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  if (error) {
-    throw InputError({.what = option,
-                      .value = file.string(),
-                      .expected = fmt::format("a file in a folder that can be written to: {}",
-                                              error.message())});
-  }
-  std::error_code ignored;
-  if (file.has_filename() && !fs::is_directory(file, ignored)) return;
-  throw InputError(
-      {.what = option, .value = file.string(), .expected = "the name of a file, not a folder"});
+  const std::error_code error = destination(file).error;
+  if (!error) return;
+  const bool names_a_folder = !file.has_filename() || error == std::errc::is_a_directory;
+  throw InputError({.what = option,
+                    .value = file.string(),
+                    .expected = names_a_folder ? "the name of a file, not a folder"
+                                               : fmt::format("a file that can be written: {}",
+                                                             error.message())});
 }
 
 }  // namespace reeve::cli

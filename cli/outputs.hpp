@@ -15,7 +15,7 @@ void require_not_the_data(const std::filesystem::path& file, const std::filesyst
 // The folder, or what there is of the way to it. Throws InputError.
 void require_folder_can_be_written(const std::filesystem::path& folder, const std::string& option);
 
-// A file in a folder that is there. Throws InputError.
+// As write_file would (reports/destination.hpp). Throws InputError.
 void require_file_can_be_written(const std::filesystem::path& file, const std::string& option);
 
 }  // namespace reeve::cli

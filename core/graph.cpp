@@ -147,6 +147,7 @@ std::string contact_attributes(const ContactEdge& edge, bool source_is_left,
 std::string to_dot(const Network& network, const std::string& title, const TensionState* state) {
   const NetworkGraph net = graph(network);
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // where there is no memory
   boost::write_graphviz(
       out, net,
       [&](std::ostream& os, NetworkGraph::vertex_descriptor v) {

@@ -10,6 +10,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -71,16 +73,22 @@ void Workers::for_each_block(std::size_t size, std::size_t grain,
 #if defined(__SANITIZE_THREAD__)
   run_on_plain_threads(arena_->threads, size, grain, work);
 #else
-  arena_->arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, size, grain),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          const auto worker =
-              static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-          work({range.begin(), range.end(), worker});
-        },
-        tbb::simple_partitioner());
-  });
+  try {
+    arena_->arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, size, grain),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            const auto worker =
+                static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+            work({range.begin(), range.end(), worker});
+          },
+          tbb::simple_partitioner());
+    });
+  } catch (const std::runtime_error& error) {
+    // The library has no type of its own for this.
+    if (std::string_view(error.what()).starts_with("pthread_")) throw NoThreads();
+    throw;
+  }
 #endif
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <new>
 
 #include "numerics/floors.hpp"
 
@@ -15,6 +16,14 @@ struct IndexBlock {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::size_t worker = 0;
+};
+
+// No thread can be had: there is no memory for its stack, or a limit on threads is reached.
+class NoThreads : public std::bad_alloc {
+ public:
+  const char* what() const noexcept override {
+    return "no more threads: not enough memory, or too many threads";
+  }
 };
 
 class Workers {
@@ -28,6 +37,7 @@ class Workers {
   std::size_t count() const;
 
   // Cuts 0 … size into blocks of at most `grain` indices and runs them; exceptions come through.
+  // Throws NoThreads.
   void for_each_block(std::size_t size, std::size_t grain,
                       const std::function<void(const IndexBlock&)>& work);
 

@@ -1,34 +1,94 @@
 #include "reports/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <cstdio>
+#include <iostream>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 
 namespace reeve::reports {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_name = 255;  // of a file, in bytes, nearly everywhere
+
+[[noreturn]] void fail_to_write(const fs::path& file, const std::error_code& error) {
+  throw InputError(fmt::format("file '{}' cannot be written: {}", file.string(), error.message()));
+}
+
+std::error_code last_failure() { return {errno, std::generic_category()}; }
+
 // Two runs that write the same file at a time must not share the temporary one.
-std::filesystem::path temporary_beside(const std::filesystem::path& file) {
-  return file.string() + fmt::format(".{}.tmp", ::getpid());
+fs::path temporary_beside(const fs::path& file) {
+  const std::string end = fmt::format(".{}.tmp", ::getpid());
+  return file.parent_path() / (file.filename().string().substr(0, longest_name - end.size()) + end);
+}
+
+std::error_code write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written >= 0) {
+      content.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return last_failure();
+    }
+  }
+  return {};
+}
+
+// Some file systems say only here that there was no room.
+std::error_code close_after(int descriptor, std::error_code error) {
+  if (::close(descriptor) != 0 && !error) error = last_failure();
+  return error;
+}
+
+// Who may read it and write it stays; whose it is, where that may be given away.
+std::error_code keep_permissions(int descriptor, const ReplacedFile& replaced) {
+  if (::fchown(descriptor, replaced.owner, replaced.group) != 0) errno = 0;
+  return ::fchmod(descriptor, replaced.mode) == 0 ? std::error_code() : last_failure();
+}
+
+std::error_code write_new(const fs::path& file, const std::string& content,
+                          const std::optional<ReplacedFile>& replaced) {
+  // Of a process that had the same number and was killed.
+  ::unlink(file.c_str());
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return last_failure();
+  std::error_code error = write_all(descriptor, content);
+  if (!error && replaced) error = keep_permissions(descriptor, *replaced);
+  error = close_after(descriptor, error);
+  if (error) ::unlink(file.c_str());
+  return error;
+}
+
+std::error_code write_through(const Destination& there, const std::string& content) {
+  if (there.descriptor) {
+    std::cout.flush();
+    return write_all(*there.descriptor, content);
+  }
+  const int descriptor = ::open(there.file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) return last_failure();
+  return close_after(descriptor, write_all(descriptor, content));
 }
 
 }  // namespace
 
-void prepare_directory(const std::filesystem::path& directory, const std::string& option) {
+void prepare_directory(const fs::path& directory, const std::string& option) {
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (!error && !std::filesystem::is_directory(directory, error)) {
+  fs::create_directories(directory, error);
+  if (!error && !fs::is_directory(directory, error)) {
     error = std::make_error_code(std::errc::not_a_directory);
   }
-  if (!error && ::access(directory.c_str(), W_OK | X_OK) != 0) {
-    error = std::error_code(errno, std::generic_category());
-  }
+  if (!error && ::access(directory.c_str(), W_OK | X_OK) != 0) error = last_failure();
   if (error) {
     throw InputError(
         {.what = option,
@@ -37,18 +97,53 @@ void prepare_directory(const std::filesystem::path& directory, const std::string
   }
 }
 
-void write_file(const std::filesystem::path& file, const std::string& content) {
-  const std::filesystem::path temporary = temporary_beside(file);
-  std::ofstream out(temporary, std::ios::binary);
-  out << content;
-  out.close();
-  std::error_code error;
-  if (out.good()) std::filesystem::rename(temporary, file, error);
-  if (!out.good() || error) {
-    const std::string reason = error ? error.message() : std::strerror(errno);
-    std::filesystem::remove(temporary, error);
-    throw InputError(fmt::format("file '{}' cannot be written: {}", file.string(), reason));
+FileBatch::~FileBatch() {
+  for (const Entry& entry : entries_) {
+    if (!entry.temporary.empty()) ::unlink(entry.temporary.c_str());
   }
+}
+
+void FileBatch::add(const fs::path& file, const std::string& content) {
+  Entry entry{file, destination(file), {}, {}};
+  if (entry.there.error) fail_to_write(file, entry.there.error);
+  if (entry.there.descriptor || entry.there.written_through) {
+    entry.content = content;
+    entries_.push_back(std::move(entry));
+    return;
+  }
+  entry.temporary = temporary_beside(entry.there.file);
+  entries_.push_back(std::move(entry));
+  const Entry& added = entries_.back();
+  const std::error_code error = write_new(added.temporary, content, added.there.replaced);
+  if (error) fail_to_write(file, error);
+}
+
+void FileBatch::remove(const fs::path& file) {
+  Destination there = destination(file);
+  const bool is_ours = !there.error && !there.descriptor && !there.written_through;
+  if (is_ours) removed_.push_back(std::move(there.file));
+}
+
+void FileBatch::commit() {
+  for (const fs::path& file : removed_) ::unlink(file.c_str());
+  for (Entry& entry : entries_) {
+    std::error_code error;
+    if (entry.temporary.empty()) {
+      error = write_through(entry.there, entry.content);
+    } else if (std::rename(entry.temporary.c_str(), entry.there.file.c_str()) != 0) {
+      error = last_failure();
+    } else {
+      entry.temporary.clear();
+    }
+    if (error) fail_to_write(entry.named, error);
+  }
+  entries_.clear();
+}
+
+void write_file(const fs::path& file, const std::string& content) {
+  FileBatch batch;
+  batch.add(file, content);
+  batch.commit();
 }
 
 }  // namespace reeve::reports

@@ -1,17 +1,48 @@
-// Files appear whole or not at all.
+// Files appear whole or not at all, and nothing but regular files is replaced (destination.hpp).
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "numerics/floors.hpp"
+#include "reports/destination.hpp"
 
 namespace reeve::reports {
 
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);
 
-// Writes to a temporary name beside it, then renames. Throws InputError that names the file.
+// Files that belong together. Each is written under a temporary name beside its own; then, all at
+// once, those to be removed go, and the others appear in the order in which they were added. What
+// fails or runs out of memory before leaves what was there as it was.
+class FileBatch {
+ public:
+  FileBatch() = default;
+  FileBatch(const FileBatch&) = delete;
+  FileBatch& operator=(const FileBatch&) = delete;
+  ~FileBatch();
+
+  // Both throw InputError that names the file.
+  void add(const std::filesystem::path& file, const std::string& content);
+  void commit();
+
+  // What is not there need not go; of a link goes what it leads to.
+  void remove(const std::filesystem::path& file);
+
+ private:
+  struct Entry {
+    std::filesystem::path named;
+    Destination there;
+    std::filesystem::path temporary;  // empty once it has its name, or if it is written through
+    std::string content;              // only of what is written through
+  };
+
+  std::vector<std::filesystem::path> removed_;
+  std::vector<Entry> entries_;
+};
+
+// A batch of one.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace reeve::reports

@@ -9,11 +9,9 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
-#include "search/decide/ladder_archive.hpp"
-#include "search/judge/archive.hpp"
+#include "search/exploration_part.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
-#include "search/sample.hpp"
 
 namespace reeve::search {
 namespace {
@@ -22,7 +20,6 @@ namespace {
 // Ctrl-C; a grain is some tenths of a millisecond.
 constexpr std::size_t batch_size = 16384;
 constexpr std::size_t grain = 64;
-constexpr std::size_t named_as_best = 10;  // a line of a page
 
 // What became of one routing of a batch.
 struct Slot {
@@ -33,6 +30,7 @@ struct Slot {
   bool may_rank = false;
   bool may_be_rung = false;
   bool sampled = false;
+  bool done = false;
 };
 
 class Exploration {
@@ -42,85 +40,94 @@ class Exploration {
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        archive_(options.order, options.top),
-        ladder_(options.order, options.ladder.by),
-        sample_(options.sample),
-        constraint_failures_(options.constraints.size(), 0),
+        part_(options),
         deciding_(extent_for(deciding_objectives(options), options.score)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
     }
     // What there is none of need not be worked out later.
     if (!evaluators_[0].has_hand()) deciding_.hand = true;
+    DesignEvaluator of_references(options.model, options.grasps, options.score, options.prices);
     for (const Routing& routing : options.references) {
-      references_.push_back(
-          {{to_word(routing), evaluators_[0].evaluate(routing)}, 0, 0, 0, false, std::nullopt});
       reference_goodness_.push_back(
-          goodness(references_.back().design.values, options.order.objectives));
+          goodness(of_references.evaluate(routing), options.order.objectives));
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
-    dominators_.assign(workers_.count(), std::vector<std::uint64_t>(references_.size(), 0));
+    dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
+    unconverged_.assign(workers_.count(), 0);
     slots_.resize(batch_size);
+    part_.total = range_.end - range_.begin;
   }
 
-  ExploreResult run(const Supervision& supervision) {
-    const auto start = std::chrono::steady_clock::now();
+  ExplorationPart run(const Supervision& supervision) {
+    stop_ = supervision.stop;
     generator_.seek(range_.begin);
     bool stopped = false;
-    while (generated_ < total() && !stopped) {
+    while (generated_ < part_.total && !stopped) {
       const std::size_t actuated = fill_batch();
       workers_.for_each_block(actuated, grain,
                               [this](const IndexBlock& block) { evaluate(block); });
-      collect(actuated);
-      if (supervision.report) supervision.report({generated_, total()});
-      stopped = supervision.stop != nullptr && supervision.stop->load();
+      const std::size_t done = first_not_done(actuated);
+      if (done < actuated) withdraw_from(done, actuated);
+      collect(done);
+      if (supervision.report) supervision.report({generated_, part_.total});
+      stopped = must_stop();
     }
-    ExploreResult result = conclude();
-    const auto elapsed = std::chrono::steady_clock::now() - start;
-    result.seconds = std::chrono::duration<double>(elapsed).count();
-    return result;
+    add_up();
+    return std::move(part_);
   }
 
  private:
-  std::uint64_t total() const { return range_.end - range_.begin; }
+  bool must_stop() const { return stop_ != nullptr && stop_->load(); }
 
   std::size_t fill_batch() {
     std::size_t filled = 0;
-    while (filled < batch_size && generated_ < total()) {
-      Routing& routing = slots_[filled].routing;
-      generator_.next(routing);
-      slots_[filled].place = range_.begin + generated_;
+    while (filled < batch_size && generated_ < part_.total) {
+      Slot& slot = slots_[filled];
+      generator_.next(slot.routing);
+      slot.place = range_.begin + generated_;
+      slot.done = false;
       ++generated_;
-      if (is_actuated(routing)) {
-        ++filled;
-      } else {
-        ++not_actuated_;
-      }
+      if (is_actuated(slot.routing)) ++filled;
     }
     return filled;
   }
 
+  // One who waits for the end does not wait for the batch.
   void evaluate(const IndexBlock& block) {
-    DesignEvaluator& evaluator = evaluators_[block.worker];
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      Slot& slot = slots_[i];
-      slot.values = evaluator.evaluate(slot.routing, deciding_);
-      slot.failed_constraint = first_failure(slot.values);
-      if (slot.failed_constraint > 0) reaches_[block.worker].add(options_.constraints, slot.values);
-      slot.may_rank = slot.failed_constraint == 0 && archive_.may_rank(slot.values);
-      slot.may_be_rung = slot.failed_constraint == 0 && ladder_.may_be_rung(slot.values);
-      slot.sampled = slot.failed_constraint == 0 && sample_.would_enter(slot.place);
-      // What decides nothing here only what is kept needs.
-      const bool kept = slot.may_rank || slot.may_be_rung;
-      if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
-      compare_with_references(slot, block.worker);
-    }
+    if (must_stop() && block.begin > 0) return;
+    for (std::size_t i = block.begin; i < block.end; ++i) evaluate(slots_[i], block.worker);
   }
 
-  void note_generated(ReferenceStanding& reference, const Slot& slot) const {
-    reference.generated = true;
-    if (slot.failed_constraint > 0) {
-      reference.rejected_by = slot.failed_constraint - 1;
+  void evaluate(Slot& slot, std::size_t worker) {
+    DesignEvaluator& evaluator = evaluators_[worker];
+    const std::size_t before = evaluator.unconverged();
+    slot.values = evaluator.evaluate(slot.routing, deciding_);
+    unconverged_[worker] += evaluator.unconverged() - before;
+    slot.failed_constraint = first_failure(slot.values);
+    if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
+    slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
+    slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
+    slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
+    // What decides nothing here only what is kept needs.
+    const bool kept = slot.may_rank || slot.may_be_rung;
+    if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
+    compare_with_references(slot, dominators_[worker], 1);
+    slot.done = true;
+  }
+
+  std::size_t first_not_done(std::size_t filled) const {
+    std::size_t done = 0;
+    while (done < filled && slots_[done].done) ++done;
+    return done;
+  }
+
+  // Blocks are not worked off in their order: what was done behind the first that was not does not
+  // count.
+  void withdraw_from(std::size_t first, std::size_t filled) {
+    generated_ = slots_[first].place - range_.begin;
+    for (std::size_t i = first; i < filled; ++i) {
+      if (slots_[i].done) compare_with_references(slots_[i], dominators_[0], -1);
     }
   }
 
@@ -132,94 +139,43 @@ class Exploration {
     return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
   }
 
-  void compare_with_references(const Slot& slot, std::size_t worker) {
-    if (references_.empty()) return;
-    for (std::size_t r = 0; r < references_.size(); ++r) {
+  // Counts the design, or takes it off again; a worker's own count may fall below zero, their sum
+  // does not.
+  void compare_with_references(const Slot& slot, std::vector<std::int64_t>& dominators, int count) {
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
       // Each routing is generated once, so no two workers write here.
-      if (slot.routing == options_.references[r]) note_generated(references_[r], slot);
+      if (slot.routing != options_.references[r]) continue;
+      part_.references[r].generated = count > 0;
+      part_.references[r].rejected_by.reset();
+      if (slot.failed_constraint > 0 && count > 0) {
+        part_.references[r].rejected_by = slot.failed_constraint - 1;
+      }
     }
-    if (slot.failed_constraint > 0) return;
+    if (slot.failed_constraint > 0 || reference_goodness_.empty()) return;
     const Goodness candidate = goodness(slot.values, options_.order.objectives);
-    for (std::size_t r = 0; r < references_.size(); ++r) {
-      if (dominates(candidate, reference_goodness_[r])) ++dominators_[worker][r];
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+      if (dominates(candidate, reference_goodness_[r])) dominators[r] += count;
     }
   }
 
   void collect(std::size_t filled) {
-    evaluated_ += filled;
+    part_.evaluated += filled;
     for (std::size_t i = 0; i < filled; ++i) {
       const Slot& slot = slots_[i];
-      if (slot.failed_constraint > 0) ++constraint_failures_[slot.failed_constraint - 1];
-      if (slot.may_rank) archive_.add({to_word(slot.routing), slot.values});
-      if (slot.may_be_rung) ladder_.add({to_word(slot.routing), slot.values});
-      if (slot.sampled) sample_.add(slot.place, slot.routing);
+      if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
+      if (slot.may_rank) part_.archive.add({to_word(slot.routing), slot.values});
+      if (slot.may_be_rung) part_.ladder.add({to_word(slot.routing), slot.values});
+      if (slot.sampled) part_.sample.add(slot.place, slot.routing);
     }
   }
 
-  ExploreResult conclude() {
-    ExploreResult result;
-    result.total = total();
-    result.generated = generated_;
-    result.partial = generated_ < total();
-    result.evaluated = evaluated_;
-    result.rejected.push_back({std::nullopt, not_actuated_});
-    for (std::size_t c = 0; c < options_.constraints.size(); ++c) {
-      result.rejected.push_back({c, constraint_failures_[c]});
-    }
-    const Archive::Content content = archive_.content();
-    result.front_equals_left_out = content.front_equals_left_out;
-    for (const RankedDesign& ranked : content.ranked) {
-      if (ranked.front == 1) result.front.push_back(ranked);
-      if (ranked.rank <= options_.top) result.top.push_back(ranked);
-    }
-    // Both are the beginning of one ranking.
-    const std::vector<RankedDesign>& listed =
-        result.front.size() > result.top.size() ? result.front : result.top;
-    result.best = best_by_objective(listed, named_as_best);
-    for (const RankedDesign& ranked : listed) {
-      result.routings.push_back(parse_routing(ranked.design.word));
-    }
-    if (content.ranked.empty()) {
-      if (!result.partial) result.unmet = unmet();
-    } else {
-      result.ladder = ladder(ladder_.candidates(), content.ranked.front().design, options_.order,
-                             options_.ladder);
-    }
-    result.sample = sampled();
-    place_references(content.ranked);
-    result.references = references_;
-    for (const DesignEvaluator& evaluator : evaluators_) {
-      result.unconverged += evaluator.unconverged();
-    }
-    return result;
-  }
-
-  // Nothing where nothing was evaluated, so that no constraint is to blame.
-  std::vector<ConstraintReach> unmet() const {
-    if (evaluated_ == 0) return {};
-    ConstraintReaches all(options_.constraints.size());
-    for (const ConstraintReaches& reaches : reaches_) all.add(reaches);
-    return all.list();
-  }
-
-  // Most of what was sampled on the way is not in the sample, so what decides nothing waits.
-  std::vector<Design> sampled() {
-    std::vector<Design> designs;
-    for (const Routing& routing : sample_.routings()) {
-      designs.push_back({to_word(routing), evaluators_[0].evaluate(routing)});
-    }
-    return designs;
-  }
-
-  // Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
-  void place_references(const std::vector<RankedDesign>& ranked) {
-    for (std::size_t r = 0; r < references_.size(); ++r) {
-      for (const auto& counts : dominators_) references_[r].dominated_by += counts[r];
-      for (const RankedDesign& entry : ranked) {
-        if (entry.design.word != references_[r].design.word) continue;
-        if (entry.rank > options_.top && entry.front > 1) continue;
-        references_[r].rank = entry.rank;
-        references_[r].front = entry.front;
+  void add_up() {
+    part_.generated = generated_;
+    for (std::size_t w = 0; w < workers_.count(); ++w) {
+      part_.unconverged += unconverged_[w];
+      part_.reaches.add(reaches_[w]);
+      for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+        part_.references[r].dominated_by += static_cast<std::uint64_t>(dominators_[w][r]);
       }
     }
   }
@@ -237,20 +193,16 @@ class Exploration {
   RoutingGenerator generator_;
   ShardRange range_;
   Workers workers_;
-  Archive archive_;
-  LadderArchive ladder_;
-  DesignSample sample_;
-  std::vector<std::uint64_t> constraint_failures_;
+  ExplorationPart part_;
   Extent deciding_;
+  const std::atomic<bool>* stop_ = nullptr;
   std::vector<DesignEvaluator> evaluators_;
   std::vector<ConstraintReaches> reaches_;  // of each worker
-  std::vector<ReferenceStanding> references_;
   std::vector<Goodness> reference_goodness_;
-  std::vector<std::vector<std::uint64_t>> dominators_;  // [worker][reference]
+  std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]
+  std::vector<std::uint64_t> unconverged_;             // of each worker
   std::vector<Slot> slots_;
   std::uint64_t generated_ = 0;
-  std::uint64_t not_actuated_ = 0;
-  std::uint64_t evaluated_ = 0;
 };
 
 }  // namespace
@@ -273,7 +225,12 @@ Shard parse_shard(const std::string& text) {
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
-  return Exploration(options).run(supervision);
+  const auto start = std::chrono::steady_clock::now();
+  ExploreResult result = conclude(Exploration(options).run(supervision), options);
+  const auto elapsed = std::chrono::steady_clock::now() - start;
+  result.seconds = std::chrono::duration<double>(elapsed).count();
+  if (result.record) result.record->seconds = result.seconds;
+  return result;
 }
 
 }  // namespace reeve::search

@@ -20,6 +20,7 @@
 #include "search/enumerate/generator.hpp"
 #include "search/judge/ranking.hpp"
 #include "search/judge/score.hpp"
+#include "search/shard_record.hpp"
 
 namespace reeve::search {
 
@@ -45,6 +46,7 @@ struct ExploreOptions {
   std::vector<Routing> references;  // canonical routings whose place among the others is wanted
   std::optional<PartPrices> prices;
   LadderOptions ladder;
+  bool keeps_record = false;  // of the shard, to be put together with others
 };
 
 struct Progress {
@@ -90,6 +92,7 @@ struct ExploreResult {
   std::vector<ReferenceStanding> references;
   Ladder ladder;                       // without rungs where there is no design
   std::vector<ConstraintReach> unmet;  // parallel to the constraints, if nothing meets all of them
+  std::optional<ShardRecord> record;   // if it was asked for
 };
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {});

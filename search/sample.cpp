@@ -30,12 +30,17 @@ void DesignSample::add(std::uint64_t place, const Routing& routing) {
   std::push_heap(members_.begin(), members_.end());
 }
 
-std::vector<Routing> DesignSample::routings() const {
-  std::vector<Member> members = members_;
+std::vector<SampledRouting> DesignSample::members() const {
+  std::vector<SampledRouting> members;
+  for (const Member& member : members_) members.push_back({member.place, member.routing});
   std::sort(members.begin(), members.end(),
-            [](const Member& a, const Member& b) { return a.place < b.place; });
+            [](const SampledRouting& a, const SampledRouting& b) { return a.place < b.place; });
+  return members;
+}
+
+std::vector<Routing> DesignSample::routings() const {
   std::vector<Routing> routings;
-  for (Member& member : members) routings.push_back(std::move(member.routing));
+  for (SampledRouting& member : members()) routings.push_back(std::move(member.routing));
   return routings;
 }
 

@@ -12,6 +12,11 @@
 
 namespace reeve::search {
 
+struct SampledRouting {
+  std::uint64_t place = 0;
+  Routing routing;
+};
+
 class DesignSample {
  public:
   explicit DesignSample(std::size_t size) : size_(size) {}
@@ -22,7 +27,8 @@ class DesignSample {
 
   void add(std::uint64_t place, const Routing& routing);
 
-  // In the order of their places.
+  // Both in the order of their places.
+  std::vector<SampledRouting> members() const;
   std::vector<Routing> routings() const;
 
  private:

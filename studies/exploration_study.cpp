@@ -5,9 +5,69 @@
 
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
+#include "search/exploration_part.hpp"
 #include "search/judge/evaluation.hpp"
 
 namespace reeve::studies {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Routing>& routings,
+                                  const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const Routing& routing : routings) names.push_back(name_of(catalogue, routing));
+  return names;
+}
+
+// Of the known routings that are not among the listed designs; parallel to them, empty for the
+// others.
+std::optional<std::vector<Bands>> bands_of_unlisted(const ExploreResult& result,
+                                                    const ExploreOptions& options,
+                                                    const UncertaintyOptions& uncertainty,
+                                                    const StudySupervision& supervision) {
+  std::vector<Routing> unlisted;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < options.references.size(); ++i) {
+    if (result.references[i].rank > 0) continue;
+    unlisted.push_back(options.references[i]);
+    places.push_back(i);
+  }
+  const bool with_hand = DesignEvaluator(uncertainty.nominal, uncertainty.grasps).has_hand();
+  auto bands = drawn_bands(unlisted, friction_objectives(with_hand), uncertainty,
+                           [&](std::uint64_t draw) { return draw_model(uncertainty, draw); },
+                           {{}, supervision.stop});
+  if (!bands) return std::nullopt;
+  std::vector<Bands> all(options.references.size());
+  for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = std::move((*bands)[k]);
+  return all;
+}
+
+ExploreReport with_distributions(const ExploreOptions& options, ExploreResult result,
+                                 const std::optional<UncertaintyOptions>& uncertainty,
+                                 const Catalogue& catalogue, const StudySupervision& supervision) {
+  std::optional<DrawnDesigns> drawn;
+  std::optional<std::vector<Bands>> unlisted;
+  const bool draws = uncertainty && !result.partial;
+  if (draws) {
+    drawn = drawn_designs(result.routings, *uncertainty, supervision.during("drawing"));
+    if (drawn) unlisted = bands_of_unlisted(result, options, *uncertainty, supervision);
+  }
+  const bool draws_stopped = draws && !unlisted;
+  if (draws_stopped) drawn.reset();
+  ExploreReport report =
+      explore_report(options, std::move(result), drawn.value_or(DrawnDesigns{}), catalogue);
+  report.uncertainty = uncertainty;
+  report.draws_stopped = draws_stopped;
+  report.reference_bands = std::move(unlisted).value_or(std::vector<Bands>{});
+  for (std::size_t i = 0; i < report.reference_bands.size(); ++i) {
+    for (const ListedDesign& design : listed_designs(report)) {
+      if (design.ranked.design.word != report.result.references[i].design.word) continue;
+      report.reference_bands[i] = design.bands;
+    }
+  }
+  return report;
+}
+
+}  // namespace
 
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue) {
   std::vector<Routing> routings;
@@ -35,65 +95,34 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   report.ladder = list_ladder(result.ladder,
                               report.front.size() > report.top.size() ? report.front : report.top,
                               options.prices, catalogue);
-  for (const Routing& reference : options.references) {
-    report.reference_names.push_back(name_of(catalogue, reference));
-  }
+  report.reference_names = names_of(options.references, catalogue);
   report.result = std::move(result);
   return report;
 }
 
-namespace {
-
-// Of the known routings that are not among the listed designs; parallel to them, empty for the
-// others.
-std::optional<std::vector<Bands>> bands_of_unlisted(const ExploreResult& result,
-                                                    const ExploreOptions& options,
-                                                    const UncertaintyOptions& uncertainty,
-                                                    const StudySupervision& supervision) {
-  std::vector<Routing> unlisted;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < options.references.size(); ++i) {
-    if (result.references[i].rank > 0) continue;
-    unlisted.push_back(options.references[i]);
-    places.push_back(i);
-  }
-  const bool with_hand = DesignEvaluator(uncertainty.nominal, uncertainty.grasps).has_hand();
-  auto bands = drawn_bands(unlisted, friction_objectives(with_hand), uncertainty,
-                           [&](std::uint64_t draw) { return draw_model(uncertainty, draw); },
-                           {{}, supervision.stop});
-  if (!bands) return std::nullopt;
-  std::vector<Bands> all(options.references.size());
-  for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = std::move((*bands)[k]);
-  return all;
+ExploreReport planned_report(const ExploreOptions& options,
+                             const std::optional<UncertaintyOptions>& uncertainty,
+                             const Catalogue& catalogue) {
+  ExploreReport report;
+  report.options = options;
+  report.uncertainty = uncertainty;
+  report.reference_names = names_of(options.references, catalogue);
+  return report;
 }
-
-}  // namespace
 
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue, const StudySupervision& supervision) {
-  ExploreResult result = explore(options, supervision.during("exploring"));
-  std::optional<DrawnDesigns> drawn;
-  std::optional<std::vector<Bands>> unlisted;
-  const bool draws = uncertainty && !result.partial;
-  if (draws) {
-    drawn = drawn_designs(result.routings, *uncertainty, supervision.during("drawing"));
-    if (drawn) unlisted = bands_of_unlisted(result, options, *uncertainty, supervision);
-  }
-  const bool draws_stopped = draws && !unlisted;
-  if (draws_stopped) drawn.reset();
-  ExploreReport report =
-      explore_report(options, std::move(result), drawn.value_or(DrawnDesigns{}), catalogue);
-  report.uncertainty = uncertainty;
-  report.draws_stopped = draws_stopped;
-  report.reference_bands = std::move(unlisted).value_or(std::vector<Bands>{});
-  for (std::size_t i = 0; i < report.reference_bands.size(); ++i) {
-    for (const ListedDesign& design : listed_designs(report)) {
-      if (design.ranked.design.word != report.result.references[i].design.word) continue;
-      report.reference_bands[i] = design.bands;
-    }
-  }
-  return report;
+  return with_distributions(options, explore(options, supervision.during("exploring")), uncertainty,
+                            catalogue, supervision);
+}
+
+ExploreReport merged_study(const ExploreOptions& options,
+                           const std::optional<UncertaintyOptions>& uncertainty,
+                           const std::vector<ShardRecord>& shards, const Catalogue& catalogue,
+                           const StudySupervision& supervision) {
+  return with_distributions(options, conclude(shards, options), uncertainty, catalogue,
+                            supervision);
 }
 
 std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {

@@ -43,6 +43,18 @@ ExploreReport exploration_study(const ExploreOptions& options,
                                 const Catalogue& catalogue,
                                 const StudySupervision& supervision = {});
 
+// The same of shards that were explored elsewhere, all of them. Throws InputError on words that are
+// no routings of this exploration.
+ExploreReport merged_study(const ExploreOptions& options,
+                           const std::optional<UncertaintyOptions>& uncertainty,
+                           const std::vector<ShardRecord>& shards, const Catalogue& catalogue,
+                           const StudySupervision& supervision = {});
+
+// What is asked, before there is an answer.
+ExploreReport planned_report(const ExploreOptions& options,
+                             const std::optional<UncertaintyOptions>& uncertainty,
+                             const Catalogue& catalogue);
+
 // What was drawn is parallel to the longer of top and front, or empty.
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
                              const DrawnDesigns& drawn, const Catalogue& catalogue);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands/commands.hpp"
+#include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -36,6 +38,7 @@ struct ExploreFlags {
   SweepFlags sweep;
   std::vector<std::string> constraints;
   std::string shard = "1/1";
+  CLI::Option* shard_given = nullptr;
   std::size_t top = 1000;
   std::optional<std::size_t> details;
   std::string out = "out/explore";
@@ -64,6 +67,7 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
   require_fingers(model.hardware, options.generator.fingers);
   require_known_fingers(model.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(flags.shard); });
+  options.keeps_record = flags.shard_given->count() > 0;
   options.model = model;
   options.grasps = flags.ranking.read_grasps(options.generator.fingers);
   options.order = flags.ranking.read_order();
@@ -96,24 +100,34 @@ UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFil
           options.prices};
 }
 
-int run(const ExploreFlags& flags, const CLI::App& command) {
+// What is printed and written is the same of one exploration and of its shards.
+int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
   const Catalogue catalogue = shipped_catalogue();
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
-  const UncertaintyOptions uncertainty = uncertainty_options(flags, file, explore_options);
+  const UncertaintyOptions drawn = uncertainty_options(flags, file, explore_options);
   const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value()};
   const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
   flags.tables.require_width(flags.format);
-  if (flags.ranking.uncertainty) validate(uncertainty, flags.top);
+  if (flags.ranking.uncertainty) validate(drawn, flags.top);
+  const auto uncertainty = flags.ranking.uncertainty ? std::optional(drawn) : std::nullopt;
   const std::optional<CoefficientRange> over = flags.sweep.read();
-  require_sweep(over, uncertainty, flags.ranking.uncertainty);
+  require_sweep(over, drawn, flags.ranking.uncertainty);
+  std::vector<ShardRecord> records;
+  for (const ShardFile& shard : shards) {
+    ExploreReport planned = planned_report(explore_options, uncertainty, catalogue);
+    planned.sweep_over = over;
+    require_same_exploration(shard, planned);
+    records.push_back(shard.record);
+  }
   prepare_directory(flags.out, "--out");
   require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
   const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    ExploreReport made = exploration_study(
-        explore_options, flags.ranking.uncertainty ? std::optional(uncertainty) : std::nullopt,
-        catalogue, supervision);
-    if (over) add_sweep(made, {uncertainty, flags.ranking.uncertainty, *over}, supervision);
+    ExploreReport made =
+        records.empty()
+            ? exploration_study(explore_options, uncertainty, catalogue, supervision)
+            : merged_study(explore_options, uncertainty, records, catalogue, supervision);
+    if (over) add_sweep(made, {drawn, flags.ranking.uncertainty, *over}, supervision);
     return made;
   });
   write_exploration(report, command, catalogue, flags.details, flags.out);
@@ -121,13 +135,47 @@ int run(const ExploreFlags& flags, const CLI::App& command) {
                     ? explore_summary_json(report)
                     : flags.tables.printed(explore_sheet(report, columns), flags.format));
   std::cout << announced(
-      report.sweep
-          ? "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, sweep.csv, summary.json "
-            "and figures"
-          : "index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and figures",
+      fmt::format("index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, {}{}summary.json "
+                  "and figures",
+                  report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
   return report.result.unmet.empty() ? done : answer_is_no;
+}
+
+void add_options(CLI::App& command, ExploreFlags& flags) {
+  flags.generator.add_to(command, true);
+  flags.ranking.add_to(command);
+  flags.ladder.add_to(command);
+  flags.sweep.add_to(command, "the first design, those of the ladder and the front (up to 8)");
+  command
+      .add_option("--constraint", flags.constraints,
+                  "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+      ->allow_extra_args(false);
+  flags.shard_given =
+      command
+          .add_option("--shard", flags.shard,
+                      "i/N: only the i-th of N parts of the whole; reeve merge puts them together")
+          ->capture_default_str();
+  command
+      .add_option("--top", flags.top,
+                  "How many of the best designs to keep; the front is always kept")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  command
+      .add_option("--details", flags.details,
+                  "Of how many of the best designs the page holds schematics and tensions, besides "
+                  "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
+  command
+      .add_option(
+          "--out", flags.out,
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
+          "figures, and sweep.csv of --sweep")
+      ->capture_default_str();
+  flags.model.add_to(command);
+  flags.tables.add_to(command, "the list of the best");
+  flags.format.add_to(command, with_tables({"json"}));
 }
 
 }  // namespace
@@ -136,37 +184,23 @@ void add_explore(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "explore", "Every routing that a set of parts allows: evaluated, ranked, written to files");
   auto flags = std::make_shared<ExploreFlags>();
-  flags->generator.add_to(*command, true);
-  flags->ranking.add_to(*command);
-  flags->ladder.add_to(*command);
-  flags->sweep.add_to(*command, "the first design, those of the ladder and the front (up to 8)");
-  command
-      ->add_option("--constraint", flags->constraints,
-                   "Keep only designs with, such as 'sheaths<=2'; may be given several times")
-      ->allow_extra_args(false);
-  command->add_option("--shard", flags->shard, "i/N: only the i-th of N parts of the whole")
-      ->capture_default_str();
-  command
-      ->add_option("--top", flags->top,
-                   "How many of the best designs to keep; the front is always kept")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--details", flags->details,
-          "Of how many of the best designs the page holds schematics and tensions, besides "
-          "the known routings; by default as many as 170 schematics show in all grasps")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
-  command
-      ->add_option(
-          "--out", flags->out,
-          "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
-          "figures, and sweep.csv of --sweep")
-      ->capture_default_str();
-  flags->model.add_to(*command);
-  flags->tables.add_to(*command, "the list of the best");
-  flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+  add_options(*command, *flags);
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command, {}); });
+}
+
+int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {
+  CLI::App command("", "explore");
+  ExploreFlags flags;
+  add_options(command, flags);
+  std::vector<std::string> arguments = shards.front().arguments;
+  arguments.insert(arguments.end(), here.begin(), here.end());
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    command.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    throw InputError({.where = shards.front().name, .what = error.what()});
+  }
+  return run(flags, command, shards);
 }
 
 }  // namespace reeve::cli

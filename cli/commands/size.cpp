@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +19,7 @@
 #include "core/notation.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "pages/sizing/sizing_page.hpp"
+#include "reports/exploration/explored_folder.hpp"
 #include "reports/files.hpp"
 #include "reports/sizing/explored_settings.hpp"
 #include "reports/sizing/sizing_report.hpp"
@@ -65,6 +63,7 @@ std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& cata
       for_option("--from", [&] { require_actuated(graph(expand(routing)), to_word(routing)); });
       routings.push_back(std::move(routing));
     }
+    for_option("--from", [&] { return summary_of_one_exploration(flags.from); });
   }
   if (routings.empty()) {
     throw InputError({.where = "size",
@@ -149,16 +148,10 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   return options;
 }
 
-std::string read_text_if_there(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options) {
   if (flags.from_given->count() == 0) return {};
   const std::string differing =
-      differing_settings(read_text_if_there(std::filesystem::path(flags.from) / "summary.json"),
-                         options.nominal, options.grasps);
+      differing_settings(summary_of_one_exploration(flags.from), options.nominal, options.grasps);
   if (differing.empty()) return {};
   return {fmt::format("the exploration in {} was made with other settings than these: {}",
                       flags.from, differing)};

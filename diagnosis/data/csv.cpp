@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/input/input_file.hpp"
 #include "core/text.hpp"
 #include "diagnosis/data/intake/words.hpp"
 
@@ -22,35 +20,15 @@ namespace {
                     .expected = "a CSV file with one row per reading"});
 }
 
-// In pieces, since what is no regular file (a pipe) does not tell its size.
-std::string read_stream(std::istream& in, const std::string& name) {
-  std::string text;
-  std::string piece(std::size_t{1} << 20, '\0');
-  while (in) {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece, 0, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > max_csv_size) fail_too_large(name);
-  }
-  if (in.bad()) throw InputError({.where = name, .what = "cannot be read to its end"});
-  return text;
-}
-
 std::string read_file(const std::filesystem::path& path, const std::string& name) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError({.where = name, .what = "is a directory", .expected = "a CSV file"});
-  }
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw InputError(
-        {.where = name, .what = fmt::format("cannot be read: {}", std::strerror(errno))});
-  }
   if (std::filesystem::is_regular_file(path, error) &&
       std::filesystem::file_size(path, error) > max_csv_size && !error) {
     fail_too_large(name);
   }
-  return read_stream(in, name);
+  std::string text = read_input(path, max_csv_size, "a CSV file");
+  if (text.size() > max_csv_size) fail_too_large(name);
+  return text;
 }
 
 bool is_blank(const std::string& field) { return trimmed(field).empty(); }

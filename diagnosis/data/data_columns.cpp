@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
+#include "diagnosis/data/intake/words.hpp"
 #include "diagnosis/series/recognise_series.hpp"
 
 namespace reeve::diagnosis {
@@ -92,6 +93,7 @@ class ColumnReader {
 
   DataColumn read(const std::string& name, std::size_t index) {
     if (options_.group && *options_.group == name) return {DataRole::group, name, 0, 0, {}, {}};
+    require_short_name(name);
     const Range any = range_of(DataRole::covariate);
     DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
     const auto named = column_named(meaning_of(name, options_));

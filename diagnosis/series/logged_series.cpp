@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/csv_number.hpp"
+#include "diagnosis/data/intake/words.hpp"
 #include "diagnosis/series/log_columns.hpp"
 
 namespace reeve::diagnosis {
@@ -52,7 +53,7 @@ class LogReader {
       const std::string_view cell = trimmed(row.fields[i]);
       switch (columns_[i].role) {
         case LogRole::run:
-          labels.run = cell;
+          labels.run = name(row, i, cell);
           break;
         case LogRole::routing:
           labels.routing = cell;
@@ -82,10 +83,19 @@ class LogReader {
       is_text_[column] = !is_number(row, column, cell);
     }
     if (is_text_[column]) {
-      labels.others.push_back(fmt::format("{}={}", columns_[column].name, cell));
+      labels.others.push_back(fmt::format("{}={}", columns_[column].name, name(row, column, cell)));
     } else {
       cells_[column].push_back(number(row, column, cell));
     }
+  }
+
+  std::string_view name(const CsvRow& row, std::size_t column, std::string_view cell) const {
+    try {
+      require_short_name(cell);
+    } catch (const InputError& error) {
+      throw cell_error(error, csv_.name(), row.line, columns_[column].name, cell);
+    }
+    return cell;
   }
 
   bool is_number(const CsvRow& row, std::size_t column, std::string_view cell) {

@@ -16,6 +16,7 @@ namespace {
 Json sentences(const std::string& text) {
   Json list = Json::array();
   std::istringstream in(text);
+  in.exceptions(std::ios::badbit);  // no memory is no end of the text
   for (std::string line; std::getline(in, line);) {
     if (!line.empty()) list.push_back({{"text", line}, {"first", list.empty()}});
   }

@@ -2,9 +2,6 @@
 
 #include <fstream>
 #include <set>
-#include <system_error>
-
-#include "reports/files.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -15,6 +12,7 @@ constexpr const char* list_name = ".reeve";
 std::set<std::string> listed(const std::filesystem::path& folder) {
   std::set<std::string> names;
   std::ifstream list(folder / list_name);
+  list.exceptions(std::ios::badbit);  // where there is no memory
   for (std::string name; std::getline(list, name);) {
     const bool is_plain = std::filesystem::path(name).filename() == name;
     if (is_plain && (name.ends_with(".svg") || name.ends_with(".txt"))) names.insert(name);
@@ -24,13 +22,14 @@ std::set<std::string> listed(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
+void add_figures(FileBatch& batch, const std::filesystem::path& directory,
+                 const std::vector<FigureFile>& figures) {
   const std::filesystem::path folder = directory / "figures";
   prepare_directory(folder, "--out");
   std::set<std::string> stale = listed(folder);
   std::string names;
   const auto write = [&](const std::string& name, const std::string& content) {
-    write_file(folder / name, content);
+    batch.add(folder / name, content);
     stale.erase(name);
     names += name + "\n";
   };
@@ -38,11 +37,14 @@ void write_figures(const std::filesystem::path& directory, const std::vector<Fig
     write(figure.id + ".svg", figure.svg);
     if (!figure.caption.empty()) write(figure.id + ".txt", figure.caption);
   }
-  for (const std::string& name : stale) {
-    std::error_code ignored;
-    std::filesystem::remove(folder / name, ignored);
-  }
-  write_file(folder / list_name, names);
+  for (const std::string& name : stale) batch.remove(folder / name);
+  batch.add(folder / list_name, names);
+}
+
+void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
+  FileBatch batch;
+  add_figures(batch, directory, figures);
+  batch.commit();
 }
 
 }  // namespace reeve::pages

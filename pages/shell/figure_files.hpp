@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numerics/floors.hpp"
+#include "reports/files.hpp"
 
 namespace reeve::pages {
 
@@ -14,6 +15,10 @@ struct FigureFile {
   std::string svg;
   std::string caption{};  // "": none is written
 };
+
+// As write_figures, together with other files.
+void add_figures(FileBatch& batch, const std::filesystem::path& directory,
+                 const std::vector<FigureFile>& figures);
 
 // Writes figures/ID.svg and figures/ID.txt, and removes what an earlier run wrote there and this
 // one did not: what lies in the folder then belongs to one result. Files of others stay; which are

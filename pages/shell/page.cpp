@@ -34,6 +34,7 @@ namespace {
 Json scripts(const std::string& names) {
   Json list = Json::array();
   std::istringstream in(names);
+  in.exceptions(std::ios::badbit);  // no memory is no end of the text
   for (std::string name; in >> name;) list.push_back(asset(name));
   return list;
 }

@@ -7,6 +7,7 @@
 
 #include "reports/decision/decision_words.hpp"
 #include "reports/decision/ladder_report.hpp"
+#include "reports/exploration/exploration_id.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
@@ -145,32 +146,6 @@ Json unmet_json(const ExploreReport& report) {
   return json;
 }
 
-Json explore_settings(const ExploreReport& report) {
-  const ExploreOptions& options = report.options;
-  const GeneratorOptions& generator = options.generator;
-  Json json{{"fingers", generator.fingers},
-            {"identical_fingers", generator.identity == FingerIdentity::identical},
-            {"parts",
-             {{"tips", tips_text(generator.parts)},
-              {"joins", joins_text(generator.parts)},
-              {"ends", ends_text(generator.parts)},
-              {"anchored", generator.parts.anchored},
-              {"blocks", generator.parts.blocks}}},
-            {"tendons", generator.one_tendon ? "one" : "any"},
-            {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
-            {"top", options.top}};
-  json["constraints"] = Json::array();
-  for (const Constraint& constraint : options.constraints) {
-    json["constraints"].push_back(constraint.text);
-  }
-  json.update(settings_json(options.order, options.score, options.grasps, options.model,
-                            report.result.unconverged));
-  json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
-  add_ladder_settings(json, options.ladder, options.prices);
-  json["sweep"] = sweep_settings(report.sweep_over);
-  return json;
-}
-
 }  // namespace
 
 Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
@@ -228,6 +203,32 @@ std::string rejection_text(const Rejection& rejection, const ExploreOptions& opt
   return "constraint " + options.constraints[*rejection.constraint].text;
 }
 
+Json explore_settings(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  Json json{{"fingers", generator.fingers},
+            {"identical_fingers", generator.identity == FingerIdentity::identical},
+            {"parts",
+             {{"tips", tips_text(generator.parts)},
+              {"joins", joins_text(generator.parts)},
+              {"ends", ends_text(generator.parts)},
+              {"anchored", generator.parts.anchored},
+              {"blocks", generator.parts.blocks}}},
+            {"tendons", generator.one_tendon ? "one" : "any"},
+            {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
+            {"top", options.top}};
+  json["constraints"] = Json::array();
+  for (const Constraint& constraint : options.constraints) {
+    json["constraints"].push_back(constraint.text);
+  }
+  json.update(settings_json(options.order, options.score, options.grasps, options.model,
+                            report.result.unconverged));
+  json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  add_ladder_settings(json, options.ladder, options.prices);
+  json["sweep"] = sweep_settings(report.sweep_over);
+  return json;
+}
+
 std::string explore_summary_json(const ExploreReport& report) {
   const ExploreResult& result = report.result;
   Json json{{"generated", result.generated}};
@@ -249,6 +250,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["ladder"] = ladder_json(report.ladder);
   json["unmet"] = unmet_json(report);
   if (report.sweep_over) json["sweep"] = value_or_null(report.sweep, sweep_json);
+  json["exploration"] = exploration_id(report);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();
   return print(json);

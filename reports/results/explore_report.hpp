@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/json.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "studies/exploration_study.hpp"
@@ -13,6 +14,8 @@ namespace reeve::reports {
 // Where columns are chosen, of the tables that of the best alone.
 Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns = {});
 std::string explore_summary_json(const ExploreReport& report);
+// What was asked, as in the summary.
+Json explore_settings(const ExploreReport& report);
 // What the user should know of how the ranking came about; usually nothing.
 std::vector<std::string> notes(const ExploreReport& report);
 

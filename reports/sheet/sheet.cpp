@@ -25,6 +25,7 @@ void Sheet::add(Section section) {
 
 void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat) {
   std::istringstream in(text);
+  in.exceptions(std::ios::badbit);  // no memory is no end of the text
   for (std::string line; std::getline(in, line);) lines.push_back({line, caveat});
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "search/judge/objectives.hpp"
@@ -30,6 +31,7 @@ struct ConstraintReach {
 class ConstraintReaches {
  public:
   explicit ConstraintReaches(std::size_t constraints) : reaches_(constraints) {}
+  explicit ConstraintReaches(std::vector<ConstraintReach> reaches) : reaches_(std::move(reaches)) {}
 
   // A design that fails at least one of them.
   void add(const std::vector<Constraint>& constraints, const ObjectiveValues& values);

@@ -31,9 +31,9 @@ bool Archive::may_rank(const ObjectiveValues& values) const {
   return !has_enough_dominators(guards_.rows(), candidate, 0);
 }
 
-void Archive::add(Design design) {
+void Archive::add(Design design, std::uint64_t equals_left_out) {
   Goodness value = goodness(design.values, order_.objectives);
-  entries_.push_back({std::move(design), std::move(value), 0});
+  entries_.push_back({std::move(design), std::move(value), equals_left_out});
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
 }
 
@@ -109,6 +109,13 @@ void Archive::place_guards() {
   for (auto guard = order.begin(); guard != last + 1; ++guard) {
     corner_ = corner_.min(guards_.row(*guard).transpose());
   }
+}
+
+std::vector<ArchivedDesign> Archive::members() {
+  compact();
+  std::vector<ArchivedDesign> members;
+  for (const Entry& entry : entries_) members.push_back({entry.design, entry.equals_left_out});
+  return members;
 }
 
 Archive::Content Archive::content() {

@@ -17,6 +17,12 @@
 
 namespace reeve::search {
 
+// A design that is held, and how many that equal it were left out for it.
+struct ArchivedDesign {
+  Design design;
+  std::uint64_t equals_left_out = 0;
+};
+
 class Archive {
  public:
   // keep >= 1
@@ -25,7 +31,11 @@ class Archive {
   // False if enough designs are known to beat these values; may be asked from many threads.
   bool may_rank(const ObjectiveValues& values) const;
 
-  void add(Design design);
+  void add(Design design, std::uint64_t equals_left_out = 0);
+
+  // All that another archive must be given to hold what this one would, of its own designs and
+  // these.
+  std::vector<ArchivedDesign> members();
 
   struct Content {
     std::vector<RankedDesign> ranked;  // best first; at least the first `keep` and the front

@@ -54,6 +54,8 @@ class DesignEvaluator {
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
+  // Whether a solve can fail to converge at all.
+  bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);

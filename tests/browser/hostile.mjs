@@ -7,7 +7,14 @@ export const image = '<img src=x onerror="window.stolen=1">';
 export const script = "</script><script>window.stolen=1</script>";
 const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
 
-// The shipped catalogue with one routing more.
+// What objects of JavaScript have already.
+const inherited = {
+  constructor: "M-1b-B-2b-M",
+  toString: "M-1b-B-2b-F",
+  __proto__name: "F-1b-P-2b-F",
+};
+
+// The shipped catalogue with one routing more, and some that are named like what every object has.
 export function hostileCatalogue(folder) {
   mkdirSync(folder, { recursive: true });
   const shipped = join(sources, "catalog");
@@ -16,6 +23,10 @@ export function hostileCatalogue(folder) {
   }
   const text = ["title", "source", "notes"].map((key) => `${key} = '''${image}${script}'''\n`);
   writeFileSync(join(folder, "x.toml"), `name = "X"\nword = "M-1b-P-2b-M"\n${text.join("")}`);
+  for (const [name, word] of Object.entries(inherited)) {
+    const own = name.replace("name", "");
+    writeFileSync(join(folder, `${name}.toml`), `name = "${own}"\nword = "${word}"\n`);
+  }
   return folder;
 }
 

@@ -18,6 +18,19 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
       compare({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
       compare({"no_catalogue"}, "no_catalogue: is a directory: expected a CSV file"),
       compare({"cell.csv"}, "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "),
+      compare({"tiny.csv"},
+              "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or a tension of at least 1e-30 N"),
+      {{"diagnose", "tiny.csv"}, "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or", {}},
+      compare({"run.csv"},
+              "run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a "
+              "name of at most 200 bytes, and it has 10000"),
+      compare({"name_of_column.csv"},
+              "name_of_column.csv:1: column 4 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': "
+              "expected a name of at most 200 bytes, and it has 10000"),
+      {{"import", "log_run.csv", "--routing", "TR1", "-o", "x.csv"},
+       "log_run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a name of "
+       "at most 200 bytes, and it has 10000",
+       {}},
       compare({"name.csv"},
               "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalogue"),
       compare({"ragged.csv"}, "ragged.csv:2:6: the row ends after 2 fields: expected 3"),
@@ -72,8 +85,8 @@ TEST(BadData, OfADiagnosisAreNotWrittenOver) {
        "--save-model: 'ok.csv' would be written over the data: expected another place",
        {}},
       {{"diagnose", "ok.csv", "--save-model", "missing/model.toml"},
-       "--save-model 'missing/model.toml': expected a file in a folder that can be written to: No "
-       "such file or directory",
+       "--save-model 'missing/model.toml': expected a file that can be written: No such file or "
+       "directory",
        {}},
       {{"diagnose", "ok.csv", "--save-model", "no_catalogue"},
        "--save-model 'no_catalogue': expected the name of a file, not a folder",

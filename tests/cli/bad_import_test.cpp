@@ -41,7 +41,7 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
       import({"ok.csv", "--direction", "back"}, "--direction"),
       import({"ok.csv", "-o", "ok.csv"}, "would be written over the data"),
       import({"ok.csv", "--plot", "ok.csv"}, "would be written over the data"),
-      import({"ok.csv", "-o", "none/readings.csv"}, "-o 'none/readings.csv': expected a file in"),
+      import({"ok.csv", "-o", "none/readings.csv"}, "-o 'none/readings.csv': expected a file that"),
       import({"ok.csv", "-o", "no_catalogue"}, "-o 'no_catalogue': expected the name of a file"),
   });
 }

@@ -73,15 +73,51 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
                "--format dot draws one grasp: expected --held once at most"),
       show_tr1({"--svg", "a.svg", "--held", "1", "--held", "2"},
                "--svg draws one grasp: expected --held once at most"),
-      show_tr1({"--svg", ""}, "--svg '': expected the name of a file to write"),
+      show_tr1({"--svg", ""}, "--svg '': expected the name of a file, not a folder"),
       show_tr1({"--svg", "no_catalogue"},
-               "--svg 'no_catalogue': expected the name of a file to write"),
+               "--svg 'no_catalogue': expected the name of a file, not a folder"),
       show_tr1({"--svg", "missing/a.svg"},
-               "--svg: file 'missing/a.svg' cannot be written: No such file or directory"),
-      {{"check", "--svg", "missing/a.svg"}, "--svg: file 'missing/a.svg' cannot be written", {}},
+               "--svg 'missing/a.svg': expected a file that can be written: No such file or "
+               "directory"),
+      {{"check", "--svg", "missing/a.svg"},
+       "--svg 'missing/a.svg': expected a file that can be written: No such file",
+       {}},
       show_tr1({"--colour"}, "--colour"),
       show_tr1({"TR2"}, "TR2"),
   });
+}
+
+// As C reads them, 010 is eight and 0x10 sixteen.
+TEST(BadNumber, BeginsWithAZero) {
+  const std::string expected = " begins with 0: expected a whole number such as 10; see reeve";
+  expect_all_bad({
+      explore({"--fingers", "010"}, "--fingers: Value 010" + expected),
+      explore({"--top", "0x10"}, "--top: Value 0x10" + expected),
+      explore({"--details", "00012"}, "--details: Value 00012" + expected),
+      explore({"--seed", "-010"}, "--seed: "),
+      {{"count", "--fingers", "08"}, "--fingers: Value 08" + expected, {}},
+      {{"rank", "TR1", "--draws", "0100"}, "--draws: Value 0100" + expected, {}},
+      {{"size", "TR1", "--vary", "tip_angle=1..4", "--starts", "02"}, "--starts: Value 02", {}},
+  });
+  EXPECT_EQ(reeve({"rank", "TR1", "--threads", "0"}).exit_code, 0);
+}
+
+// expect_bad() looks at the length of the message.
+TEST(BadArgument, OfAnyLengthIsShortened) {
+  for (const std::string& piece : {std::string("M-1-"), std::string("a b "), std::string("ä")}) {
+    std::string endless;
+    while (endless.size() < 100'000) endless += piece;
+    expect_all_bad({
+        {{"show", endless}, " bytes … ", {}},
+        explore({"--constraint", endless}, " bytes … "),
+        explore({"--grasps", endless}, " bytes … "),
+        explore({"--fingers", endless}, " bytes … "),
+        explore({"--hardware", endless}, ""),
+        explore({"--out", endless}, " bytes … "),
+        explore({"--" + endless}, " bytes … "),
+        {{endless}, " bytes … ", {}},
+    });
+  }
 }
 
 TEST(BadHardware, IsNamedWithFileLineAndColumn) {

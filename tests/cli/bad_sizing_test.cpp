@@ -125,9 +125,12 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line({"--from", "missing"}, "--from: missing/designs.csv: cannot be read: No such file"),
       line({"--from", "explored"},
            "--from: explored/designs.csv:3: routing 'M-1-Q', column 5: unknown token 'Q'"),
+      line({"--from", "explored", "--top", "1"},
+           "--from: explored: there is no summary.json, which is written last; expected the folder "
+           "of an exploration that was written to its end"),
       line({"TR1", "--hardware", "contact.toml"}, "hardware: contact 'a-T9'"),
       line({"TR1", "--save-hardware", "missing/h.toml"},
-           "--save-hardware 'missing/h.toml': expected a file in a folder that can be written to"),
+           "--save-hardware 'missing/h.toml': expected a file that can be written"),
       line({"TR1", "--save-hardware", "explored"},
            "--save-hardware 'explored': expected the name of a file, not a folder"),
   });

@@ -106,6 +106,21 @@ TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
   EXPECT_DOUBLE_EQ(found.force_transmission, 5);
 }
 
+// Summed up, these products of tension and travel give 1.0000000000000002.
+TEST(Performance, IsNoMoreThanAllWhereNothingIsLost) {
+  Hardware smooth;
+  smooth.tube.mu = 0;
+  smooth.sheath.mu = 0;
+  smooth.bearing.mu = 0;
+  for (const char* word : {"M-1-P-2-T-3-F", "M-1-T-2-P-3-F", "M-1-P-2b-T-3-F", "M-1-T-2-F"}) {
+    for (const Direction direction : {Direction::pull, Direction::release}) {
+      const double efficiency = performance_of(word, {}, direction, smooth).efficiency;
+      EXPECT_LE(efficiency, 1.0) << word;
+      EXPECT_DOUBLE_EQ(efficiency, 1.0) << word;
+    }
+  }
+}
+
 TEST(Performance, LooksAtStrandsOnly) {
   // a h1 T1 T2 h2
   const Performance found =

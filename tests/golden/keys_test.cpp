@@ -178,7 +178,7 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
   EXPECT_EQ(keys(json),
             "generated rejected evaluated partial notes total seconds designs_per_second "
-            "front_equals_left_out front top best known ladder unmet settings version");
+            "front_equals_left_out front top best known ladder unmet exploration settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + alike);
   EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + alike);
@@ -212,6 +212,23 @@ TEST(KeysOfASweep, AreThePromisedOnes) {
             "rejected_by" +
                 objectives + " bands");
   EXPECT_EQ(explored["known"][0]["bands"].size(), 14U);
+}
+
+TEST(KeysOfAShard, AreThePromisedOnes) {
+  const TemporaryFolder folder;
+  reeve({"explore", "--fingers", "2", "--shard", "1/2", "--constraint", "sheaths<=2", "--out",
+         folder.path().string()});
+  const Json json = Json::parse(read_text(folder.path() / "shard.json"));
+  EXPECT_EQ(
+      keys(json),
+      "exploration whole shard partial arguments total generated evaluated unconverged seconds "
+      "constraint_failures reaches known kept equals_left_out ladder sample settings version");
+  EXPECT_EQ(keys(json["reaches"][0]), "met_by_any nearest nearest_with_the_others_met");
+  EXPECT_EQ(keys(json["reaches"][0]["nearest"]), "below above");
+  EXPECT_EQ(keys(json["known"][0]), "dominated_by generated rejected_by");
+  EXPECT_EQ(keys(json["sample"]), "places routings");
+  EXPECT_EQ(json["arguments"].dump(), R"(["--fingers=2","--constraint=sheaths<=2"])");
+  EXPECT_EQ(keys(json["settings"]), keys(summary()["settings"]));
 }
 
 TEST(KeysOfTheLadder, AreThePromisedOnes) {

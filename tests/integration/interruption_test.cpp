@@ -1,5 +1,6 @@
 // Stopped, killed, or out of space: what is there is whole, and says what it is.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
@@ -135,17 +136,72 @@ TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
   EXPECT_EQ(explored.file("summary.json"), summary);
 }
 
-TEST(Killing, InTheMiddleOfTheLastFileLeavesTheOthersWhole) {
-  const Explored whole(long_files);
-  ASSERT_GT(whole.file("summary.json").size(), 1024U * 1024);
-  ASSERT_LT(whole.file("designs.csv").size(), 1024U * 1024);
+// All are written before one gets its name.
+TEST(Killing, InTheMiddleOfALateFileLeavesNone) {
   ProcessOptions options;
   options.file_size_limit = 1024 * 1024;
   const Explored killed(long_files, options);
   ASSERT_EQ(killed.result.signal, SIGXFSZ);
-  EXPECT_EQ(killed.file("designs.csv"), whole.file("designs.csv"));
-  EXPECT_EQ(killed.file("pareto.csv"), whole.file("pareto.csv"));
-  EXPECT_FALSE(std::filesystem::exists(killed.out() / "summary.json"));
+  EXPECT_TRUE(std::filesystem::exists(killed.out() / "figures"));
+  for (const std::string& name : killed.files()) {
+    EXPECT_TRUE(name == "figures" || name.ends_with(".tmp")) << name;
+  }
+}
+
+// A pipe that nobody reads holds it up behind the tables.
+TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
+  Explored explored({"--fingers", "2"});
+  const std::string designs = explored.file("designs.csv");
+  std::filesystem::remove(explored.out() / "index.html");
+  ASSERT_EQ(::mkfifo((explored.out() / "index.html").c_str(), 0600), 0);
+  explored.run({"--fingers", "3"}, disturbed(SIGKILL, [&](const RunningProcess&) {
+                 return explored.file("designs.csv") != designs;
+               }));
+  ASSERT_EQ(explored.result.signal, SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(explored.out() / "summary.json"));
+  std::filesystem::remove(explored.out() / "index.html");
+  const ProcessResult read =
+      reeve({"size", "--from", explored.out().string(), "--vary", "tip_angle=1..4"});
+  EXPECT_EQ(read.exit_code, 2);
+  EXPECT_NE(read.err.find("there is no summary.json, which is written last"), std::string::npos)
+      << read.err;
+}
+
+TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
+  const Explored two({"--fingers", "2"});
+  const Explored three({"--fingers", "3"});
+  const Arguments size{"size",  "--from", two.out().string(), "--vary", "tip_angle=1..4",
+                       "--top", "1",      "--nominal"};
+  EXPECT_EQ(reeve(size).exit_code, 0);
+  for (const char* name : {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "index.html"}) {
+    SCOPED_TRACE(name);
+    const std::string own = two.file(name);
+    two.folder.write(std::string("out/") + name, three.file(name));
+    const ProcessResult read = reeve(size);
+    EXPECT_EQ(read.exit_code, 2);
+    EXPECT_NE(read.err.find(std::string(name) + " and summary.json are of two explorations"),
+              std::string::npos)
+        << read.err;
+    two.folder.write(std::string("out/") + name, own);
+  }
+}
+
+// Whatever decides what is found, and nothing else.
+TEST(ExplorationId, IsThatOfTheQuestion) {
+  const auto id = [](const Arguments& arguments) {
+    return Explored(arguments).summary()["exploration"].get<std::string>();
+  };
+  const std::string plain = id({});
+  EXPECT_EQ(plain.size(), 16U);
+  EXPECT_EQ(id({"--threads", "1", "--details", "2"}), plain);
+  EXPECT_EQ(id({"--fingers", "2", "--constraint", "jams<=9"}), id({"--constraint", "jams<=9"}));
+  for (const Arguments& other :
+       {Arguments{"--fingers", "3"}, Arguments{"--top", "999"}, Arguments{"--shard", "1/2"},
+        Arguments{"--grasps", "none"}, Arguments{"--constraint", "jams<=9"},
+        Arguments{"--uncertainty", "--draws", "2"}, Arguments{"--ladder", "parts"},
+        Arguments{"--hardware", REEVE_CATALOG_DIR "/hardware/example.toml"}}) {
+    EXPECT_NE(id(other), plain) << other[0];
+  }
 }
 
 TEST(FullDisk, IsReportedWithTheFileAndLeavesNoPiece) {

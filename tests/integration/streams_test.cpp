@@ -1,9 +1,12 @@
 // Results go to stdout, progress to a terminal only, and what cannot be printed is an error.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/integration/explored.hpp"
@@ -82,6 +85,83 @@ TEST(ClosedPipe, EndsTheProgramQuietly) {
       run_process({"bash", "-c", "\"$0\" check | head -n 1 >/dev/null", REEVE_EXECUTABLE});
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.exit_code, 0);
+}
+
+// The rule for every file that is written, as one sees it from the shell.
+TEST(WrittenFile, GoesThroughDevicesLinksAndDescriptors) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/null", folder.path() / "null");
+  std::filesystem::create_symlink("target", folder.path() / "link");
+  ProcessOptions options;
+  options.directory = folder.path();
+  for (const Arguments& command :
+       {Arguments{"simulate", "--routings", "TR5", "-o"}, Arguments{"show", "TR5", "--svg"},
+        Arguments{"check", "--svg"},
+        Arguments{"size", "TR5", "--vary", "sheath_angle=3..9", "--nominal", "--save-hardware"},
+        Arguments{"diagnose", readings, "--save-model"}}) {
+    SCOPED_TRACE(command[0]);
+    const auto with = [&](const std::string& file) {
+      Arguments arguments = command;
+      arguments.push_back(file);
+      return reeve(arguments, options);
+    };
+    EXPECT_EQ(with("/dev/null").exit_code, 0);
+    EXPECT_EQ(with("null").exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "null"));
+    std::filesystem::remove(folder.path() / "target");
+    EXPECT_EQ(with("link").exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+    const std::string written = read_text(folder.path() / "target");
+    EXPECT_FALSE(written.empty());
+    const ProcessResult out = with("/dev/stdout");
+    EXPECT_EQ(out.exit_code, 0);
+    EXPECT_EQ(out.out.substr(0, written.size()).substr(0, 40), written.substr(0, 40));
+    const ProcessResult full = with("/dev/full");
+    EXPECT_EQ(full.exit_code, 2);
+    EXPECT_NE(full.err.find("No space left on device"), std::string::npos) << full.err;
+  }
+}
+
+TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.path() / "a");
+  std::filesystem::create_symlink("a", folder.path() / "b");
+  ProcessOptions options;
+  options.directory = folder.path();
+  for (const Arguments& command :
+       {Arguments{"explore"}, Arguments{"show", "TR1"}, Arguments{"rank", "TR1", "TR7"},
+        Arguments{"compare", readings}, Arguments{"diagnose", readings}}) {
+    SCOPED_TRACE(command[0]);
+    for (const auto& [out, reason] : std::vector<std::pair<std::string, std::string>>{
+             {"a", "Too many levels of symbolic links"},
+             {"a/below", "Too many levels of symbolic links"},
+             {std::string(300, 'n'), "File name too long"}}) {
+      Arguments arguments = command;
+      arguments.insert(arguments.end(), {"--out", out});
+      const ProcessResult result = reeve(arguments, options);
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_EQ(result.err, "reeve: --out '" + out +
+                                "': expected a folder that can be written to: " + reason + "\n");
+    }
+  }
+}
+
+TEST(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  ProcessOptions options;
+  options.directory = folder.path();
+  options.disturbance = Disturbance{SIGTERM, [](const RunningProcess& process) {
+                                      return process.err.find('\n') != std::string::npos;
+                                    }};
+  for (const Arguments& command :
+       {Arguments{"compare", "pipe"}, Arguments{"import", "pipe", "--routing", "TR1", "-o", "x"},
+        Arguments{"show", "TR1", "--hardware", "pipe"}}) {
+    const ProcessResult result = reeve(command, options);
+    EXPECT_EQ(result.signal, SIGTERM);
+    EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody has written to yet\n");
+  }
 }
 
 }  // namespace

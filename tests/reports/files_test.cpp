@@ -1,6 +1,9 @@
 #include "reports/files.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <filesystem>
@@ -68,6 +71,142 @@ TEST(WritingAFile, NamesTheFileThatCannotBeWrittenAndLeavesNothing) {
   EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"file"});
   EXPECT_EQ(folder.error_of([&] { write_file(folder.path() / "no" / "file", "text"); }),
             "file 'no/file' cannot be written: No such file or directory");
+}
+
+TEST(WritingAFile, FollowsALinkWhichStays) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "elsewhere");
+  folder.write("elsewhere/target", "old");
+  // Relative to the folder of the link, and over another link.
+  std::filesystem::create_symlink("elsewhere/link", folder.path() / "file");
+  std::filesystem::create_symlink("target", folder.path() / "elsewhere/link");
+  write_file(folder.path() / "file", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "file"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "elsewhere/link"));
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.path() / "elsewhere/target"));
+  EXPECT_EQ(read_text(folder.path() / "elsewhere/target"), "new");
+}
+
+TEST(WritingAFile, MakesWhatALinkLeadsTo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("target", folder.path() / "file");
+  write_file(folder.path() / "file", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "file"));
+  EXPECT_EQ(read_text(folder.path() / "target"), "new");
+}
+
+TEST(WritingAFile, RefusesALoopOfLinks) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.path() / "a");
+  std::filesystem::create_symlink("a", folder.path() / "b");
+  EXPECT_EQ(folder.error_of([&] { write_file(folder.path() / "a", "text"); }),
+            "file 'a' cannot be written: Too many levels of symbolic links");
+}
+
+TEST(WritingAFile, KeepsThePermissionsOfAnOlderOne) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("file", "old");
+  for (const mode_t mode : {0600U, 0664U, 0755U}) {
+    ::chmod(file.c_str(), mode);
+    write_file(file, "new");
+    struct stat status = {};
+    ASSERT_EQ(::stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, mode);
+  }
+}
+
+TEST(WritingAFile, RefusesOneThatMayNotBeWritten) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("file", "old");
+  ::chmod(file.c_str(), 0444);
+  EXPECT_EQ(folder.error_of([&] { write_file(file, "new"); }),
+            "file 'file' cannot be written: Permission denied");
+  EXPECT_EQ(read_text(file), "old");
+}
+
+TEST(WritingAFile, WritesThroughADeviceAndALinkToOne) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/null", folder.path() / "null");
+  std::filesystem::create_symlink("/dev/full", folder.path() / "full");
+  write_file(folder.path() / "null", "text");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_EQ(names_in(folder.path()).size(), 2U);
+  EXPECT_EQ(folder.error_of([&] { write_file(folder.path() / "full", "text"); }),
+            "file 'full' cannot be written: No space left on device");
+}
+
+TEST(WritingAFile, WritesThroughAPipe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string read;
+  std::thread reader([&] { read = read_text(pipe); });
+  write_file(pipe, "text");
+  reader.join();
+  EXPECT_EQ(read, "text");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(WritingAFile, WritesToADescriptorAsItIsOpen) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("file", "");
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  ASSERT_GE(descriptor, 0);
+  EXPECT_EQ(::write(descriptor, "before ", 7), 7);
+  write_file("/proc/self/fd/" + std::to_string(descriptor), "text");
+  EXPECT_EQ(::write(descriptor, " after", 6), 6);
+  ::close(descriptor);
+  EXPECT_EQ(read_text(file), "before text after");
+}
+
+TEST(WritingAFile, TakesTheLongestName) {
+  const TemporaryFolder folder;
+  const std::string name(255, 'a');
+  write_file(folder.path() / name, "text");
+  EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{name});
+  EXPECT_EQ(folder.error_of([&] { write_file(folder.path() / (name + "a"), "text"); }),
+            "file '" + name + "a' cannot be written: File name too long");
+}
+
+TEST(FileBatch, AppearsAtOnceAndTakesTheOldAway) {
+  const TemporaryFolder folder;
+  folder.write("stale", "old");
+  folder.write("a", "old");
+  std::filesystem::create_symlink("elsewhere", folder.path() / "link");
+  folder.write("elsewhere", "old");
+  FileBatch batch;
+  batch.remove(folder.path() / "stale");
+  batch.remove(folder.path() / "link");
+  batch.remove(folder.path() / "none");
+  batch.add(folder.path() / "a", "new");
+  batch.add(folder.path() / "b", "new");
+  EXPECT_EQ(read_text(folder.path() / "a"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "stale"));
+  batch.commit();
+  EXPECT_EQ(read_text(folder.path() / "a"), "new");
+  EXPECT_EQ(read_text(folder.path() / "b"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "elsewhere"));
+  EXPECT_EQ(names_in(folder.path()).size(), 3U);
+}
+
+TEST(FileBatch, LeavesNothingWhereItFails) {
+  const TemporaryFolder folder;
+  folder.write("stale", "old");
+  folder.write("a", "old");
+  std::filesystem::create_directory(folder.path() / "b");
+  EXPECT_EQ(folder.error_of([&] {
+    FileBatch batch;
+    batch.remove(folder.path() / "stale");
+    batch.add(folder.path() / "a", "new");
+    batch.add(folder.path() / "b", "new");
+    batch.commit();
+  }),
+            "file 'b' cannot be written: Is a directory");
+  EXPECT_EQ(read_text(folder.path() / "a"), "old");
+  EXPECT_EQ(names_in(folder.path()).size(), 3U);
 }
 
 TEST(PreparingAFolder, MakesItWithAllAboveIt) {

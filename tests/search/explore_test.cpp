@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "search/judge/pareto.hpp"
@@ -182,10 +184,50 @@ TEST(Explore, ToldNotToStopItFinishes) {
   EXPECT_EQ(result.generated, result.total);
 }
 
+// Blocks behind the first that nobody worked on are taken off again, with what they said of the
+// references; one thread's blocks are not worked on in order where there are several.
+TEST(Explore, StoppedInTheMiddleOfABatchItCountsNothingBeyond) {
+  ExploreOptions options = several_batches();
+  options.generator.fingers = 6;
+  options.grasps = single_grasps(6);
+  options.threads = 3;
+  options.references = {parse_routing("1-P-2-P-3-P-4-P-5-P-6-P-1"),
+                        parse_routing("M-1-F+M-2-F+M-3-F+M-4-F+M-5-F+M-6-F"),
+                        parse_routing("1b-B-2b-P-3b-B-4b-P-5b-B-6b-P-1b")};
+  for (const int pause_ms : {20, 60, 100}) {
+    std::atomic<bool> stop{false};
+    Supervision supervision;
+    supervision.stop = &stop;
+    std::thread stopping([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+      stop = true;
+    });
+    const ExploreResult result = explore(options, supervision);
+    stopping.join();
+    ASSERT_TRUE(result.partial);
+    const Naive naive = naive_program(options, result.generated);
+    EXPECT_EQ(result.evaluated, naive.kept.size());
+    EXPECT_EQ(result.rejected[0].count, naive.not_actuated);
+    expect_top(result, ranked_by_sweep(naive.kept, options.order.objectives), options.top);
+    for (const ReferenceStanding& reference : result.references) {
+      const Goodness own = goodness(reference.design.values, options.order.objectives);
+      std::uint64_t dominators = 0;
+      bool generated = false;
+      for (const Design& design : naive.kept) {
+        dominators += dominates(goodness(design.values, options.order.objectives), own) ? 1 : 0;
+        generated |= design.word == reference.design.word;
+      }
+      EXPECT_EQ(reference.dominated_by, dominators) << reference.design.word;
+      EXPECT_EQ(reference.generated, generated) << reference.design.word;
+    }
+  }
+}
+
 TEST(Explore, ToldToStopWhenAllIsDoneItIsWhole) {
-  const std::atomic<bool> stop{true};
+  std::atomic<bool> stop{false};
   Supervision supervision;
   supervision.stop = &stop;
+  supervision.report = [&](const Progress& progress) { stop = progress.done == progress.total; };
   const ExploreResult result = explore(options_for(full_parts(), 2), supervision);
   EXPECT_FALSE(result.partial);
   EXPECT_EQ(result.generated, result.total);

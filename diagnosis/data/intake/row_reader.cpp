@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "diagnosis/data/intake/text_cells.hpp"
+#include "diagnosis/data/intake/words.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -40,6 +41,13 @@ std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, s
   const auto [found, is_new] = seen.emplace(text, all.size());
   if (is_new) all.emplace_back(text);
   return found->second;
+}
+
+// What a spreadsheet leaves of nothing (some 1e-16) may stay; the square of far less is no number.
+void require_measurable(double tension_N) {
+  constexpr double least_N = 1e-30;
+  if (tension_N == 0 || std::abs(tension_N) >= least_N) return;
+  throw InputError({.expected = fmt::format("0, or a tension of at least {} N", least_N)});
 }
 
 }  // namespace
@@ -138,8 +146,12 @@ std::optional<double> RowReader::number(const CsvRow& row, std::size_t column) {
   return at(row, column,
             [&](std::string_view text) -> std::optional<double> {
               if (is_missing(text)) return std::nullopt;
-              return of.unit.converted(
+              const double value = of.unit.converted(
                   numbers_.read(text, row.line, of.unit.back(of.low), of.unit.back(of.high)));
+              const bool is_tension =
+                  of.role == DataRole::tension || of.role == DataRole::motor_tension;
+              if (is_tension) require_measurable(value);
+              return value;
             })
       .value_or(std::nullopt);
 }
@@ -175,14 +187,18 @@ std::optional<std::size_t> RowReader::run(const CsvRow& row) {
   if (!column) return std::nullopt;
   return at(row, *column, [&](std::string_view text) {
     if (text.empty()) throw InputError({.expected = "a name or number for the run"});
+    require_short_name(text);
     return place_of(text, runs_, data_.runs);
   });
 }
 
 std::optional<std::size_t> RowReader::group(const CsvRow& row) {
-  const std::string_view text = cell(row, DataRole::group);
-  if (is_missing(text)) return std::nullopt;
-  return place_of(text, groups_, data_.groups);
+  const auto column = find_column(columns_, DataRole::group);
+  if (!column || is_missing(cell(row, DataRole::group))) return std::nullopt;
+  return at(row, *column, [&](std::string_view text) {
+    require_short_name(text);
+    return place_of(text, groups_, data_.groups);
+  });
 }
 
 std::optional<std::size_t> RowReader::routing(const CsvRow& row) {

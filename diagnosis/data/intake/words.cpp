@@ -1,7 +1,10 @@
 #include "diagnosis/data/intake/words.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 
 namespace reeve::diagnosis {
@@ -43,6 +46,12 @@ std::string lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
+}
+
+void require_short_name(std::string_view name) {
+  if (name.size() <= longest_name) return;
+  throw InputError({.expected = fmt::format("a name of at most {} bytes, and it has {}",
+                                            longest_name, name.size())});
 }
 
 }  // namespace reeve::diagnosis

@@ -5,6 +5,7 @@
 // unit.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,5 +28,11 @@ std::string joined(const NameWords& name, std::size_t count);
 std::string_view without_brackets(std::string_view text);
 
 std::string lower(std::string_view text);
+
+// In bytes, of a run, a group or a column: each stands many times in tables and drawings.
+inline constexpr std::size_t longest_name = 200;
+
+// Throws InputError on a longer one.
+void require_short_name(std::string_view name);
 
 }  // namespace reeve::diagnosis

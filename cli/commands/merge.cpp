@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands/commands.hpp"
+#include "cli/commands/explore_merged.hpp"
+#include "cli/inputs.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "core/input/input_file.hpp"
+#include "reports/exploration/explored_folder.hpp"
+#include "reports/exploration/shard_file.hpp"
+
+namespace reeve::cli {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 30;
+
+struct MergeFlags {
+  std::vector<std::string> folders;
+  std::string out;
+  int threads = 0;
+  FormatOption format;
+};
+
+ShardFile read_shard(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "shard.json";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored) && !std::filesystem::exists(file, ignored)) {
+    throw InputError({.where = folder.string(),
+                      .what = "there is no shard.json",
+                      .expected = "the folder of an exploration with --shard",
+                      .form = InputForm::unknown});
+  }
+  ShardFile shard = read_shard_json(
+      read_input(file, most_bytes, "the shard.json of an exploration"), file.string());
+  summary_of_one_exploration(folder);
+  return shard;
+}
+
+// Its own files would be written over, and with them what it can be merged from.
+void require_not_a_shard(const MergeFlags& flags) {
+  for (const std::string& folder : flags.folders) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(flags.out, folder, ignored)) continue;
+    throw InputError({.what = "--out",
+                      .value = flags.out,
+                      .expected = "another folder than those that are put together"});
+  }
+}
+
+int run(const MergeFlags& flags) {
+  require_not_a_shard(flags);
+  std::vector<ShardFile> shards;
+  for (const std::string& folder : flags.folders) shards.push_back(read_shard(folder));
+  require_all_shards(shards);
+  return explore_merged(shards, {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
+                                 "--format=" + flags.format.format});
+}
+
+}  // namespace
+
+void add_merge(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "merge", "The shards of an exploration, put together to what the whole would have written");
+  auto flags = std::make_shared<MergeFlags>();
+  command
+      ->add_option("folders", flags->folders,
+                   "The folders that explore --shard i/N --out wrote, all N in any order")
+      ->required();
+  command->add_option("--out", flags->out, "Folder for the files of the whole exploration")
+      ->required();
+  command
+      ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  flags->format.add_to(*command, with_tables({"json"}));
+  command->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace reeve::cli

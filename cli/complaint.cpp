@@ -1,0 +1,89 @@
+#include "cli/complaint.hpp"
+
+#include <cxxabi.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <typeinfo>
+
+#include "cli/commands/commands.hpp"
+
+namespace reeve::cli {
+namespace {
+
+constexpr std::size_t longest_line = 800;
+constexpr std::size_t longest_message = 20000;
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+// The first two thirds of `most` bytes and the rest from the end, no UTF-8 character cut.
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t head = most * 2 / 3;
+  std::size_t tail = text.size() - (most - head);
+  while (head > 0 && continues_character(text[head])) --head;
+  while (tail < text.size() && continues_character(text[tail])) ++tail;
+  return fmt::format("{} … {} bytes … {}", text.substr(0, head), tail - head, text.substr(tail));
+}
+
+template <std::size_t Size>
+void say(const char (&message)[Size]) {
+  // There is nobody left to tell if this fails.
+  if (::write(STDERR_FILENO, message, Size - 1) < 0) return;
+}
+
+// No memory for the exception leaves no exception.
+bool is_of_memory(const std::type_info* type) {
+  return type == nullptr || *type == typeid(std::bad_alloc) ||
+         *type == typeid(std::bad_array_new_length);
+}
+
+[[noreturn]] void end() {
+  const std::type_info* type = abi::__cxa_current_exception_type();
+  if (is_of_memory(type)) {
+    complain_of_memory();
+  } else if (*type == typeid(std::runtime_error)) {
+    // Ours are derived from it; this is a thread of the pool that could not start another one.
+    complain_of_threads();
+  } else {
+    say("reeve: internal error: ended in the middle of its work\n");
+  }
+  ::_exit(interrupted);
+}
+
+}  // namespace
+
+std::string shortened(std::string_view message) {
+  std::string text;
+  while (true) {
+    const std::size_t end = message.find('\n');
+    text += cut(message.substr(0, end), longest_line);
+    if (end == std::string_view::npos) break;
+    text += '\n';
+    message.remove_prefix(end + 1);
+  }
+  return cut(text, longest_message);
+}
+
+int complain(const std::string& message, int exit_code) {
+  std::cerr << "reeve: " << shortened(message) << '\n';
+  return exit_code;
+}
+
+int complain_of_memory() {
+  say("reeve: not enough memory\n");
+  return interrupted;
+}
+
+int complain_of_threads() {
+  say("reeve: no more threads: not enough memory, or too many threads\n");
+  return interrupted;
+}
+
+void catch_termination() { std::set_terminate(end); }
+
+}  // namespace reeve::cli

@@ -1,0 +1,24 @@
+// The last words of a process that fails: one line on stderr, and its exit code.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::cli {
+
+// "reeve: …", shortened where what the user gave is longer than anybody reads.
+int complain(const std::string& message, int exit_code);
+
+// Each line's beginning and end, and how many bytes were left out.
+std::string shortened(std::string_view message);
+
+// These need no memory.
+int complain_of_memory();
+int complain_of_threads();
+// From here on what nobody can catch (an exception in a destructor, or one for which there is no
+// memory) ends the process with a message and exit code 3, and not by a signal.
+void catch_termination();
+
+}  // namespace reeve::cli

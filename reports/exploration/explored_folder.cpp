@@ -1,0 +1,66 @@
+#include "reports/exploration/explored_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/input/input_file.hpp"
+#include "reports/exploration/exploration_id.hpp"
+#include "reports/json.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 30;
+
+constexpr const char* whole_folder = "the folder of an exploration that was written to its end";
+
+std::optional<std::string> text_of(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  return read_input(file, most_bytes, "a file of an exploration");
+}
+
+std::string stamp_of_json(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("exploration")) return "";
+  return json["exploration"].is_string() ? json["exploration"].get<std::string>() : "";
+}
+
+std::string stamp_of(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path kind = file.extension();
+  if (kind == ".json") return stamp_of_json(text);
+  return kind == ".csv" ? stamp_of_csv(text) : stamp_of_markup(text);
+}
+
+// A table without rows has none.
+bool may_lack_stamp(const std::filesystem::path& file, const std::string& text) {
+  return file.extension() == ".csv" && std::count(text.begin(), text.end(), '\n') < 2;
+}
+
+}  // namespace
+
+std::string summary_of_one_exploration(const std::filesystem::path& folder) {
+  const std::optional<std::string> summary = text_of(folder / "summary.json");
+  if (!summary) {
+    throw InputError({.where = folder.string(),
+                      .what = "there is no summary.json, which is written last",
+                      .expected = whole_folder,
+                      .form = InputForm::unknown});
+  }
+  const std::string id = stamp_of_json(*summary);
+  for (const char* name :
+       {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "shard.json", "index.html"}) {
+    const std::optional<std::string> text = text_of(folder / name);
+    if (!text || stamp_of(name, *text) == id || may_lack_stamp(name, *text)) continue;
+    throw InputError({.where = folder.string(),
+                      .what = fmt::format("{} and summary.json are of two explorations", name),
+                      .expected = whole_folder,
+                      .form = InputForm::unknown});
+  }
+  return *summary;
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,229 @@
+#include "search/exploration_part.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "numerics/parallel.hpp"
+#include "search/judge/evaluation.hpp"
+
+namespace reeve::search {
+namespace {
+
+constexpr std::size_t evaluated_at_a_time = 16;
+constexpr std::size_t named_as_best = 10;  // a line of a page
+
+// Designs evaluated in full, many at a time.
+class Evaluators {
+ public:
+  explicit Evaluators(const ExploreOptions& options) : workers_(options.threads) {
+    for (std::size_t w = 0; w < workers_.count(); ++w) {
+      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
+    }
+  }
+
+  std::vector<Design> evaluate(const std::vector<Routing>& routings) {
+    std::vector<Design> designs(routings.size());
+    workers_.for_each_block(routings.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        designs[i] = {to_word(routings[i]), evaluators_[block.worker].evaluate(routings[i])};
+      }
+    });
+    return designs;
+  }
+
+  bool may_not_converge() const { return evaluators_.front().may_not_converge(); }
+  std::uint64_t unconverged() const {
+    std::uint64_t sum = 0;
+    for (const DesignEvaluator& evaluator : evaluators_) sum += evaluator.unconverged();
+    return sum;
+  }
+
+ private:
+  Workers workers_;
+  std::vector<DesignEvaluator> evaluators_;
+};
+
+Routing generated_routing(const std::string& word, const ExploreOptions& options) {
+  Routing routing = parse_routing(word);
+  if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
+  throw InputError({.what = "routing",
+                    .value = word,
+                    .expected = fmt::format("one of {} fingers that the motor pulls",
+                                            options.generator.fingers)});
+}
+
+std::vector<Routing> parsed(const std::vector<std::string>& words, const ExploreOptions& options) {
+  std::vector<Routing> routings;
+  for (const std::string& word : words) routings.push_back(generated_routing(word, options));
+  return routings;
+}
+
+// Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
+ReferenceStanding standing(Design design, const ReferenceCount& count,
+                           const std::vector<RankedDesign>& ranked, std::size_t top) {
+  ReferenceStanding result{std::move(design), count.dominated_by, 0, 0,
+                           count.generated,   count.rejected_by};
+  for (const RankedDesign& entry : ranked) {
+    if (entry.design.word != result.design.word) continue;
+    if (entry.rank > top && entry.front > 1) continue;
+    result.rank = entry.rank;
+    result.front = entry.front;
+  }
+  return result;
+}
+
+std::vector<Rejection> rejections(const ExplorationPart& part) {
+  std::vector<Rejection> rejected{{std::nullopt, part.generated - part.evaluated}};
+  for (std::size_t c = 0; c < part.constraint_failures.size(); ++c) {
+    rejected.push_back({c, part.constraint_failures[c]});
+  }
+  return rejected;
+}
+
+// Nothing where nothing was evaluated, so that no constraint is to blame.
+std::vector<ConstraintReach> unmet(const ExplorationPart& part) {
+  const bool is_whole = part.generated == part.total;
+  return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
+}
+
+void place_kept(ExploreResult& result, const Archive::Content& content,
+                const ExploreOptions& options) {
+  result.front_equals_left_out = content.front_equals_left_out;
+  for (const RankedDesign& ranked : content.ranked) {
+    if (ranked.front == 1) result.front.push_back(ranked);
+    if (ranked.rank <= options.top) result.top.push_back(ranked);
+  }
+  // Both are the beginning of one ranking.
+  const std::vector<RankedDesign>& listed =
+      result.front.size() > result.top.size() ? result.front : result.top;
+  result.best = best_by_objective(listed, named_as_best);
+  for (const RankedDesign& ranked : listed) {
+    result.routings.push_back(parse_routing(ranked.design.word));
+  }
+}
+
+ShardRecord record_of(ExplorationPart& part) {
+  ShardRecord record{part.total,
+                     part.generated,
+                     part.evaluated,
+                     part.unconverged,
+                     part.seconds,
+                     part.constraint_failures,
+                     part.reaches.list(),
+                     part.references,
+                     {},
+                     {},
+                     {}};
+  for (ArchivedDesign& member : part.archive.members()) {
+    record.archive.push_back({std::move(member.design.word), member.equals_left_out});
+  }
+  for (Design& design : part.ladder.candidates()) record.rungs.push_back(std::move(design.word));
+  for (const SampledRouting& sampled : part.sample.members()) {
+    record.sample.push_back({sampled.place, to_word(sampled.routing)});
+  }
+  return record;
+}
+
+ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options,
+                        Evaluators& evaluators) {
+  ExplorationPart part(options);
+  part.total = record.total;
+  part.generated = record.generated;
+  part.evaluated = record.evaluated;
+  part.unconverged = record.unconverged;
+  part.seconds = record.seconds;
+  part.constraint_failures = record.constraint_failures;
+  part.reaches = ConstraintReaches(record.reaches);
+  part.references = record.references;
+  std::vector<std::string> words;
+  for (const ArchivedWord& archived : record.archive) words.push_back(archived.word);
+  std::vector<Design> designs = evaluators.evaluate(parsed(words, options));
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    part.archive.add(std::move(designs[i]), record.archive[i].equals_left_out);
+  }
+  for (Design& rung : evaluators.evaluate(parsed(record.rungs, options)))
+    part.ladder.add(std::move(rung));
+  for (const SampledWord& sampled : record.sample) {
+    part.sample.add(sampled.place, generated_routing(sampled.word, options));
+  }
+  return part;
+}
+
+}  // namespace
+
+ExplorationPart::ExplorationPart(const ExploreOptions& options)
+    : constraint_failures(options.constraints.size(), 0),
+      reaches(options.constraints.size()),
+      references(options.references.size()),
+      archive(options.order, options.top),
+      ladder(options.order, options.ladder.by),
+      sample(options.sample) {}
+
+void ExplorationPart::absorb(ExplorationPart other) {
+  total += other.total;
+  generated += other.generated;
+  evaluated += other.evaluated;
+  unconverged += other.unconverged;
+  seconds += other.seconds;
+  for (std::size_t c = 0; c < constraint_failures.size(); ++c) {
+    constraint_failures[c] += other.constraint_failures[c];
+  }
+  reaches.add(other.reaches);
+  for (std::size_t r = 0; r < references.size(); ++r) {
+    ReferenceCount& mine = references[r];
+    const ReferenceCount& theirs = other.references[r];
+    mine.dominated_by += theirs.dominated_by;
+    mine.generated = mine.generated || theirs.generated;
+    if (theirs.rejected_by) mine.rejected_by = theirs.rejected_by;
+  }
+  for (ArchivedDesign& member : other.archive.members()) {
+    archive.add(std::move(member.design), member.equals_left_out);
+  }
+  for (Design& design : other.ladder.candidates()) ladder.add(std::move(design));
+  for (SampledRouting& sampled : other.sample.members()) {
+    sample.add(sampled.place, sampled.routing);
+  }
+}
+
+ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
+  ExploreResult result;
+  result.total = part.total;
+  result.generated = part.generated;
+  result.partial = part.generated < part.total;
+  result.evaluated = part.evaluated;
+  result.seconds = part.seconds;
+  result.rejected = rejections(part);
+  const Archive::Content content = part.archive.content();
+  place_kept(result, content, options);
+  if (content.ranked.empty()) {
+    result.unmet = unmet(part);
+  } else {
+    result.ladder = ladder(part.ladder.candidates(), content.ranked.front().design, options.order,
+                           options.ladder);
+  }
+  Evaluators evaluators(options);
+  std::vector<Design> known = evaluators.evaluate(options.references);
+  for (std::size_t r = 0; r < known.size(); ++r) {
+    result.references.push_back(
+        standing(std::move(known[r]), part.references[r], content.ranked, options.top));
+  }
+  result.sample = evaluators.evaluate(part.sample.routings());
+  // What decides need not be all that is shown of the listed designs. How often these were
+  // evaluated on the way depends on the cut.
+  if (evaluators.may_not_converge()) evaluators.evaluate(result.routings);
+  result.unconverged = part.unconverged + evaluators.unconverged();
+  if (options.keeps_record) result.record = record_of(part);
+  return result;
+}
+
+ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options) {
+  Evaluators evaluators(options);
+  ExplorationPart whole(options);
+  for (const ShardRecord& shard : shards) whole.absorb(part_of(shard, options, evaluators));
+  return conclude(std::move(whole), options);
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,47 @@
+// What a search through some of the routings keeps of them, such that parts of an enumeration can
+// be put together to what a search through all of it would have kept.
+//
+// Exact, whatever the cut: the keep-skyband of a union is within the union of the skybands, as a
+// front within that of the fronts; the lots of a sample belong to places of the whole enumeration;
+// counts add up. So a part is concluded alone, or after it has absorbed the others.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/decide/ladder_archive.hpp"
+#include "search/decide/unmet.hpp"
+#include "search/explore.hpp"
+#include "search/judge/archive.hpp"
+#include "search/sample.hpp"
+#include "search/shard_record.hpp"
+
+namespace reeve::search {
+
+struct ExplorationPart {
+  explicit ExplorationPart(const ExploreOptions& options);
+
+  std::uint64_t total = 0;
+  std::uint64_t generated = 0;
+  std::uint64_t evaluated = 0;
+  std::uint64_t unconverged = 0;  // tension solves that decide what is kept
+  double seconds = 0;
+  std::vector<std::uint64_t> constraint_failures;  // parallel to the constraints
+  ConstraintReaches reaches;
+  std::vector<ReferenceCount> references;  // parallel to those of the options
+  Archive archive;
+  LadderArchive ladder;
+  DesignSample sample;
+
+  // Of the same exploration, and disjoint.
+  void absorb(ExplorationPart other);
+};
+
+// Ranks what was kept, evaluates what is shown besides.
+ExploreResult conclude(ExplorationPart part, const ExploreOptions& options);
+
+// All shards of an exploration, whose options these are, each once. Throws InputError on a word
+// that is no routing of theirs.
+ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options);
+
+}  // namespace reeve::search

@@ -1,0 +1,141 @@
+// Out of memory: wherever it happens, one message, exit code 3, and no piece of a file.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* no_memory = "reeve: not enough memory\n";
+constexpr const char* no_threads =
+    "reeve: no more threads: not enough memory, or too many threads\n";
+
+bool has_sanitizer() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return true;
+#else
+  return false;
+#endif
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  if (!fs::exists(folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[fs::relative(entry.path(), folder)] = entry.path().extension() == ".json"
+                                                    ? without_times(read_text(entry.path()))
+                                                    : read_text(entry.path());
+  }
+  return files;
+}
+
+struct Starved {
+  const char* name;
+  Arguments command;
+};
+
+class OutOfMemory : public ::testing::TestWithParam<Starved> {
+ protected:
+  void SetUp() override {
+    if (has_sanitizer()) GTEST_SKIP() << "sanitizers have an allocator of their own";
+    run({});
+    ASSERT_EQ(result_.exit_code, 0) << result_.err;
+    whole_ = files_in(folder_.path() / "out");
+    ASSERT_FALSE(whole_.empty());
+  }
+
+  void run(const std::map<std::string, std::string>& environment) {
+    fs::remove_all(folder_.path() / "out");
+    ProcessOptions options;
+    options.directory = folder_.path();
+    options.environment = environment;
+    options.timeout = std::chrono::seconds(60);
+    result_ = reeve(GetParam().command, options);
+  }
+
+  void expect_a_clean_end() {
+    EXPECT_FALSE(result_.timed_out);
+    EXPECT_EQ(result_.signal, 0);
+    EXPECT_EQ(result_.err, result_.exit_code == 0 ? "" : no_memory);
+    EXPECT_TRUE(result_.exit_code == 0 || result_.exit_code == 3) << result_.exit_code;
+    for (const auto& [name, text] : files_in(folder_.path() / "out")) {
+      ASSERT_TRUE(whole_.contains(name)) << name;
+      EXPECT_TRUE(text == whole_.at(name)) << name;
+    }
+  }
+
+  TemporaryFolder folder_;
+  ProcessResult result_;
+  std::map<std::string, std::string> whole_;
+};
+
+// The first ones one by one, before main and in it; then ever more sparsely.
+std::vector<long> calls(long most) {
+  std::vector<long> list;
+  for (long n = 1; n < most; n = n < 12 ? n + 1 : n + n / 10) list.push_back(n);
+  return list;
+}
+
+TEST_P(OutOfMemory, AtAnyAllocationEndsWithAMessage) {
+  for (const bool all_that_follow : {false, true}) {
+    int starved = 0;
+    for (const long n : calls(2'000'000)) {
+      SCOPED_TRACE(n);
+      std::map<std::string, std::string> environment{{"LD_PRELOAD", REEVE_FAILING_MALLOC},
+                                                     {"FAIL_AT", std::to_string(n)}};
+      if (all_that_follow) environment["FAIL_ON"] = "1";
+      run(environment);
+      expect_a_clean_end();
+      starved += result_.exit_code == 3 ? 1 : 0;
+      if (HasFailure()) return;
+      if (result_.exit_code == 0 && n > 1000) break;  // it needs no more than that
+    }
+    EXPECT_GT(starved, 50);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, OutOfMemory,
+    ::testing::Values(Starved{"Show", {"show", "TR5", "--out", "out"}},
+                      Starved{"Rank", {"rank", "TR1", "TR5", "--mu", "0.18", "--out", "out"}},
+                      Starved{"Explore", {"explore", "--threads", "2", "--out", "out"}},
+                      Starved{"Diagnose",
+                              {"diagnose", readings, "--threads", "2", "--out", "out"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+// As `ulimit -v` has it.
+TEST(MemoryLimit, IsSaidToBeReached) {
+  if (has_sanitizer()) GTEST_SKIP() << "sanitizers reserve more than any limit";
+  int starved = 0;
+  for (int limit_kB = 20000; limit_kB <= 80000; limit_kB += 3000) {
+    SCOPED_TRACE(limit_kB);
+    const TemporaryFolder folder;
+    const std::string out = (folder.path() / "out").string();
+    const ProcessResult result =
+        run_process({"bash", "-c",
+                     "ulimit -v " + std::to_string(limit_kB) +
+                         "; exec \"$0\" explore --fingers 5 --threads 4 --out \"$1\"",
+                     REEVE_EXECUTABLE, out});
+    EXPECT_EQ(result.signal, 0);
+    if (result.exit_code == 127) continue;  // not enough to load it
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << result.exit_code;
+    const bool of_threads = result.err == no_threads;
+    EXPECT_EQ(result.err, result.exit_code == 0 ? "" : of_threads ? no_threads : no_memory);
+    if (result.exit_code == 3) {
+      EXPECT_TRUE(files_in(out).empty());
+    }
+    starved += result.exit_code == 3 ? 1 : 0;
+  }
+  EXPECT_GT(starved, 0);
+}
+
+}  // namespace
+}  // namespace reeve::testing

@@ -1,0 +1,232 @@
+// Shards put together are the whole, byte for byte; what is not all of one exploration is refused.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every file below, but for the seconds that it took.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string text = read_text(entry.path());
+    files[fs::relative(entry.path(), folder)] =
+        entry.path().filename() == "summary.json" ? without_times(text) : text;
+  }
+  return files;
+}
+
+void expect_same_files(const fs::path& actual, const fs::path& expected) {
+  const auto a = contents(actual);
+  const auto e = contents(expected);
+  for (const auto& [name, text] : e) {
+    ASSERT_TRUE(a.contains(name)) << name;
+    EXPECT_TRUE(a.at(name) == text) << name << "\n" << a.at(name).substr(0, 2000);
+  }
+  EXPECT_EQ(a.size(), e.size());
+}
+
+class Merging : public ::testing::Test {
+ protected:
+  ProcessResult run(Arguments arguments, const fs::path& directory) {
+    ProcessOptions options;
+    options.directory = directory;
+    return reeve(arguments, options);
+  }
+
+  // Into folder s<index>.
+  void explore_shard(const Arguments& arguments, int index, int count) {
+    Arguments command{"explore", "--out", "s" + std::to_string(index), "--shard",
+                      std::to_string(index) + "/" + std::to_string(count)};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const ProcessResult result = run(command, folder_.path());
+    ASSERT_LT(result.exit_code, 2) << result.err;
+  }
+
+  ProcessResult merge(const std::vector<int>& indices, Arguments options = {}) {
+    Arguments command{"merge", "--out", "out"};
+    for (const int index : indices) command.push_back("s" + std::to_string(index));
+    command.insert(command.end(), options.begin(), options.end());
+    return run(command, folder_.path());
+  }
+
+  void expect_bad(const std::vector<int>& indices, const std::string& message) {
+    const ProcessResult result = merge(indices);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "reeve: " + message + "\n");
+    EXPECT_EQ(result.out, "");
+    EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+struct MergedCase {
+  const char* name;
+  Arguments arguments;
+};
+
+class MergingCase : public Merging, public ::testing::WithParamInterface<MergedCase> {};
+
+TEST_P(MergingCase, GivesTheBytesOfTheWhole) {
+  const Explored whole(GetParam().arguments);
+  for (const int count : {1, 2, 3, 7}) {
+    SCOPED_TRACE(count);
+    fs::remove_all(folder_.path() / "out");
+    std::vector<int> backwards;
+    for (int index = 1; index <= count; ++index) {
+      explore_shard(GetParam().arguments, index, count);
+      backwards.insert(backwards.begin(), index);
+    }
+    const ProcessResult result = merge(backwards, {"--threads", "2"});
+    EXPECT_EQ(result.exit_code, whole.result.exit_code) << result.err;
+    EXPECT_EQ(result.err, "");
+    expect_same_files(folder_.path() / "out", whole.out());
+  }
+}
+
+// Short lists, so that each shard keeps what the whole does not and leaves out what equals.
+INSTANTIATE_TEST_SUITE_P(
+    Of, MergingCase,
+    ::testing::Values(
+        MergedCase{"ThreeFingers", {"--fingers", "3", "--top", "15"}},
+        MergedCase{"FourFingersOfThePaper",
+                   {"--fingers", "4", "--parts", "paper", "--tendons", "any"}},
+        MergedCase{"Constraints",
+                   {"--fingers", "3", "--constraint", "sheaths<=3", "--constraint",
+                    "uniformity>=0.5", "--objectives", "uniformity,efficiency,sheaths,travel"}},
+        MergedCase{
+            "NothingThatMeetsThem",
+            {"--fingers", "3", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
+        MergedCase{"KnownRoutingsThatAreRejected",
+                   {"--constraint", "sheaths<=2", "--constraint", "jams<=0"}},
+        MergedCase{"Uncertainty",
+                   {"--fingers", "3", "--uncertainty", "--draws", "25", "--top", "20"}},
+        MergedCase{"EqualDesigns", {"--fingers", "3", "--top", "2", "--objectives", "jams,knots"}},
+        MergedCase{"OneTendon", {"--fingers", "4", "--tendons", "one", "--top", "30"}},
+        MergedCase{"AScore", {"--fingers", "3", "--score", "authors", "--top", "10"}},
+        MergedCase{"Blocks",
+                   {"--fingers", "3", "--parts", "all", "--cost",
+                    REEVE_CATALOG_DIR "/prices/example.toml", "--ladder", "cost", "--top", "10"}},
+        MergedCase{"DistinctFingersOfAHand",
+                   {"--fingers", "3", "--distinct-fingers", "--tips", "bearing", "--hardware",
+                    REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--top", "12"}},
+        MergedCase{"AModelThatNeedNotConverge",
+                   {"--fingers", "2", "--model", REEVE_CATALOG_DIR "/model/example.toml", "--top",
+                    "7", "--details", "3"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Merging, PrintsWhatTheWholePrints) {
+  const Explored whole({"--fingers", "3", "--format", "json"});
+  for (const int index : {1, 2}) explore_shard({"--fingers", "3"}, index, 2);
+  const ProcessResult result = merge({1, 2}, {"--format", "json"});
+  EXPECT_EQ(without_times(result.out), without_times(whole.result.out));
+}
+
+TEST_F(Merging, TakesNoHalf) {
+  const Arguments arguments{"--fingers", "3"};
+  for (const int index : {1, 2, 3}) explore_shard(arguments, index, 3);
+  expect_bad({1, 3}, "shard 2/3 is missing");
+  expect_bad({2}, "2 shards are missing: 1/3, 3/3");
+  expect_bad({1, 2, 3, 2}, "s2/shard.json: shard 2/3 is there twice, also as s2/shard.json");
+  fs::copy(folder_.path() / "s1", folder_.path() / "s4", fs::copy_options::recursive);
+  expect_bad({1, 2, 4}, "s4/shard.json: shard 1/3 is there twice, also as s1/shard.json");
+}
+
+TEST_F(Merging, TakesShardsOfOneExplorationOnly) {
+  explore_shard({"--fingers", "3"}, 1, 3);
+  explore_shard({"--fingers", "3", "--top", "20", "--constraint", "sheaths<=2"}, 2, 3);
+  explore_shard({"--fingers", "3"}, 3, 4);
+  explore_shard({"--fingers", "3"}, 4, 4);
+  expect_bad({1, 2},
+             "s2/shard.json: it is of another exploration than s1/shard.json: other settings: top, "
+             "constraints");
+  expect_bad(
+      {1, 3},
+      "s3/shard.json: it is shard 3/4, and s1/shard.json is shard 1/3; expected shards of as "
+      "many");
+}
+
+TEST_F(Merging, NamesAHardwareThatHasChanged) {
+  const fs::path hardware = folder_.write("h.toml", "[tube]\nmu = 0.1\n");
+  for (const int index : {1, 2}) explore_shard({"--hardware", "h.toml"}, index, 2);
+  folder_.write("h.toml", "[tube]\nmu = 0.2\n");
+  expect_bad({1, 2}, "s1/shard.json: it was made by other settings: hardware");
+  fs::remove(hardware);
+  expect_bad({1, 2}, "h.toml: cannot be read: No such file or directory");
+}
+
+TEST_F(Merging, RefusesAShardThatWasStopped) {
+  explore_shard({"--fingers", "9"}, 2, 1000000);
+  ProcessOptions options;
+  options.directory = folder_.path();
+  options.disturbance =
+      Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::milliseconds(500))};
+  const ProcessResult stopped =
+      reeve({"explore", "--fingers", "9", "--shard", "1/2", "--out", "s1"}, options);
+  ASSERT_EQ(stopped.exit_code, 3) << stopped.err;
+  const ProcessResult result = merge({1});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("s1/shard.json: shard 1/2 was stopped after "), std::string::npos)
+      << result.err;
+}
+
+TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
+  for (const int index : {1, 2}) explore_shard({}, index, 2);
+  run({"explore", "--out", "s3"}, folder_.path());
+  expect_bad({1, 3},
+             "s3: there is no shard.json; expected the folder of an exploration with --shard");
+  expect_bad({7}, "s7/shard.json: cannot be read: No such file or directory");
+  fs::copy_file(folder_.path() / "s2/designs.csv", folder_.path() / "s1/designs.csv",
+                fs::copy_options::overwrite_existing);
+  const std::string whole = "; expected the folder of an exploration that was written to its end";
+  expect_bad({1, 2}, "s1: designs.csv and summary.json are of two explorations" + whole);
+  fs::remove(folder_.path() / "s1/summary.json");
+  expect_bad({1, 2}, "s1: there is no summary.json, which is written last" + whole);
+  const ProcessResult into = run({"merge", "s1", "s2", "--out", "s2"}, folder_.path());
+  EXPECT_EQ(into.exit_code, 2);
+  EXPECT_NE(into.err.find("--out 's2': expected another folder"), std::string::npos) << into.err;
+}
+
+TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
+  explore_shard({}, 1, 1);
+  const fs::path file = folder_.path() / "s1/shard.json";
+  const std::string text = read_text(file);
+  const auto with = [&](const std::string& old, const std::string& changed) {
+    std::string other = text;
+    const std::size_t at = other.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return folder_.write("s1/shard.json", other.replace(at, old.size(), changed));
+  };
+  with("1-P-2-P-1", "1-Q");
+  const ProcessResult word = merge({1});
+  EXPECT_EQ(word.exit_code, 2);
+  EXPECT_NE(word.err.find("unknown token 'Q'"), std::string::npos) << word.err;
+  with("1-P-2-P-1", "M-1-F");
+  EXPECT_NE(merge({1}).err.find("routing 'M-1-F': expected one of 2 fingers"), std::string::npos);
+  with("\"evaluated\":", "\"valued\":");
+  EXPECT_EQ(merge({1}).exit_code, 2);
+  folder_.write("s1/shard.json", text.substr(0, text.size() / 2));
+  const ProcessResult half = merge({1});
+  EXPECT_EQ(half.exit_code, 2);
+  EXPECT_NE(half.err.find("s1/shard.json: it cannot be understood"), std::string::npos) << half.err;
+}
+
+TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
+  explore_shard({}, 1, 1);
+  EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));
+  run({"explore", "--out", "s1"}, folder_.path());
+  EXPECT_FALSE(fs::exists(folder_.path() / "s1/shard.json"));
+}
+
+}  // namespace
+}  // namespace reeve::testing
