@@ -4,6 +4,7 @@
 
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
+#include "pages/shell/glossary.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/chart/chart_svg.hpp"
@@ -78,10 +79,11 @@ GraspSet grasps(const ShownRouting& report) {
 
 RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
   RoutingPage page;
-  std::string schematics;
+  std::string first;
+  std::string others;
   for (const ShownGrasp& shown : report.grasps) {
     const std::string id = "schematic-" + grasp_id(shown.grasp);
-    schematics += schematic_html(id, report, shown);
+    (first.empty() ? first : others) += schematic_html(id, report, shown);
     page.figures.push_back(schematic_file(id, report, shown));
   }
   Json values{{"name", report.name},
@@ -91,9 +93,11 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
               {"summary", summary(report)},
               {"jams", jams(report)},
               {"objectives", html(objective_table(report))},
-              {"schematics", schematics},
+              {"first", first},
+              {"others", others},
               {"tensions", html(tension_table(report))},
               {"contacts", html(contact_table(report))}};
+  values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
   values["hand"] = hand_values(report);
   values["has_strands"] = report.network.fingers > 0;
   if (report.network.fingers > 0) {
