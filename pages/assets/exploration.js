@@ -7,10 +7,8 @@
   const pareto = document.getElementById("pareto");
   const parallel = document.getElementById("parallel");
 
-  function mark(figure, rows) {
-    const view = liveCharts.view(figure);
-    view?.data("chosen", rows).runAsync();
-  }
+  let lines = null; // what the parallel coordinates show
+  let height = 0; // of the plot, px
 
   function markSelection() {
     const { values } = state.designs();
@@ -18,42 +16,82 @@
     const selected = state.selected();
     const spots = new Map();
     for (const row of selected) {
+      if (values[x][row] === null || values[y][row] === null) continue;
       const spot = { x: values[x][row], y: values[y][row], letter: "" };
       const here = spots.get(`${spot.x} ${spot.y}`) ?? spot;
       here.letter += (here.letter ? ", " : "") + state.letter(row);
       spots.set(`${spot.x} ${spot.y}`, here);
     }
-    mark(pareto, [...spots.values()]);
-    const lines = explorationCharts.parallel({ data: state.data(), rows: state.rows() }).points;
-    mark(parallel, selected.flatMap((row) =>
-      lines(row, {}).map((point, i) => ({ ...point, of: state.letter(row), letter: i === 0 ? state.letter(row) : "" }))));
+    markPlot([...spots.values()]);
+    const through = selected.flatMap((row) =>
+      lines.points(row, {}).map((point, i) => ({ ...point, of: state.letter(row), letter: i === 0 ? state.letter(row) : "" })));
+    liveCharts.view(parallel)?.data("chosen", through).runAsync();
   }
 
-  function selectOnClick(view) {
-    view.addEventListener("click", (_, item) => {
-      const datum = Array.isArray(item?.datum) ? item.datum[0] : item?.datum;
-      const row = datum?.row ?? item?.mark?.group?.datum?.row;
-      if (Number.isInteger(row)) state.toggle(row);
-    });
+  function rowUnder(item) {
+    const datum = Array.isArray(item?.datum) ? item.datum[0] : item?.datum;
+    const row = datum?.row ?? item?.mark?.group?.datum?.row;
+    return Number.isInteger(row) ? row : null;
   }
 
   // Views come and go with the axes, the filter and the colours.
   function onView(view) {
-    selectOnClick(view);
+    view.addEventListener("click", (_, item) => rowUnder(item) !== null && state.toggle(rowUnder(item)));
+    view.addEventListener("mouseover", (_, item) => rowUnder(item) !== null && state.point(rowUnder(item)));
+    view.container().onpointerleave = () => state.point(null);
     markSelection();
   }
+
+  function onParallelView(view) {
+    onView(view);
+    explorationBrushes.listen(view, lines.extents);
+  }
+
+  // So high that the plot ends with the first screen, but not so low that it cannot be read.
+  function plotHeight() {
+    const around = 105; // legend, numbers and title of the axis
+    const top = pareto.getBoundingClientRect().top + scrollY;
+    return Math.min(430, Math.max(220, Math.floor(innerHeight - top - around)));
+  }
+
+  // Where the filter leaves nothing, the plot says so.
+  function sayIfNothing(figure) {
+    figure.querySelector(".nothing")?.remove();
+    if (state.rows().length > 0) return;
+    figure.prepend(explorationTable.nothing());
+  }
+
+  // Letters beside the selected, and whatever else is named where these leave room.
+  let plot = null;
+  function markPlot(spots) {
+    const view = liveCharts.view(pareto);
+    if (!view) return;
+    const labels = plot.labelsBeside(spots.map(({ x, y, letter }) => ({ x, y, text: letter })));
+    view.data("chosen", spots).data("labels", labels).runAsync();
+  }
+
+  // What the ladder marks.
+  const advised = () =>
+    reeve.data.ladder.advised
+      .map(({ word, label }) => ({ row: state.rowOf(word), label }))
+      .filter(({ row }) => row !== undefined);
 
   async function drawPlots() {
     const data = state.data();
     const rows = state.rows();
-    const points = explorationCharts.pareto({ data, axes: state.axes(), rows });
-    const narrow = parallel.clientWidth < 700;
-    const lines = explorationCharts.parallel({ data, rows, narrow });
+    height ||= plotHeight();
+    const size = { width: pareto.clientWidth - 70, height }; // without the numbers of the axis
+    plot = explorationCharts.pareto({ data, axes: state.axes(), rows, advised: advised(), size });
+    const width = parallel.clientWidth || 700;
+    lines = explorationParallel.parallel({ data, rows, base: state.base(), ranges: state.ranges(), width });
+    [pareto, parallel].forEach(sayIfNothing);
     document.getElementById("pareto-count").textContent =
-      `${points.drawn} of ${points.of} designs drawn: of those that lie on one spot, the first.`;
-    document.getElementById("parallel-count").textContent = `${lines.drawn} of ${lines.of} designs drawn.`;
-    await liveCharts.draw(pareto, points.spec, onView);
-    await liveCharts.draw(parallel, lines.spec, onView);
+      `${plot.drawn} of ${plot.of} designs drawn: of those that lie on one spot, the first.`;
+    document.getElementById("parallel-count").textContent =
+      `Lines: ${lines.drawn} of ${lines.of} designs, the best ${explorationParallel.mostLines} by rank and the ` +
+      "known routings. Grey bars: where all of them lie, the wider the more.";
+    await liveCharts.draw(pareto, plot.spec, onView);
+    await liveCharts.draw(parallel, lines.spec, onParallelView);
   }
 
   // Several changes within a moment, such as typing, are one.
@@ -89,12 +127,34 @@
     });
   }
 
+  // Lines of the ladder are designs, too.
+  function ladderRows() {
+    for (const line of document.querySelectorAll("#ladder-table tbody tr")) {
+      const cell = [...line.cells].findLast(({ textContent }) => state.rowOf(textContent.trim()) !== undefined);
+      if (!cell) continue;
+      const row = state.rowOf(cell.textContent.trim());
+      const button = element("button", { type: "button", className: "plain", textContent: cell.textContent.trim() });
+      button.setAttribute("aria-label", `Select ${state.label(row)}`);
+      button.addEventListener("click", () => state.toggle(row));
+      cell.replaceChildren(button);
+      line.classList.toggle("advised", advised().some((design) => design.row === row));
+      line.addEventListener("pointerenter", () => state.point(row));
+      line.addEventListener("focusin", () => state.point(row));
+    }
+    const table = document.getElementById("ladder-table");
+    table?.addEventListener("pointerleave", () => state.point(null));
+    table?.addEventListener("focusout", () => state.point(null));
+  }
+
   await state.load();
   for (const controls of document.querySelectorAll(".controls[hidden]")) controls.hidden = false;
   axisChoices();
   explorationTable.start();
+  explorationBrushes.start();
+  ladderRows();
   document.getElementById("clear").addEventListener("click", state.clear);
   state.onChange((what) => {
+    if (what === "pointed" || what === "columns") return;
     tray();
     if (what === "selection") markSelection();
     else drawPlotsSoon();
@@ -103,9 +163,14 @@
     });
   });
   tray();
+  await explorationPanel.start();
+  document.getElementById("compare").addEventListener("click", () => {
+    document.getElementById("comparison").open = true;
+  });
   await drawPlots();
   liveCharts.savable(pareto);
   liveCharts.savable(parallel);
   await explorationCards.start();
+  reeve.fold();
   document.documentElement.dataset.ready = "true";
 })();

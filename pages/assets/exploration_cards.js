@@ -4,39 +4,11 @@
 const explorationCards = (() => {
   const state = explorationState;
   const { element } = explorationTable;
+  const { heldText } = explorationDetails;
   const place = document.getElementById("selection");
-  const packs = new Map(); // chunk -> promise of its designs and of their schematics' lines
   let grasp = 0;
   let shown = 0; // counts drawings, so that a late one does not overwrite a newer one
   let drawn = []; // figures with charts
-
-  async function opened({ pack }) {
-    const [designs, ...lines] = (await state.unpacked(pack)).split("\n");
-    return { designs: JSON.parse(designs), lines };
-  }
-
-  // What the page holds of the design besides its values, or null.
-  async function details(word) {
-    const chunk = reeve.data.chunks.find(({ words }) => words.includes(word));
-    if (!chunk) return null;
-    if (!packs.has(chunk)) packs.set(chunk, opened(chunk));
-    const { designs, lines } = await packs.get(chunk);
-    return { lines, ...designs[chunk.words.indexOf(word)] };
-  }
-
-  function schematic({ lines }, runs, id) {
-    const text = runs.split(" ").flatMap((run) => {
-      const [first, last = first] = run.split("-").map(Number);
-      return lines.slice(first, last + 1);
-    });
-    const parsed = new DOMParser().parseFromString(text.join("\n"), "image/svg+xml");
-    const svg = document.importNode(parsed.documentElement, true);
-    for (const named of svg.querySelectorAll("[id]")) {
-      named.id = named.id.replace("schematic", id);
-    }
-    svg.setAttribute("aria-labelledby", `${id}-title ${id}-desc`);
-    return element("figure", { className: "schematic", id }, svg);
-  }
 
   function table(caption, headings, rows) {
     const head = element("tr", {}, ...headings.map((text, i) =>
@@ -54,7 +26,6 @@ const explorationCards = (() => {
     return scroll;
   }
 
-  const heldText = (held) => (held === "none" ? "none held" : `${held} held`);
   const slideText = (slides) => (slides === "no" ? "no slip" : slides.replace("->", "→"));
 
   function tensionsFigure(design, word, letter, most, width) {
@@ -97,7 +68,7 @@ const explorationCards = (() => {
     if (rank[row] > 0) return `Rank ${rank[row]}, front ${front[row]}.`;
     return kind[row] === 3
       ? "One of the random sample of all ranked designs; not among the listed."
-      : `Known routing, not among the listed designs: ${reeve.data.standings[state.designs().word[row]]}.`;
+      : reeve.data.standings[state.designs().word[row]];
   }
 
   function drawsText(row) {
@@ -119,6 +90,14 @@ const explorationCards = (() => {
     ];
   }
 
+  function drawing(design, letter) {
+    const id = `schematic-${letter}`;
+    const svg = explorationDetails.schematic(design, grasp, id);
+    if (svg) return element("figure", { className: "schematic", id }, svg);
+    return element("p", { textContent:
+      "The page holds the schematic of this design in the first grasp only; the command below draws it." });
+  }
+
   function card(row, design, most, width) {
     const letter = state.letter(row);
     const word = state.designs().word[row];
@@ -133,8 +112,7 @@ const explorationCards = (() => {
     const parts = element("div", { className: "parts" });
     if (design) {
       tensions = tensionsFigure(design, word, letter, most, width);
-      parts.append(schematic(design, design.grasps[grasp].schematic, `schematic-${letter}`),
-        tensions.figure, contactsTable(design));
+      parts.append(drawing(design, letter), tensions.figure, contactsTable(design));
     } else {
       parts.append(element("p", { textContent:
         "The page holds the values of this design only; the command draws it." }));
@@ -170,7 +148,7 @@ const explorationCards = (() => {
     shown += 1;
     const now = shown;
     const rows = state.selected();
-    const designs = await Promise.all(rows.map((row) => details(state.designs().word[row])));
+    const designs = await Promise.all(rows.map((row) => explorationDetails.of(state.designs().word[row])));
     if (now !== shown) return;
     const tensions = designs.flatMap((design) =>
       design ? design.grasps.flatMap((each) => design.strands.map((i) => each.tensions[i])) : []);
@@ -201,6 +179,8 @@ const explorationCards = (() => {
     state.onChange((what) => {
       if (what === "selection" || what === "all") show();
     });
+    // How wide cards are is known only where they are seen.
+    document.getElementById("comparison").addEventListener("toggle", ({ target }) => target.open && show());
     return show();
   }
 

@@ -18,10 +18,14 @@ const explorationCharts = (() => {
   const mostLines = 500;
   const mostBands = 16;
 
-  const number = (value) =>
-    Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
+  // What there is none of, such as a motor force where no force is enough, is null.
+  const number = (value) => {
+    if (value === null) return "-";
+    return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
+  };
   // Aligned in a column.
-  const cell = (objective, value) => (objective.unit === "1" ? value.toFixed(4) : number(value));
+  const cell = (objective, value) =>
+    objective.unit === "1" && value !== null ? value.toFixed(4) : number(value);
   const axisTitle = (objective) =>
     `${objective.title}${objective.unit === "1" ? "" : `, ${objective.unit}`}` +
     ` (${objective.better} is better)`;
@@ -32,6 +36,7 @@ const explorationCharts = (() => {
     let low = Infinity;
     let high = -Infinity;
     for (const row of rows) {
+      if (column[row] === null) continue;
       low = Math.min(low, column[row]);
       high = Math.max(high, column[row]);
     }
@@ -46,6 +51,7 @@ const explorationCharts = (() => {
     const ranges = [range(xs, rows), range(ys, rows)];
     const cells = new Map();
     for (const row of rows) {
+      if (xs[row] === null || ys[row] === null) continue;
       const kind = designs.kind[row];
       const finer = kind === front ? 5 : 1;
       const across = Math.round(place(xs[row], ranges[0]) * columns * finer);
@@ -97,6 +103,12 @@ const explorationCharts = (() => {
     return bars;
   }
 
+  // A range of the axis (0: x, 1: y) that holds the bars, too.
+  const withBars = ([low, high], bars, axis) => [
+    Math.min(low, ...bars.map((bar) => (axis === 0 ? bar.x : bar.y))),
+    Math.max(high, ...bars.map((bar) => (axis === 0 ? bar.x2 : bar.y2))),
+  ];
+
   function tip(data, row, count) {
     const { designs, objectives } = data;
     const lines = [label(designs, row)];
@@ -108,21 +120,44 @@ const explorationCharts = (() => {
     return lines.join("\n");
   }
 
-  // One text for all known routings that lie so near each other that their names would overlap.
-  function knownLabels(designs, points, [xRange, yRange]) {
+  // One text for all that lies so near that the marks are one to the eye: the names of known
+  // routings, and what is advised.
+  function namedSpots(data, points, [xRange, yRange], advised) {
+    const { designs } = data;
     const groups = [];
-    for (const point of points.filter((each) => each.kind === kinds[known])) {
+    const groupAt = (x, y) => {
       const near = groups.find(
         (group) =>
-          Math.abs(place(point.x, xRange) - place(group.x, xRange)) < 0.05 &&
-          Math.abs(place(point.y, yRange) - place(group.y, yRange)) < 0.035,
+          Math.abs(place(x, xRange) - place(group.x, xRange)) < 0.006 &&
+          Math.abs(place(y, yRange) - place(group.y, yRange)) < 0.01,
       );
-      const name = designs.name[point.row] || designs.word[point.row];
-      if (near) near.names.push(name);
-      else groups.push({ x: point.x, y: point.y, names: [name], right: place(point.x, xRange) > 0.8 });
+      if (near) return near;
+      groups.push({ x, y, names: [], notes: [] });
+      return groups.at(-1);
+    };
+    for (const { x, y, row, label: note } of advised) {
+      const name = designs.name[row];
+      groupAt(x, y).notes.push(name ? `${name}: ${note}` : note);
     }
-    for (const group of groups) group.text = group.names.sort().join(", ");
-    return groups;
+    const told = new Set(advised.filter(({ row }) => designs.name[row]).map(({ row }) => row));
+    for (const { x, y, row } of points.filter((each) => each.kind === kinds[known] && !told.has(each.row))) {
+      groupAt(x, y).names.push(designs.name[row] || designs.word[row]);
+    }
+    return groups.map(({ x, y, names, notes }) => ({
+      x, y, text: [names.sort().join(", "), ...notes].filter(Boolean).join("; ") }));
+  }
+
+  // What an axis reaches over: a little beyond the marks, and never beyond what is possible.
+  function domain([low, high], { least, greatest, count }) {
+    if (!(low <= high)) return [least ?? 0, greatest ?? (least ?? 0) + 1];
+    const beyond = high > low ? 0.04 * (high - low) : count ? 1 : Math.max(0.05 * Math.abs(high), 0.01);
+    return [Math.max(low - beyond, least ?? -Infinity), Math.min(high + beyond, greatest ?? Infinity)];
+  }
+
+  function axis(channel, objective, reach) {
+    channel.title = axisTitle(objective);
+    channel.scale.domain = reach;
+    channel.axis = objective.count ? { tickMinStep: 1, format: "d" } : {};
   }
 
   // The specification of that name, of which a part can be changed.
@@ -140,9 +175,10 @@ const explorationCharts = (() => {
   const sizes = [30, 80, 110, 22];
   const opacities = [0.55, 1, 1, 0.35];
 
-  // data: {objectives, ranking, designs}; axes: indices of two objectives; rows: which designs.
-  // Gives the specification, and how many of how many designs it draws.
-  function pareto({ data, axes, rows }) {
+  // data: {objectives, ranking, designs}; axes: indices of two objectives; rows: which designs;
+  // advised: [{row, label}]; size: of the frame, in pixels. Gives the specification, and how many of
+  // how many designs it draws.
+  function pareto({ data, axes, rows, advised = [], size = { width: 600, height: 430 } }) {
     const { designs, objectives, ranking } = data;
     const columns = axes.map((axis) => designs.values[axis]);
     const all = rows ?? designs.word.map((_, row) => row);
@@ -158,76 +194,39 @@ const explorationCharts = (() => {
     }));
     const above = (point) => layers.indexOf(designs.kind[point.row]);
     points.sort((a, b) => above(a) - above(b) || b.row - a.row);
-    const onFront = designs.word.map((_, row) => row).filter((row) => designs.front[row] === 1);
+    const onFront = designs.word.map((_, row) => row).filter((row) =>
+      designs.front[row] === 1 && columns.every((column) => column[row] !== null));
     const shown = [...all, ...onFront];
     const ranges = columns.map((column) => range(column, shown));
     const chosen = axes.map((axis) => objectives[axis]);
     const line = axes.every((axis) => ranking.includes(axis))
       ? frontLine(onFront.map((row) => columns.map((column) => column[row])), chosen, ranges)
       : [];
+    const bars = bandBars(designs, points, axes);
+    const reaches = chosen.map((objective, i) => domain(withBars(ranges[i], bars, i), objective));
+    const among = new Set(all);
+    const rings = advised
+      .filter(({ row }) => among.has(row))
+      .map(({ row, label: note }) => ({ row, label: note, x: columns[0][row], y: columns[1][row], tip: tip(data, row, 1) }))
+      .filter(({ x, y }) => x !== null && y !== null);
+    const named = namedSpots(data, points, reaches, rings);
+    // More texts, [{x, y, text}], go before those.
+    const labelsBeside = (more) => {
+      const wanted = [...more, ...named].map((spot) => ({
+        at: spot, text: spot.text,
+        x: place(spot.x, reaches[0]) * size.width, y: (1 - place(spot.y, reaches[1])) * size.height }));
+      return explorationLabels.place(wanted, size).map(({ at, text, dx, dy, align }) =>
+        ({ x: at.x, y: at.y, text, dx, dy, align }));
+    };
     const spec = specification(
       "pareto",
-      { edge: line, bands: bandBars(designs, points, axes), points, labels: knownLabels(designs, points, ranges) },
-      {
-        least_x: chosen[0].least,
-        greatest_x: chosen[0].greatest,
-        least_y: chosen[1].least,
-        greatest_y: chosen[1].greatest,
-        present: present(points),
-      },
+      { edge: line, bands: bars, points, labels: labelsBeside([]), advised: rings },
+      { present: present(points) },
     );
-    spec.encoding.x.title = axisTitle(chosen[0]);
-    spec.encoding.y.title = axisTitle(chosen[1]);
-    return { drawn: points.length, of: all.length, spec };
-  }
-
-  // The first ones, all that are known, and of the rest evenly what fits.
-  function someOf(designs, rows, most) {
-    const always = rows.filter((row) => designs.kind[row] === known);
-    const others = rows.filter((row) => designs.kind[row] !== known);
-    const half = Math.max(0, Math.floor((most - always.length) / 2));
-    const step = Math.max(1, Math.ceil((others.length - half) / Math.max(1, most - always.length - half)));
-    const picked = others.filter((_, i) => i < half || (i - half) % step === 0);
-    return { picked: [...picked, ...always], of: rows.length };
-  }
-
-  // Up is better on every axis: where less is better, the axis is turned round.
-  // narrow: whether the figure is, so that the numbers at the axes must be turned.
-  function parallel({ data, rows, narrow }) {
-    const { designs, objectives } = data;
-    const all = rows ?? designs.word.map((_, row) => row);
-    const { picked, of } = someOf(designs, all, mostLines);
-    const ranges = designs.values.map((column) => range(column, all));
-    const above = (row) => layers.indexOf(designs.kind[row]);
-    const sorted = [...picked].sort((a, b) => above(a) - above(b) || b - a);
-    const axis = (column) =>
-      objectives[column].title + (objectives[column].better === "higher" ? "" : " (turned)");
-    const height = (column, row) => {
-      const at = place(designs.values[column][row], ranges[column]);
-      return objectives[column].better === "higher" ? at : 1 - at;
-    };
-    const points = (row, more) =>
-      objectives.map((_, column) => ({ row, axis: axis(column), at: height(column, row), ...more }));
-    const ends = objectives.map((objective, column) => {
-      const [low, high] = all.length > 0 ? ranges[column].map(number) : ["", ""];
-      return objective.better === "higher" ? [low, high] : [high, low];
-    });
-    const lines = sorted.flatMap((row) =>
-      points(row, {
-        kind: kinds[designs.kind[row]],
-        width: [0.8, 2.2, 2, 0.7][designs.kind[row]],
-        opacity: [0.4, 1, 1, 0.35][designs.kind[row]],
-        tip: label(designs, row),
-      }),
-    );
-    const end = (at) => ends.map((texts, column) => ({ axis: axis(column), at, text: texts[at] }));
-    const spec = specification(
-      "parallel",
-      { lines, bottom: end(0), top: end(1) },
-      { narrow: narrow ?? false, present: present(lines) },
-    );
-    spec.encoding.x.scale.domain = objectives.map((_, column) => axis(column));
-    return { drawn: picked.length, of, points, spec };
+    axis(spec.encoding.x, chosen[0], reaches[0]);
+    axis(spec.encoding.y, chosen[1], reaches[1]);
+    spec.height = size.height;
+    return { drawn: points.length, of: all.length, labelsBeside, spec };
   }
 
   // tensions: [{held, strand, tension}]
@@ -245,5 +244,8 @@ const explorationCharts = (() => {
     height: 34 * values.length,
   });
 
-  return { kinds, letters, number, bandText, cell, label, axisTitle, frontLine, thinned, pareto, parallel, tensions, ranks };
+  return {
+    kinds, layers, letters, number, bandText, cell, label, axisTitle, range, place, specification, present,
+    frontLine, thinned, pareto, tensions, ranks,
+  };
 })();

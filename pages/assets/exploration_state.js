@@ -1,17 +1,23 @@
 "use strict";
 
-// What an exploration's page knows and what the reader chose: the designs, the selection, the axes
-// and the filter. Whoever shows them asks to be told of changes.
+// What an exploration's page knows and what the reader chose: the designs, the selection, the axes,
+// the filter and the columns that are put away. Whoever shows them asks to be told of changes:
+// "selection", "pointed", "axes", "rows", "columns" or "all".
 const explorationState = (() => {
   const most = 4; // designs side by side
   const { objectives, ranking } = reeve.data;
   const listeners = [];
   const rowOf = new Map(); // word -> row
-  const filter = { text: "", which: "all", bounds: [] };
+  const filter = { text: "", which: document.getElementById("filter-which").value, bounds: [] };
+  const unfiltered = { ...filter };
+  let ranges = new Map(); // column -> [low, high], brushed on an axis
+  let hidden = new Set(); // columns of the table, by name
   let designs = null;
   let selected = []; // rows
   let putAway = []; // by the last choice, for want of room
+  let pointed = null; // row
   let axes = [0, 2];
+  let base = []; // rows that pass all but the ranges
   let rows = [];
 
   async function unpacked(text) {
@@ -35,22 +41,53 @@ const explorationState = (() => {
     const text = filter.text.trim().toLowerCase();
     if (text && !explorationCharts.label(designs, row).toLowerCase().includes(text)) return false;
     return filter.bounds.every(({ column, least, value }) => {
-      const own = designs.values[column][row];
+      const own = valueOf(column, row);
       return least ? own >= value : own <= value;
     });
   }
 
+  // What there is no value of, such as a motor force where none is enough, is the worst.
+  const valueOf = (column, row) =>
+    designs.values[column][row] ?? (objectives[column].better === "lower" ? Infinity : -Infinity);
+
+  const inRanges = (row) =>
+    [...ranges].every(([column, [low, high]]) => {
+      const own = valueOf(column, row);
+      return own >= low && own <= high;
+    });
+
+  function filterRows() {
+    base = designs.word.map((_, row) => row).filter(passes);
+    rows = base.filter(inRanges);
+  }
+
   function applyFilter() {
-    rows = designs.word.map((_, row) => row).filter(passes);
+    filterRows();
     tell("rows");
   }
 
-  // The address holds what can be mailed: which designs, along which axes.
+  // "sheaths:1:4,travel:1:2"
+  const rangesText = () =>
+    [...ranges].map(([column, [low, high]]) => `${objectives[column].name}:${low}:${high}`).join(",");
+
+  function readRanges(text) {
+    return new Map((text ?? "").split(",").flatMap((part) => {
+      const [name, ...ends] = part.split(":");
+      const column = objectives.findIndex((objective) => objective.name === name);
+      const kept = ends.map(Number);
+      return column < 0 || kept.length !== 2 || kept.some(Number.isNaN) ? [] : [[column, kept]];
+    }));
+  }
+
+  // The address holds what can be mailed: which designs, along which axes, in which ranges, and
+  // which columns are put away.
   function writeAddress() {
     const parts = new URLSearchParams();
     parts.set("select", selected.map((row) => designs.word[row]).join(","));
     parts.set("x", objectives[axes[0]].name);
     parts.set("y", objectives[axes[1]].name);
+    if (ranges.size > 0) parts.set("ranges", rangesText());
+    if (hidden.size > 0) parts.set("without", [...hidden].join(","));
     history.replaceState(null, "", `#${parts}`);
   }
 
@@ -64,12 +101,16 @@ const explorationState = (() => {
       const column = objectives.findIndex((objective) => objective.name === parts.get(name));
       return column < 0 ? axes[which] : column;
     });
+    ranges = readRanges(parts.get("ranges"));
+    hidden = new Set((parts.get("without") ?? "").split(",").filter(Boolean));
     return true;
   }
 
-  // The first design and, beside it, the best of the known routings or else the next that
-  // differs in what the ranking counts.
+  // The first design and, beside it, the affordable one; or else the best of the known routings, or
+  // the next that differs in what the ranking counts.
   function firstSelection() {
+    const affordable = rowOf.get(reeve.data.ladder.affordable);
+    if (affordable !== undefined) return [0, affordable];
     const known = designs.kind.findIndex((kind, row) => kind === 2 && row > 0);
     const differs = (row) =>
       ranking.some((column) => designs.values[column][row] !== designs.values[column][0]);
@@ -85,9 +126,42 @@ const explorationState = (() => {
     axes = ranking.length > 1 ? ranking.slice(0, 2) : [ranking[0], ranking[0] === 2 ? 0 : 2];
     if (!readAddress()) selected = firstSelection();
     addEventListener("hashchange", () => {
-      if (readAddress()) tell("all");
+      if (!readAddress()) return;
+      filterRows();
+      tell("all");
     });
-    rows = designs.word.map((_, row) => row).filter(passes);
+    filterRows();
+  }
+
+  // The design that is pointed at, or null.
+  function point(row) {
+    if (row === pointed) return;
+    pointed = row;
+    tell("pointed");
+  }
+
+  // null lets the range go.
+  function setRange(column, range) {
+    ranges = new Map(ranges);
+    if (range === null) ranges.delete(column);
+    else ranges.set(column, range);
+    writeAddress();
+    applyFilter();
+  }
+
+  function clearFilter() {
+    Object.assign(filter, unfiltered);
+    ranges = new Map();
+    writeAddress();
+    filterRows();
+    tell("all");
+  }
+
+  function showColumn(name, shown) {
+    if (shown) hidden.delete(name);
+    else hidden.add(name);
+    writeAddress();
+    tell("columns");
   }
 
   // In or out; one too many replaces the one that was chosen first, and says so.
@@ -126,6 +200,10 @@ const explorationState = (() => {
     clear,
     setAxis,
     setFilter,
+    setRange,
+    clearFilter,
+    showColumn,
+    point,
     filter,
     onChange: (listener) => listeners.push(listener),
     data: () => ({ objectives, ranking, designs }),
@@ -135,7 +213,12 @@ const explorationState = (() => {
     putAway: () => putAway,
     letter: (row) => explorationCharts.letters[selected.indexOf(row)] ?? "",
     axes: () => axes,
+    base: () => base,
     rows: () => rows,
+    ranges: () => ranges,
+    hidden: () => hidden,
+    pointed: () => pointed,
+    rowOf: (word) => rowOf.get(word),
     label: (row) => explorationCharts.label(designs, row),
   };
 })();

@@ -1,14 +1,16 @@
 "use strict";
 
 // The table of an exploration's designs, of which the page holds one screen at a time, and its
-// filter.
+// filter. Designs that are alike are one line, which opens.
 const explorationTable = (() => {
   const perPage = 50;
   const state = explorationState;
   const table = document.getElementById("designs");
   const order = { column: "rank", down: false };
+  const opened = new Set(); // first rows of those that are alike
   let page = 0;
   let sorted = [];
+  let alike = new Map(); // first row that passes the filter -> the others that do
 
   const element = (tag, properties = {}, ...children) => {
     const made = Object.assign(document.createElement(tag), properties);
@@ -21,6 +23,7 @@ const explorationTable = (() => {
     const designs = state.designs();
     if (typeof column === "number") return (row) => designs.values[column][row];
     if (column in designs.distribution) return (row) => designs.distribution[column][row];
+    if (column === "alike") return (row) => alike.get(row).length;
     return (row) => designs[column][row];
   }
 
@@ -32,11 +35,28 @@ const explorationTable = (() => {
     return down ? -difference : difference;
   }
 
+  // The best that passes the filter stands for all that are alike.
+  function group() {
+    const firsts = new Map();
+    alike = new Map();
+    for (const row of state.rows()) {
+      const same = state.designs().same_as[row];
+      const whole = same < 0 ? row : same;
+      if (firsts.has(whole)) {
+        alike.get(firsts.get(whole)).push(row);
+      } else {
+        firsts.set(whole, row);
+        alike.set(row, []);
+      }
+    }
+  }
+
   function sort() {
+    group();
     const value = key(order.column);
     const rank = state.designs().rank;
     const last = (row) => (order.column === "rank" && rank[row] === 0 ? null : value(row));
-    sorted = [...state.rows()].sort((a, b) => compare(last(a), last(b), order.down) || a - b);
+    sorted = [...alike.keys()].sort((a, b) => compare(last(a), last(b), order.down) || a - b);
   }
 
   function cell(text, className = "") {
@@ -52,6 +72,24 @@ const explorationTable = (() => {
     return element("td", { className: "left" }, box, ` ${state.letter(row)}`);
   }
 
+  // How many more are alike, as a button that shows them.
+  function alikeCell(row) {
+    const others = alike.get(row) ?? [];
+    if (others.length === 0) return cell("");
+    const open = opened.has(row);
+    const button = element("button", { type: "button", textContent: `+${others.length}`,
+      title: "Further designs with other bearings, which change nothing" });
+    button.setAttribute("aria-expanded", String(open));
+    button.setAttribute("aria-label", `${others.length} more like ${state.label(row)}`);
+    button.dataset.alike = row;
+    button.addEventListener("click", () => {
+      if (!opened.delete(row)) opened.add(row);
+      show();
+      table.querySelector(`button[data-alike="${row}"]`).focus();
+    });
+    return element("td", {}, button);
+  }
+
   function rowElement(row) {
     const designs = state.designs();
     const { number, kinds } = explorationCharts;
@@ -60,8 +98,13 @@ const explorationTable = (() => {
     if (state.selected().includes(row)) line.setAttribute("aria-selected", "true");
     const rank = designs.rank[row] || (designs.kind[row] === 3 ? "sample" : "–");
     const routing = element("th", { scope: "row", className: "left", textContent: designs.word[row] });
-    line.append(selector(row), cell(rank), cell(designs.front[row] || "–"));
-    line.append(cell(designs.name[row] || "–", "left"), routing);
+    if (!alike.has(row)) line.className = "alike";
+    line.dataset.kind = designs.kind[row];
+    if (reeve.data.ladder.advised.some(({ word }) => word === designs.word[row])) line.classList.add("advised");
+    line.append(selector(row), cell(rank), cell(designs.name[row] || "–", "left"), routing);
+    line.append(alikeCell(row), cell(designs.front[row] || "–"));
+    line.addEventListener("pointerenter", () => state.point(row));
+    line.addEventListener("focusin", () => state.point(row));
     state.objectives.forEach((objective, column) =>
       line.append(cell(explorationCharts.cell(objective, designs.values[column][row]))),
     );
@@ -76,18 +119,35 @@ const explorationTable = (() => {
     return line;
   }
 
+  // Where a filter leaves nothing, that stands in the place of what it left out.
+  function nothing() {
+    const clear = element("button", { type: "button", textContent: "Clear the filter" });
+    clear.addEventListener("click", state.clearFilter);
+    return element("p", { className: "nothing" }, "No design passes the filter. ", clear);
+  }
+
+  function nothingLine() {
+    const cell = element("td", { className: "left", colSpan: table.tHead.rows[0].cells.length }, nothing());
+    return element("tr", {}, cell);
+  }
+
   function show() {
     const pages = Math.max(1, Math.ceil(sorted.length / perPage));
     page = Math.min(Math.max(page, 0), pages - 1);
-    const rows = sorted.slice(page * perPage, (page + 1) * perPage);
+    const rows = sorted
+      .slice(page * perPage, (page + 1) * perPage)
+      .flatMap((row) => (opened.has(row) ? [row, ...alike.get(row)] : [row]));
     const focused = document.activeElement?.dataset?.word;
-    table.tBodies[0].replaceChildren(...rows.map(rowElement));
+    table.tBodies[0].replaceChildren(...(rows.length > 0 ? rows.map(rowElement) : [nothingLine()]));
+    explorationColumns.apply();
     if (focused) table.querySelector(`input[data-word="${CSS.escape(focused)}"]`)?.focus();
     document.getElementById("page-number").textContent = `page ${page + 1} of ${pages}`;
     document.getElementById("previous-page").disabled = page === 0;
     document.getElementById("next-page").disabled = page + 1 === pages;
+    const some = state.rows().length;
+    const lines = sorted.length < some ? ` in ${sorted.length} lines` : "";
     document.getElementById("filter-count").textContent =
-      `${sorted.length} of ${state.designs().word.length} designs`;
+      `${some} of ${state.designs().word.length} designs${lines}`;
   }
 
   function update() {
@@ -113,9 +173,9 @@ const explorationTable = (() => {
       heading.append(button);
       if (named === "rank") heading.setAttribute("aria-sort", "ascending");
     }
-    table.tHead.rows[0].prepend(
-      element("th", { scope: "col", className: "left", textContent: "Select" }),
-    );
+    const select = element("th", { scope: "col", className: "left", textContent: "Select" });
+    select.dataset.column = "select";
+    table.tHead.rows[0].prepend(select);
   }
 
   function readBounds() {
@@ -152,6 +212,14 @@ const explorationTable = (() => {
     return column;
   }
 
+  // What the filter is, where it was changed elsewhere.
+  function showFilter() {
+    document.getElementById("filter-text").value = state.filter.text;
+    document.getElementById("filter-which").value = state.filter.which;
+    if (state.filter.bounds.length > 0) return;
+    for (const value of document.querySelectorAll("#bounds input")) value.value = "";
+  }
+
   function start() {
     addHeadings();
     document.getElementById("filter-text").addEventListener("input", (event) =>
@@ -164,9 +232,16 @@ const explorationTable = (() => {
     document.getElementById("previous-page").addEventListener("click", () => ((page -= 1), show()));
     document.getElementById("next-page").addEventListener("click", () => ((page += 1), show()));
     addBound();
+    table.addEventListener("pointerleave", () => state.point(null));
+    table.addEventListener("focusout", () => state.point(null));
+    explorationColumns.start();
     update();
-    state.onChange((what) => (what === "rows" ? update() : show()));
+    state.onChange((what) => {
+      if (what === "all") showFilter();
+      if (what === "rows" || what === "all") update();
+      if (what === "selection") show();
+    });
   }
 
-  return { start, element };
+  return { start, element, nothing };
 })();

@@ -1,6 +1,6 @@
 "use strict";
 
-// What all pages share: saving of figures, tables that sort.
+// What all pages share: saving of figures, tables that sort, folds.
 const reeve = (() => {
   function download(name, url) {
     const link = document.createElement("a");
@@ -86,14 +86,46 @@ const reeve = (() => {
     });
   }
 
+  // On a phone what is below the first screen begins folded; what an address points at is open.
+  function fold() {
+    if (!matchMedia("(max-width: 40rem)").matches) return;
+    for (const details of document.querySelectorAll("details.fold")) details.open = false;
+    unfoldTarget();
+  }
+
+  function unfoldTarget() {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
+  }
+
+  // Paper has everything.
+  let closed = [];
+  function unfoldAll() {
+    closed = [...document.querySelectorAll("details:not([open])")];
+    for (const details of closed) details.open = true;
+  }
+  function foldAgain() {
+    for (const details of closed) details.open = false;
+    closed = [];
+  }
+  addEventListener("beforeprint", unfoldAll);
+  addEventListener("afterprint", foldAgain);
+  matchMedia("print").addEventListener("change", ({ matches }) => (matches ? unfoldAll() : foldAgain()));
+  addEventListener("hashchange", unfoldTarget);
+  // Charts that are as wide as their place have to see it.
+  document.addEventListener("toggle", () => dispatchEvent(new Event("resize")), true);
+
   for (const figure of document.querySelectorAll("figure.schematic, figure.chart")) {
     if (!figure.querySelector(".live")) savable(figure);
   }
   for (const table of document.querySelectorAll("table.sortable")) sortable(table);
+  // Live charts are drawn first, while their places can be seen.
+  if (!document.querySelector(".live")) fold();
 
   return {
     data: JSON.parse(document.getElementById("page-data").textContent),
     savable,
     sortable,
+    fold,
   };
 })();

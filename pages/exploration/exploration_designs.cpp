@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -45,6 +46,25 @@ std::set<std::string> known_words(const ExploreReport& report) {
   return words;
 }
 
+// The rungs and the affordable design.
+std::vector<const ListedDesign*> of_the_ladder(const ExploreReport& report) {
+  std::vector<const ListedDesign*> designs;
+  for (const ListedDesign& rung : report.ladder.rungs) designs.push_back(&rung);
+  if (report.ladder.affordable) designs.push_back(&*report.ladder.affordable);
+  return designs;
+}
+
+Json same_as_column(const std::vector<PageDesign>& designs) {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < designs.size(); ++i) places.emplace(designs[i].word, i);
+  Json column = Json::array();
+  for (const PageDesign& design : designs) {
+    const auto found = places.find(design.same_as);
+    column.push_back(found == places.end() ? -1 : static_cast<int>(found->second));
+  }
+  return column;
+}
+
 }  // namespace
 
 const char* design_kind_name(Kind kind) {
@@ -52,6 +72,22 @@ const char* design_kind_name(Kind kind) {
                                                       "random sample"};
   return names[static_cast<std::size_t>(kind)];
 }
+
+chart::Style design_style(Kind kind) {
+  switch (kind) {
+    case Kind::listed:
+      return {chart::Colour::blue, chart::Symbol::circle, 3, 1.5, 1, 0.55};
+    case Kind::front:
+      return {chart::Colour::orange, chart::Symbol::square, 4.5};
+    case Kind::known:
+      return {chart::Colour::green, chart::Symbol::triangle, 5};
+    case Kind::sample:
+      break;
+  }
+  return {chart::Colour::pink, chart::Symbol::diamond, 2, 1.5, 1, 0.45};
+}
+
+chart::Style advised_style() { return {chart::Colour::violet, chart::Symbol::diamond, 8, 2, 0}; }
 
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
@@ -66,7 +102,7 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
                                            : Kind::listed;
     held.insert(word);
     designs.push_back({kind, word, listed[i].name, ranked.rank, ranked.front, ranked.design.values,
-                       listed[i].distribution, listed[i].bands});
+                       listed[i].distribution, listed[i].bands, listed[i].same_as});
   }
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
@@ -74,6 +110,12 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
     designs.push_back({Kind::known, reference.design.word, report.reference_names[i],
                        reference.rank, reference.front, reference.design.values, std::nullopt,
                        report.reference_bands.empty() ? Bands{} : report.reference_bands[i]});
+  }
+  for (const ListedDesign* design : of_the_ladder(report)) {
+    const RankedDesign& ranked = design->ranked;
+    if (!held.insert(ranked.design.word).second) continue;
+    designs.push_back({Kind::listed, ranked.design.word, design->name, ranked.rank, ranked.front,
+                       ranked.design.values, std::nullopt});
   }
   // What is listed has a rank, even if there is no room for it here.
   for (const ListedDesign& design : listed) held.insert(design.ranked.design.word);
@@ -100,6 +142,7 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
     columns[name] = Json::array();
   }
   columns["distribution"] = Json::object();
+  columns["same_as"] = same_as_column(designs);
   for (const PageDesign& design : designs) {
     columns["word"].push_back(design.word);
     columns["name"].push_back(design.name);
@@ -148,6 +191,7 @@ Json objectives_json(const std::vector<Objective>& shown) {
                     {"better", row.better == Better::higher ? "higher" : "lower"},
                     {"least", value_or_null(row.least, number)},
                     {"greatest", value_or_null(row.greatest, number)},
+                    {"count", row.is_count()},
                     {"meaning", row.meaning}});
   }
   return list;

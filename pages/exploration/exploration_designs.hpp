@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/chart/chart.hpp"
 #include "reports/json.hpp"
 #include "reports/results/explore_report.hpp"
 
@@ -20,6 +21,11 @@ inline constexpr std::size_t kind_count = 4;
 // "listed", "on the front", "known routing", "random sample"
 const char* design_kind_name(Kind kind);
 
+// How charts mark designs, on every page: the front is an orange square wherever it is drawn.
+chart::Style design_style(Kind kind);
+// What a reader is advised to look at: the affordable design and the knee.
+chart::Style advised_style();
+
 struct PageDesign {
   Kind kind = Kind::listed;
   std::string word;
@@ -29,14 +35,16 @@ struct PageDesign {
   ObjectiveValues values{};
   std::optional<RankDistribution> distribution;
   Bands bands = {};
+  std::string same_as = {};  // the design that stands for it where alike designs are one line
 };
 
-// Of the listed designs the first `most`, then the known routings that are not among these, then
-// the random sample.
+// Of the listed designs the first `most`, then the known routings and those of the ladder that are
+// not among these, then the random sample.
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most);
 
 // In columns, as assets/exploration_charts.js describes them: {"word", "name", "rank", "front",
-// "kind", "values", "distribution"}; the last is empty unless the listed designs have one.
+// "kind", "same_as", "values", "distribution"}; "same_as" counts from 0, -1 for none; the last is
+// empty unless the listed designs have one.
 // `shown` are the objectives whose values are given.
 // The objectives that are shown to people, with the blocks where the parts allow them.
 std::vector<Objective> page_objectives(const ExploreReport& report);
@@ -48,8 +56,8 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
 Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Objective>& shown,
                   const std::vector<Objective>& ranking);
 
-// [{"name", "title", "unit", "better", "least", "greatest", "meaning"}], "least" and "greatest"
-// null where there is none.
+// [{"name", "title", "unit", "better", "least", "greatest", "count", "meaning"}], "least" and
+// "greatest" null where there is none, "count" where values are whole numbers.
 Json objectives_json(const std::vector<Objective>& shown);
 
 }  // namespace reeve::pages

@@ -59,18 +59,19 @@ class Lines {
 
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
-Json grasp_json(const ShownRouting& report, std::size_t grasp, Lines& lines) {
+// Without its schematic unless `drawn`.
+Json grasp_json(const ShownRouting& report, std::size_t grasp, bool drawn, Lines& lines) {
   const ShownGrasp& shown = report.grasps[grasp];
   Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
   json["tensions"] = Json::array();
   for (const double tension : shown.state.tension) {
     json["tensions"].push_back(three_decimals(tension));
   }
-  json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
+  if (drawn) json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
   return json;
 }
 
-Json design_json(const ShownRouting& report, Lines& lines) {
+Json design_json(const ShownRouting& report, bool whole, Lines& lines) {
   Json json{{"segments", Json::array()}, {"strands", Json::array()}};
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
     json["segments"].push_back(segment_name(report.network.segments[i]));
@@ -78,7 +79,7 @@ Json design_json(const ShownRouting& report, Lines& lines) {
   }
   json["grasps"] = Json::array();
   for (std::size_t i = 0; i < report.grasps.size(); ++i) {
-    json["grasps"].push_back(grasp_json(report, i, lines));
+    json["grasps"].push_back(grasp_json(report, i, whole || i == 0, lines));
   }
   json["contacts"] = Json::array();
   for (const ShownContact& contact : shown_contacts(report)) {
@@ -88,24 +89,33 @@ Json design_json(const ShownRouting& report, Lines& lines) {
   return json;
 }
 
-Json chunk(const std::vector<const Routing*>& routings, const SolveDesign& solve) {
+struct Chunk {
+  std::vector<const Routing*> routings;
+  bool whole = true;
+};
+
+Json packed(const Chunk& chunk, const SolveDesign& solve) {
   Lines lines;
   Json words = Json::array();
   Json designs = Json::array();
-  for (const Routing* routing : routings) {
+  for (const Routing* routing : chunk.routings) {
     words.push_back(to_word(*routing));
-    designs.push_back(design_json(solve(*routing), lines));
+    designs.push_back(design_json(solve(*routing), chunk.whole, lines));
   }
   const std::string values = designs.dump(-1, ' ', false, Json::error_handler_t::replace);
   return {{"words", words}, {"pack", compressed(values + "\n" + lines.text())}};
 }
 
-std::vector<std::vector<const Routing*>> cut(const std::vector<const Routing*>& designs) {
-  std::vector<std::vector<const Routing*>> chunks;
-  for (std::size_t at = 0; at < designs.size(); at += chunk_size) {
-    const auto begin = designs.begin() + static_cast<std::ptrdiff_t>(at);
-    chunks.emplace_back(
-        begin, begin + static_cast<std::ptrdiff_t>(std::min(chunk_size, designs.size() - at)));
+// A chunk holds no more than that, and either whole designs or others.
+std::vector<Chunk> cut(const DetailedDesigns& designs) {
+  std::vector<Chunk> chunks;
+  for (const bool whole : {true, false}) {
+    const std::vector<const Routing*>& some = whole ? designs.whole : designs.brief;
+    for (std::size_t at = 0; at < some.size(); at += chunk_size) {
+      const auto begin = some.begin() + static_cast<std::ptrdiff_t>(at);
+      const auto count = static_cast<std::ptrdiff_t>(std::min(chunk_size, some.size() - at));
+      chunks.push_back({{begin, begin + count}, whole});
+    }
   }
   return chunks;
 }
@@ -118,21 +128,22 @@ std::size_t size_in_page(const Json& chunk) {
 
 }  // namespace
 
-DesignDetails design_details(const std::vector<const Routing*>& designs, const SolveDesign& solve,
+DesignDetails design_details(const DetailedDesigns& designs, const SolveDesign& solve,
                              std::size_t bytes, int threads) {
   Workers workers(threads);
   DesignDetails details;
-  const std::vector<std::vector<const Routing*>> pending = cut(designs);
+  const std::vector<Chunk> pending = cut(designs);
   for (std::size_t at = 0; at < pending.size(); at += chunks_at_once) {
     std::vector<Json> made(std::min(chunks_at_once, pending.size() - at));
     workers.for_each_block(made.size(), 1, [&](const IndexBlock& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) made[i] = chunk(pending[at + i], solve);
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        made[i] = packed(pending[at + i], solve);
     });
     for (std::size_t i = 0; i < made.size(); ++i) {
       const std::size_t more = size_in_page(made[i]);
       if (details.bytes + more > bytes) return details;
       details.bytes += more;
-      details.designs += pending[at + i].size();
+      (pending[at + i].whole ? details.designs : details.brief) += pending[at + i].routings.size();
       details.chunks.push_back(std::move(made[i]));
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pages/exploration/phrases.hpp"
+#include "pages/shell/settings.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/results/model_text.hpp"
 
@@ -74,6 +75,8 @@ std::vector<std::string> explored_words(const ExploreReport& report) {
   text.push_back(fmt::format("Each was judged over the grasps {} (which fingers are held){}.",
                              to_text(options.grasps), ranked_text(options)));
   text.push_back(friction_text(effective_hardware(options.model)));
+  const std::string hand = hand_text(options.model.hardware);
+  if (!hand.empty()) text.push_back("Hand: " + hand + ".");
   for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
     text.push_back(line.text);
   }

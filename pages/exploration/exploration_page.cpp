@@ -8,20 +8,20 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
 #include "pages/exploration/exploration_tables.hpp"
 #include "pages/exploration/exploration_words.hpp"
+#include "pages/exploration/ladder_part.hpp"
 #include "pages/routing/figure_captions.hpp"
 #include "pages/routing/figure_names.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/compressed.hpp"
-#include "pages/shell/html_table.hpp"
+#include "pages/shell/glossary.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/uncertainty/sweep_figures.hpp"
-#include "reports/decision/decision_words.hpp"
-#include "reports/decision/ladder_report.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/uncertainty/band_report.hpp"
 
@@ -73,23 +73,35 @@ Json specifications() {
   return all;
 }
 
-// Known routings, then the best in the order of the ranking, which the front begins.
+// Those of the ladder, known routings, then the best in the order of the ranking, which the front
+// begins.
 std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std::size_t best) {
   std::vector<const Routing*> routings;
-  std::set<std::string> known;
-  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
-    routings.push_back(&report.options.references[i]);
-    known.insert(report.result.references[i].design.word);
-  }
+  std::set<std::string> held;
+  const auto add = [&](const Routing& routing) {
+    if (held.insert(to_word(routing)).second) routings.push_back(&routing);
+  };
+  for (const Routing* routing : ladder_routings(report)) add(*routing);
+  for (const Routing& known : report.options.references) add(known);
   const std::vector<ListedDesign>& listed = listed_designs(report);
-  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) {
-    if (!known.contains(listed[i].ranked.design.word)) routings.push_back(&listed[i].routing);
-  }
+  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) add(listed[i].routing);
   return routings;
 }
 
 std::size_t details_of(const ExplorationView& view) {
   return view.details.value_or(usual_schematics / view.report.options.grasps.size());
+}
+
+// Unless it was said how many, further ones are drawn in the first grasp, so that whatever is
+// pointed at near the top has a drawing.
+DetailedDesigns detailed_designs(const ExplorationView& view) {
+  DetailedDesigns designs{in_order_of_details(view.report, details_of(view)), {}};
+  if (view.details) return designs;
+  const std::vector<const Routing*> more =
+      in_order_of_details(view.report, details_of(view) + usual_first_schematics);
+  designs.brief.assign(more.begin() + static_cast<std::ptrdiff_t>(designs.whole.size()),
+                       more.end());
+  return designs;
 }
 
 std::vector<Routing> drawn_routings(const ExploreReport& report) {
@@ -190,7 +202,7 @@ std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
       others, report.result.sample.size());
 }
 
-// Why a known routing is not in the list.
+// Why a known routing is not in the list, or one of the ladder.
 std::string standing(const ReferenceStanding& reference, const ExploreReport& report) {
   if (!reference.generated && report.result.partial)
     return "it was not reached before the exploration stopped";
@@ -204,39 +216,53 @@ std::string standing(const ReferenceStanding& reference, const ExploreReport& re
 
 Json standings_json(const ExploreReport& report) {
   Json json = Json::object();
+  for (const ListedDesign& rung : report.ladder.rungs) {
+    json[rung.ranked.design.word] = "On the ladder; its rank is beyond the list.";
+  }
   for (const ReferenceStanding& reference : report.result.references) {
-    json[reference.design.word] = standing(reference, report);
+    json[reference.design.word] = fmt::format("Known routing, not among the listed designs: {}.",
+                                              standing(reference, report));
   }
   return json;
 }
 
-Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
-          Json body) {
+std::string details_text(const ExplorationView& view, const DesignDetails& details) {
   const std::size_t listed = listed_designs(view.report).size();
   const std::size_t all = in_order_of_details(view.report, listed).size();
-  body["details_text"] =
-      details.designs >= all
-          ? fmt::format(
-                "All {} listed designs and known routings have schematics, tensions and "
-                "contacts here.",
-                all)
-          : fmt::format(
-                "{} of {} listed designs and known routings have schematics, tensions and "
-                "contacts here: known routings first, then by rank. For the others the "
-                "page gives the values and the command that shows the rest; {}.",
-                details.designs, all,
-                details.designs < in_order_of_details(view.report, details_of(view)).size()
-                    ? "there is no room for more of them, whatever --details says"
-                    : fmt::format("with --details {} it has all, as far as there is room", listed));
+  if (details.designs >= all) {
+    return fmt::format(
+        "All {} listed designs and known routings have schematics, tensions and contacts here.",
+        all);
+  }
+  const bool full = details.designs < in_order_of_details(view.report, details_of(view)).size();
+  const std::string brief =
+      details.brief == 0
+          ? ""
+          : fmt::format(", and {} more their schematic in the first grasp", details.brief);
+  return fmt::format(
+      "{} of {} listed designs and known routings have schematics, tensions and contacts here{}: "
+      "those of the ladder and known routings first, then by rank. For the others the page gives "
+      "the values and the command that shows the rest; {}.",
+      details.designs, all, brief,
+      full ? "there is no room for more of them, whatever --details says"
+           : fmt::format("with --details {} it has all, as far as there is room", listed));
+}
+
+Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,
+          Json body) {
+  body["details_text"] = details_text(view, details);
   return {title(view.report),
           render("exploration.mustache", body),
-          "exploration_charts.js exploration_state.js exploration_table.js exploration_cards.js "
-          "exploration.js",
+          "exploration_labels.js exploration_charts.js exploration_parallel.js "
+          "exploration_state.js exploration_columns.js exploration_table.js "
+          "exploration_details.js exploration_cards.js exploration_panel.js "
+          "exploration_brushes.js exploration.js",
           {{"objectives", objectives_json(page_objectives(view.report))},
            {"ranking", ranking_json(view.report)},
            {"specifications", specifications()},
            {"columns", held.packed},
            {"commands", commands(view)},
+           {"ladder", ladder_marks(view.report)},
            {"standings", standings_json(view.report)},
            {"chunks", details.chunks}},
           true};
@@ -251,37 +277,22 @@ Json words_json(const ExploreReport& report) {
           {"caveats", words.caveats}};
 }
 
-// What more parts buy.
-Json ladder_body(const ExploreReport& report) {
-  const Section section = ladder_section(report.ladder);
-  if (!section.table) return {{"has_ladder", false}};
-  Json body{{"has_ladder", true}, {"ladder_title", section.title}};
-  body["ladder_lines"] = Json::array();
-  for (const SheetLine& line : answer_lines(report.top, report.ladder)) {
-    body["ladder_lines"].push_back(line.text + ".");
-  }
-  for (const SheetLine& line : shared_first_lines(report.top)) {
-    body["ladder_lines"].push_back(line.text + ".");
-  }
-  body["ladder_table"] = html({"ladder-table",
-                               "Gains are against the line above; kept is what is "
-                               "left of the first design in the objective that "
-                               "loses most.",
-                               *section.table});
-  return body;
-}
-
 }  // namespace
 
 PageFiles exploration_page(const ExplorationView& view) {
   const ExploreReport& report = view.report;
   const HeldDesigns held = held_designs(report);
-  const ExplorationPicture pareto = pareto_picture(held.designs, report.options.order.objectives);
+  const ExplorationPicture pareto =
+      pareto_picture(held.designs, report.options.order.objectives, advised_designs(report));
   const ExplorationPicture parallel = parallel_picture(held.designs, page_objectives(report));
   const std::vector<ExploredSchematic> drawn = schematics(view);
   Json body = words_json(report);
   body.update(static_tables(report));
-  body.update(ladder_body(report));
+  body.update(answer_body(report, view.solve));
+  body["ladder"] = ladder_html(report.ladder);
+  std::vector<Term> terms = ranking_terms();
+  for (Term& term : objective_terms(page_objectives(report))) terms.push_back(std::move(term));
+  body["glossary"] = glossary_html("Front, alike and the objectives: what they mean", terms);
   const auto sampled =
       std::count_if(held.designs.begin(), held.designs.end(),
                     [](const PageDesign& design) { return design.kind == Kind::sample; });
@@ -305,7 +316,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =
-      design_details(in_order_of_details(report, details_of(view)), view.solve,
+      design_details(detailed_designs(view), view.solve,
                      without < page_bytes ? page_bytes - without : 0, report.options.threads);
   for (const Figure& figure : {pareto.figure, parallel.figure}) {
     figures.push_back(captioned(figure, report.options.model));

@@ -19,6 +19,7 @@ namespace reeve::pages {
 
 inline constexpr std::size_t page_bytes = 4'900'000;
 inline constexpr std::size_t usual_schematics = 170;
+inline constexpr std::size_t usual_first_schematics = 170;
 
 struct ExplorationView {
   const ExploreReport& report;
@@ -26,8 +27,9 @@ struct ExplorationView {
   std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
   SolveDesign solve;
   // Of how many of the best designs the page has schematics, tensions and contacts, beside those of
-  // the known routings; if nobody says, as many as `usual_schematics` show in all grasps. One costs
-  // as much time as evaluating tens of designs, and few are looked at.
+  // the ladder and the known routings; if nobody says, as many as `usual_schematics` show in all
+  // grasps, and of `usual_first_schematics` more the first grasp's schematic. One costs as much
+  // time as evaluating tens of designs, and few are looked at.
   std::optional<std::size_t> details;
 };
 

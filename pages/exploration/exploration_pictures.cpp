@@ -4,34 +4,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
+#include "pages/exploration/phrases.hpp"
 #include "pages/uncertainty/band_spans.hpp"
 #include "reports/chart/chart_scale.hpp"
 #include "reports/chart/chart_svg.hpp"
+#include "reports/results/data_text.hpp"
 
 namespace reeve::pages {
 namespace {
 
+constexpr std::size_t parallel_lines = 30;  // of the best: more cannot be told apart
+constexpr std::size_t density_bins = 24;
+constexpr double parallel_height = 330;
+
 // The many below the few.
 constexpr std::array<Kind, kind_count> drawing_order{Kind::sample, Kind::listed, Kind::front,
                                                      Kind::known};
-
-chart::Style point_style(Kind kind) {
-  switch (kind) {
-    case Kind::listed:
-      return {chart::Colour::blue, chart::Symbol::circle, 3, 1.5, 1, 0.55};
-    case Kind::front:
-      return {chart::Colour::orange, chart::Symbol::square, 4.5};
-    case Kind::known:
-      return {chart::Colour::green, chart::Symbol::triangle, 5};
-    case Kind::sample:
-      break;
-  }
-  return {chart::Colour::pink, chart::Symbol::diamond, 2, 1.5, 1, 0.45};
-}
 
 bool is_empty(const chart::Points& points) { return points.spots.empty(); }
 bool is_empty(const chart::Paths& paths) { return paths.paths.empty(); }
@@ -56,8 +49,8 @@ std::string title(const PageDesign& design, const TwoObjectives& axes, std::size
   std::string text = label(design) + "\n";
   text += design.rank > 0 ? fmt::format("rank {}", design.rank) : design_kind_name(design.kind);
   for (const Objective objective : axes) {
-    text += fmt::format("\n{} {:.4g}", objective_title(row(objective)),
-                        value(design.values, objective));
+    text += fmt::format("\n{} {}", objective_title(row(objective)),
+                        four_digits(value(design.values, objective)));
   }
   if (count > 1) text += fmt::format("\nand {} more in this spot", count - 1);
   return text;
@@ -117,11 +110,11 @@ std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
     points[static_cast<std::size_t>(design.kind)].spots.push_back(
         {at.x, at.y, title(design, axes, each->count), labels[each->design]});
   }
-  std::vector<chart::Layer> layers = keys<chart::Points>(points, point_style);
+  std::vector<chart::Layer> layers = keys<chart::Points>(points, design_style);
   for (const Kind kind : drawing_order) {
     chart::Points& some = points[static_cast<std::size_t>(kind)];
     if (!some.spots.empty())
-      layers.push_back({design_kind_name(kind), point_style(kind), std::move(some)});
+      layers.push_back({design_kind_name(kind), design_style(kind), std::move(some)});
   }
   return layers;
 }
@@ -139,32 +132,25 @@ std::vector<BandedSpot> banded(const std::vector<PageDesign>& designs,
   return spots;
 }
 
-// All known routings; of the others the first half of what fits, and the rest evenly.
-std::vector<std::size_t> some_of(const std::vector<PageDesign>& designs, std::size_t most) {
-  std::vector<std::size_t> known;
-  std::vector<std::size_t> others;
+// The best, and all known routings.
+std::vector<std::size_t> with_lines(const std::vector<PageDesign>& designs) {
+  std::vector<std::size_t> picked;
+  std::size_t best = 0;
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    (designs[i].kind == Kind::known ? known : others).push_back(i);
+    const bool ranked = designs[i].rank > 0 && best < parallel_lines;
+    best += ranked ? 1 : 0;
+    if (ranked || designs[i].kind == Kind::known) picked.push_back(i);
   }
-  const std::size_t room = most > known.size() ? most - known.size() : 0;
-  const std::size_t first = std::min(room / 2, others.size());
-  const std::size_t rest = std::max<std::size_t>(room - room / 2, 1);
-  const std::size_t step = std::max<std::size_t>(1, (others.size() - first + rest - 1) / rest);
-  std::vector<std::size_t> picked(others.begin(),
-                                  others.begin() + static_cast<std::ptrdiff_t>(first));
-  for (std::size_t i = first; i < others.size(); i += step) picked.push_back(others[i]);
-  picked.insert(picked.end(), known.begin(), known.end());
   return picked;
 }
 
 chart::Style line_style(Kind kind) {
-  const chart::Style point = point_style(kind);
+  const chart::Style point = design_style(kind);
   chart::Style style;
   style.colour = point.colour;
-  style.line = kind == Kind::front || kind == Kind::known ? 2 : 0.8;
-  style.opacity = kind == Kind::listed ? 0.4 : kind == Kind::sample ? 0.35 : 1;
+  style.line = kind == Kind::front || kind == Kind::known ? 2 : 1.2;
+  style.opacity = kind == Kind::listed ? 0.7 : 1;
   if (kind == Kind::known) style.dash = chart::Dash::dashed;
-  if (kind == Kind::sample) style.dash = chart::Dash::dotted;
   return style;
 }
 
@@ -186,7 +172,32 @@ struct Heights {
   }
 };
 
-std::string end_text(double value) { return fmt::format("{:.4g}", value); }
+// Bars across an axis, the wider the more designs have such a value: their width is the square root
+// of the share in the fullest, so that a few show beside thousands.
+chart::Paths density(const Heights& heights, const std::vector<PageDesign>& designs,
+                     const std::vector<Objective>& shown) {
+  chart::Paths bars;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    std::vector<std::size_t> counts(density_bins);
+    for (const PageDesign& design : designs) {
+      const double at = heights(design, static_cast<std::size_t>(shown[k]));
+      if (!std::isfinite(at)) continue;
+      const auto bin = static_cast<std::size_t>(at * density_bins);
+      ++counts[std::min(bin, density_bins - 1)];
+    }
+    const std::size_t most = *std::max_element(counts.begin(), counts.end());
+    for (std::size_t bin = 0; bin < density_bins; ++bin) {
+      if (counts[bin] == 0) continue;
+      const double half =
+          0.36 * std::sqrt(static_cast<double>(counts[bin]) / static_cast<double>(most));
+      const auto at = static_cast<double>(k);
+      const double height = (static_cast<double>(bin) + 0.5) / density_bins;
+      bars.paths.push_back(
+          {{{at - half, height}, {at + half, height}}, plural(counts[bin], "design")});
+    }
+  }
+  return bars;
+}
 
 // The best value above each axis, the worst below.
 chart::Texts ends(const Heights& heights, const std::vector<Objective>& shown) {
@@ -197,8 +208,8 @@ chart::Texts ends(const Heights& heights, const std::vector<Objective>& shown) {
     if (extent.empty()) continue;
     const bool up = row(shown[k]).better == Better::higher;
     const auto at = static_cast<double>(k);
-    texts.texts.push_back({at, 1 + beyond, "", end_text(up ? extent.high : extent.low)});
-    texts.texts.push_back({at, -beyond, "", end_text(up ? extent.low : extent.high)});
+    texts.texts.push_back({at, 1 + beyond, "", four_digits(up ? extent.high : extent.low)});
+    texts.texts.push_back({at, -beyond, "", four_digits(up ? extent.low : extent.high)});
   }
   return texts;
 }
@@ -214,6 +225,10 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
   }
   panel.y.hidden = true;
   panel.y.reaches = {-0.11, 1.11};
+  chart::Style grey{chart::Colour::grey};
+  grey.line = 0.9 * parallel_height / density_bins;
+  grey.opacity = 0.35;
+  panel.layers = {{"how many designs", grey, density(heights, designs, shown)}};
   std::array<chart::Paths, kind_count> paths;
   for (auto i = picked.rbegin(); i != picked.rend(); ++i) {
     const PageDesign& design = designs[*i];
@@ -224,7 +239,9 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
     }
     paths[static_cast<std::size_t>(design.kind)].paths.push_back(std::move(line));
   }
-  panel.layers = keys<chart::Paths>(paths, line_style);
+  for (chart::Layer& key : keys<chart::Paths>(paths, line_style)) {
+    panel.layers.push_back(std::move(key));
+  }
   for (const Kind kind : drawing_order) {
     chart::Paths& some = paths[static_cast<std::size_t>(kind)];
     if (!some.paths.empty())
@@ -246,7 +263,8 @@ TwoObjectives first_axes(const std::vector<Objective>& ranking) {
 }
 
 ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
-                                  const std::vector<Objective>& ranking) {
+                                  const std::vector<Objective>& ranking,
+                                  const std::vector<AdvisedDesign>& advised) {
   const TwoObjectives axes = first_axes(ranking);
   const std::vector<DrawnDesign> drawn = thinned(designs, axes);
   chart::Panel panel;
@@ -262,6 +280,16 @@ ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
   for (chart::Layer& layer : point_layers(designs, drawn, axes)) {
     panel.layers.push_back(std::move(layer));
   }
+  chart::Points rings;
+  for (const AdvisedDesign& design : advised) {
+    const auto found = std::find_if(designs.begin(), designs.end(), [&](const PageDesign& each) {
+      return each.word == design.word;
+    });
+    if (found == designs.end()) continue;
+    const Point at = spot(*found, axes);
+    rings.spots.push_back({at.x, at.y, title(*found, axes, 1), design.label});
+  }
+  if (!rings.spots.empty()) panel.layers.push_back({"advised", advised_style(), rings});
   chart::Chart chart;
   chart.height = 430;
   chart.width = 640;
@@ -278,17 +306,21 @@ ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
 
 ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
                                     const std::vector<Objective>& shown) {
-  constexpr std::size_t most = 250;
-  const std::vector<std::size_t> picked = some_of(designs, most);
+  const std::vector<std::size_t> picked = with_lines(designs);
   chart::Chart chart;
   chart.width = 760;
-  chart.height = 330;
+  chart.height = parallel_height;
   chart.panels.push_back(parallel_panel(designs, picked, shown));
-  chart.alt = fmt::format("Parallel coordinates of all objectives; {} lines stand for {} designs.",
-                          picked.size(), designs.size());
+  chart.alt = fmt::format(
+      "Parallel coordinates of all objectives: lines of {}, the best and the known routings, over "
+      "grey bars that show where all {} lie.",
+      plural(picked.size(), "design"), designs.size());
   return {{"parallel", "Designs by all objectives.",
-           "A line for each design. Up is better on every axis: where less is better the axis is "
-           "turned round. The numbers are the best and the worst value.",
+           fmt::format(
+               "Lines: the best {} and the known routings, {} in all; grey bars: where all {} lie, "
+               "the wider the more. Up is better on every axis: where less is better the axis is "
+               "turned round. The numbers are the best and the worst value.",
+               parallel_lines, picked.size(), designs.size()),
            chart_svg(chart)},
           chart.alt};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_spots.hpp"
 #include "pages/shell/page.hpp"
@@ -17,11 +18,13 @@ struct ExplorationPicture {
   std::string alt;
 };
 
-// The designs over two objectives, over `ranking` of which the front is.
+// The designs over two objectives, over `ranking` of which the front is; `advised` are marked.
 ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
-                                  const std::vector<Objective>& ranking);
+                                  const std::vector<Objective>& ranking,
+                                  const std::vector<AdvisedDesign>& advised = {});
 
-// These objectives of some of the designs, a line for each.
+// Lines of the best and of the known routings over these objectives, and in grey how many of all
+// designs have a value.
 ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
                                     const std::vector<Objective>& shown);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/objective_title.hpp"
+#include "pages/exploration/phrases.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -18,12 +20,11 @@ namespace {
 constexpr std::size_t first_designs = 50;
 constexpr std::size_t front_designs = 200;
 
-std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
-
 // Shares line up in their column.
 std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
   const double v = value(design.ranked.design.values, row.objective);
-  return row.unit == std::string_view("1") ? fmt::format("{:.4f}", v) : four_digits(v);
+  return row.unit == std::string_view("1") && std::isfinite(v) ? fmt::format("{:.4f}", v)
+                                                               : four_digits(v);
 }
 
 Json design_row(const ListedDesign& design, const std::vector<Objective>& shown) {
@@ -31,6 +32,7 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
            {"front", design.ranked.front},
            {"name", design.name.empty() ? "–" : design.name},
            {"word", design.ranked.design.word},
+           {"alike", design.alike.empty() ? "" : fmt::format("+{}", design.alike.size())},
            {"cells", Json::array()}};
   for (const Objective objective : shown) {
     row["cells"].push_back(cell(search::row(objective), design));
@@ -72,8 +74,8 @@ Json static_tables(const ExploreReport& report) {
     json["objectives"].push_back(objective_json(row(objectives[i])));
     json["objectives"].back()["column"] = i;
   }
-  for (std::size_t i = 0; i < shown; ++i) {
-    json["rows"].push_back(design_row(listed[i], objectives));
+  for (std::size_t i = 0; i < listed.size() && json["rows"].size() < shown; ++i) {
+    if (listed[i].same_as.empty()) json["rows"].push_back(design_row(listed[i], objectives));
   }
   for (const SingleBest& best : single_bests(report)) {
     json["bests"].push_back(best_json(best, listed.front()));

@@ -27,12 +27,10 @@ double get(const ListedDesign& design, Objective objective) {
   return value(design.ranked.design.values, objective);
 }
 
-std::string number_text(double value) { return fmt::format("{:.4g}", value); }
-
 std::string values_text(const ObjectiveValues& values, const std::vector<Objective>& objectives) {
   std::vector<std::string> texts;
   for (const Objective objective : objectives) {
-    texts.push_back(objective_title(row(objective)) + " " + number_text(value(values, objective)));
+    texts.push_back(objective_title(row(objective)) + " " + four_digits(value(values, objective)));
   }
   return enumeration(texts);
 }
@@ -90,8 +88,8 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
   for (const Objective objective : report.options.order.objectives) {
     if (get(first, objective) == get(second, objective)) continue;
     differences.push_back(fmt::format("{} {} instead of {}", objective_title(row(objective)),
-                                      number_text(get(second, objective)),
-                                      number_text(get(first, objective))));
+                                      four_digits(get(second, objective)),
+                                      four_digits(get(first, objective))));
   }
   const std::string text = "Next comes " + design_label(second);
   if (differences.empty()) {

@@ -1,5 +1,9 @@
 #include "pages/exploration/phrases.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "pages/exploration/objective_title.hpp"
 
 namespace reeve::pages {
@@ -17,6 +21,10 @@ std::string titles(const std::vector<Objective>& objectives) {
   std::vector<std::string> names;
   for (const Objective objective : objectives) names.push_back(objective_title(row(objective)));
   return enumeration(names);
+}
+
+std::string four_digits(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
 }
 
 }  // namespace reeve::pages

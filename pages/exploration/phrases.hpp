@@ -11,6 +11,9 @@ namespace reeve::pages {
 // "a, b and c"
 std::string enumeration(const std::vector<std::string>& items);
 
+// "0.9958"; "-" of what there is none of, as in the terminal.
+std::string four_digits(double value);
+
 // "uniformity mean and sheaths"
 std::string titles(const std::vector<Objective>& objectives);
 

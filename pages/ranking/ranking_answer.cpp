@@ -7,6 +7,7 @@
 
 #include "core/routing.hpp"
 #include "pages/exploration/objective_title.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/sheet/text_table.hpp"
 #include "reports/uncertainty/band_report.hpp"
@@ -89,6 +90,17 @@ Json others(const RankReport& report, const Labels& labels) {
   return list;
 }
 
+// What the ladder decides; the first stands above.
+Json decision(const RankReport& report) {
+  Json lines = Json::array();
+  if (report.ladder.rungs.size() < 2) return lines;
+  for (const SheetLine& line : answer_lines(report.designs, report.ladder)) {
+    lines.push_back(line.text + ".");
+  }
+  lines.erase(0);
+  return lines;
+}
+
 std::string uncertainty(const RankReport& report, const Labels& labels) {
   if (!report.uncertainty) return "";
   const RankDistribution& drawn = *report.designs.front().distribution;
@@ -133,6 +145,7 @@ Json ranking_answer(const RankReport& report, const Labels& labels) {
               {"front", front(report, labels)},
               {"uncertainty", uncertainty(report, labels)},
               {"margin", margin(report, labels)}};
+  values["decision"] = decision(report);
   values["others"] = others(report, labels);
   const auto& data = report.details->distributions.data;
   values["simulated"] = data && data->simulated;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/routing/routing_parts.hpp"
@@ -110,8 +111,10 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   chart::Panel panel;
   panel.x = objective_axis(on.first);
   panel.y = objective_axis(on.second);
-  const chart::Style best{chart::Colour::blue, chart::Symbol::circle, 5};
-  const chart::Style other{chart::Colour::orange, chart::Symbol::square, 5};
+  chart::Style best = design_style(Kind::front);
+  chart::Style other = design_style(Kind::listed);
+  best.size = other.size = 5;
+  other.opacity = 1;
   panel.layers = band_layers(banded, {on.first, on.second});
   caption += band_caption(panel.layers);
   panel.layers.push_back({"on the Pareto front", best, front});

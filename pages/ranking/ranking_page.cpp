@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pages/exploration/ladder_part.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/ranking/distribution_figure.hpp"
 #include "pages/ranking/distribution_notes.hpp"
@@ -13,6 +14,7 @@
 #include "pages/routing/figure_captions.hpp"
 #include "pages/routing/figure_names.hpp"
 #include "pages/routing/routing_parts.hpp"
+#include "pages/shell/glossary.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/uncertainty/sweep_figures.hpp"
@@ -65,6 +67,14 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
     table.add(std::move(cells));
   }
   return {"ranking-table", "Objectives; the headings sort", std::move(table), true};
+}
+
+std::vector<Term> ranking_glossary(const RankReport& report) {
+  std::vector<Term> terms{ranking_terms().front()};
+  for (Term& term : objective_terms(shown_objectives(report.order, report.score))) {
+    terms.push_back(std::move(term));
+  }
+  return terms;
 }
 
 HtmlTable margin_table(const RankReport& report, const Labels& labels) {
@@ -191,6 +201,9 @@ RankingPage RankingPageBuilder::build() {
   Json values{{"title", title},
               {"answer", render("ranking_answer.mustache", ranking_answer(report_, labels_))},
               {"ranking", html(ranking_table(report_, labels_))},
+              {"ladder", ladder_html(report_.ladder)},
+              {"glossary", glossary_html("Front and the objectives: what they mean",
+                                         ranking_glossary(report_))},
               {"pareto", add(pareto_figure(report_, labels_))},
               {"distributions", distributions()},
               {"most", routings_.size() > most_drawn ? std::to_string(most_drawn) : ""}};

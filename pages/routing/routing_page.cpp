@@ -6,6 +6,7 @@
 #include "pages/routing/figure_names.hpp"
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
+#include "pages/shell/glossary.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/chart/chart_svg.hpp"
@@ -80,11 +81,13 @@ GraspSet grasps(const ShownRouting& report) {
 
 RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
   RoutingPage page;
-  std::string schematics;
+  std::string first;
+  std::string others;
   const std::string stem = file_stems({{report.name, report.word}}).front();
   for (const ShownGrasp& shown : report.grasps) {
     const std::string file = schematic_name(stem, shown.grasp);
-    schematics += schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
+    (first.empty() ? first : others) +=
+        schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
     page.figures.push_back(schematic_file(file, report, shown));
   }
   Json values{{"name", report.name},
@@ -94,9 +97,11 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
               {"summary", summary(report)},
               {"jams", jams(report)},
               {"objectives", html(objective_table(report))},
-              {"schematics", schematics},
+              {"first", first},
+              {"others", others},
               {"tensions", html(tension_table(report))},
               {"contacts", html(contact_table(report))}};
+  values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
   values["hand"] = hand_values(report);
   values["has_strands"] = report.network.fingers > 0;
   if (report.network.fingers > 0) {

@@ -1,12 +1,14 @@
 #include "pages/shell/settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <vector>
 
 #include "pages/routing/routing_parts.hpp"
 #include "pages/shell/template.hpp"
+#include "reports/results/data_text.hpp"
 #include "reports/results/model_text.hpp"
 
 namespace reeve::pages {
@@ -31,6 +33,46 @@ struct HardwareRows {
       {text_column("part"), text_column("quantity"), number_column("value"), text_column("unit")},
       {}};
 };
+
+// "11, 8 mm" of the joints, from the palm to the tip; "" where they have none of it.
+std::string of_joints(const std::vector<FingerJoint>& joints, double FingerJoint::*quantity,
+                      const char* name, const char* unit) {
+  std::vector<std::string> values;
+  bool any = false;
+  for (const FingerJoint& joint : joints) {
+    values.push_back(six_digits(joint.*quantity));
+    any = any || joint.*quantity != 0;
+  }
+  if (!any) return "";
+  return fmt::format(", {} {} {}", name, fmt::join(values, "/"), unit);
+}
+
+// "2 joints, arms 11/8 mm, ranges 60/70°, levers 58/28 mm, springs 15/10 N mm/rad, wanted 10 N"
+std::string finger_text(const FingerParts& parts) {
+  std::string text;
+  if (!parts.joints.empty()) {
+    text = plural(parts.joints.size(), "joint");
+    text += of_joints(parts.joints, &FingerJoint::arm_mm, "arms", "mm");
+    text += of_joints(parts.joints, &FingerJoint::range_deg, "ranges", "°");
+    text += of_joints(parts.joints, &FingerJoint::lever_mm, "levers", "mm");
+    text += of_joints(parts.joints, &FingerJoint::spring_Nmm_rad, "springs", "N mm/rad");
+    text += of_joints(parts.joints, &FingerJoint::rest_deg, "slack at", "°");
+  }
+  if (!parts.force_N) return text;
+  return fmt::format("{}{}{} N wanted at the tip", text, text.empty() ? "" : ", ",
+                     six_digits(*parts.force_N));
+}
+
+std::string motor_text(const MotorParts& motor) {
+  std::string text = fmt::format("closes in {} s", six_digits(motor.close_s));
+  const auto add = [&](const std::optional<double>& value, const char* words, const char* unit) {
+    if (value) text += fmt::format(", {} {} {}", words, six_digits(*value), unit);
+  };
+  add(motor.spool_radius_mm, "spool radius", "mm");
+  add(motor.force_N, "can pull", "N");
+  add(motor.stroke_mm, "can travel", "mm");
+  return text;
+}
 
 }  // namespace
 
@@ -60,6 +102,21 @@ HtmlTable hardware_table(const Hardware& hardware) {
   return {"hardware-table", "Hardware", std::move(rows.table)};
 }
 
+std::string hand_text(const Hardware& hardware) {
+  std::vector<std::string> texts;
+  const auto add = [&](const std::string& whose, const FingerParts& parts) {
+    const std::string text = finger_text(parts);
+    if (!text.empty()) texts.push_back(whose + ": " + text);
+  };
+  for (const FingerHardware& finger : hardware.fingers) {
+    add(fmt::format("finger {}", finger.finger), finger.parts);
+  }
+  add(texts.empty() ? "every finger" : "other fingers", hardware.finger_parts);
+  if (texts.empty()) return "";
+  texts.push_back("motor: " + motor_text(hardware.motor));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 HtmlTable grasp_table(const GraspSet& grasps) {
   Table table{{text_column("grasp"), number_column("weight")}, {}};
   for (const WeightedGrasp& grasp : grasps) {
@@ -76,6 +133,7 @@ std::string settings_html(const Model& model, std::uint64_t unconverged, const G
   return render("settings.mustache", {{"model", lines},
                                       {"grasps", html(grasp_table(grasps))},
                                       {"hardware", html(hardware_table(model.hardware))},
+                                      {"hand", hand_text(model.hardware)},
                                       {"more", more},
                                       {"command", command}});
 }

@@ -13,6 +13,9 @@ namespace reeve::pages {
 // Coefficients by kind of contact, then whatever differs at a finger or a contact, then lengths.
 HtmlTable hardware_table(const Hardware& hardware);
 
+// "finger 1: joints with arms 11, 8 mm, …"; "" without joints.
+std::string hand_text(const Hardware& hardware);
+
 HtmlTable grasp_table(const GraspSet& grasps);
 
 // A section with heading. `more`: HTML between the tables and the command.

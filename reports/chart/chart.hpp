@@ -35,8 +35,9 @@
 
 namespace reeve::reports::chart {
 
-// Okabe and Ito's colours, which readers who are colour-blind tell apart; ink is the text's.
-enum class Colour : std::uint8_t { blue, orange, green, pink, sky, amber, ink, grey };
+// Okabe and Ito's colours, which readers who are colour-blind tell apart; ink is the text's, and
+// violet is for few marks that bear a label.
+enum class Colour : std::uint8_t { blue, orange, green, pink, sky, amber, ink, grey, violet };
 
 enum class Symbol : std::uint8_t { circle, square, triangle, diamond, cross, wedge, tick };
 

@@ -15,14 +15,15 @@ struct NamedColour {
   const char* on_white;
 };
 
-inline constexpr std::array<NamedColour, 8> colours{{{Colour::blue, "blue", "#0072b2"},
+inline constexpr std::array<NamedColour, 9> colours{{{Colour::blue, "blue", "#0072b2"},
                                                      {Colour::orange, "orange", "#d55e00"},
                                                      {Colour::green, "green", "#009e73"},
                                                      {Colour::pink, "pink", "#cc79a7"},
                                                      {Colour::sky, "sky", "#56b4e9"},
                                                      {Colour::amber, "amber", "#e69f00"},
                                                      {Colour::ink, "ink", "#1a1a1a"},
-                                                     {Colour::grey, "grey", "#808080"}}};
+                                                     {Colour::grey, "grey", "#808080"},
+                                                     {Colour::violet, "violet", "#7b3fa0"}}};
 
 // " reeve-blue", to follow another class.
 std::string colour_class(Colour colour);

@@ -127,6 +127,12 @@ std::string ladder_title(const Ladder& ladder) {
                      about.is_count() ? "many" : "much");
 }
 
+std::string advised_text(const LadderOptions& options) {
+  std::string text = fmt::format("{} {}", words_of(options.by).fewest, within_text(options));
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
 std::string alike_text(const ListedDesign& design) {
   if (design.alike.empty()) return "";
   return fmt::format(", and {} more with other bearings, which change nothing",

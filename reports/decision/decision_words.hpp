@@ -20,6 +20,8 @@ std::string objective_heading(Objective objective);
 std::string signed_percent(double share);               // "+1.3 %"
 std::string within_text(const LadderOptions& options);  // "within 2 %"
 std::string ladder_title(const Ladder& ladder);
+// "Fewest sheaths within 2 %"
+std::string advised_text(const LadderOptions& options);
 
 // ", and 2 more with other bearings, which change nothing"; "" if there is none.
 std::string alike_text(const ListedDesign& design);

@@ -12,11 +12,13 @@ const pages = join(sources, "pages");
 const names = ["pareto", "parallel", "tensions", "ranks"];
 const read = (name) => JSON.parse(readFileSync(join(pages, "charts", `${name}.json`), "utf8"));
 const specifications = Object.fromEntries(names.map((name) => [name, read(name)]));
-const script = readFileSync(join(pages, "assets/exploration_charts.js"), "utf8");
-const charts = vm.runInNewContext(`${script}; explorationCharts`, {
-  reeve: { data: { specifications } },
-  structuredClone,
-});
+const script = ["labels", "charts", "parallel"]
+  .map((part) => readFileSync(join(pages, `assets/exploration_${part}.js`), "utf8"))
+  .join("\n");
+const { charts, lines: parallels, labels } = vm.runInNewContext(
+  `${script}; ({ charts: explorationCharts, lines: explorationParallel, labels: explorationLabels })`,
+  { reeve: { data: { specifications } }, structuredClone },
+);
 // Out of the script's world, whose arrays are none of ours.
 const plain = (value) => JSON.parse(JSON.stringify(value));
 
@@ -26,6 +28,7 @@ const objectives = ["higher", "higher", "lower"].map((better, i) => ({
   better,
   least: i === 2 ? null : 0,
   greatest: i === 2 ? null : 1,
+  count: false,
 }));
 
 // `count` designs, each hundredth on the front, no two values alike.
@@ -80,14 +83,8 @@ test("a specification is filled anew each time, and the file's stays as it was",
   assert.equal(spec.encoding.x.title, "objective 0 (higher is better)");
   assert.equal(spec.encoding.y.title, "objective 2 (lower is better)");
   const params = Object.fromEntries(spec.params.map(({ name, value }) => [name, value]));
-  assert.deepEqual(plain(params), {
-    least_x: 0,
-    greatest_x: 1,
-    least_y: null,
-    greatest_y: null,
-    present: ["listed", "on the front"],
-  });
-  const narrow = charts.parallel({ data: many(300), narrow: true }).spec;
+  assert.deepEqual(plain(params), { present: ["listed", "on the front"] });
+  const narrow = parallels.parallel({ data: many(300), width: 150 }).spec;
   assert.equal(narrow.params.find(({ name }) => name === "narrow").value, true);
   assert.equal(narrow.encoding.x.scale.domain[2], "objective 2 (turned)");
   assert.deepEqual(specifications, before);
@@ -95,12 +92,71 @@ test("a specification is filled anew each time, and the file's stays as it was",
 
 test("up is better on every axis", () => {
   const data = many(300);
-  const lines = charts.parallel({ data }).spec.datasets.lines;
-  const height = (row, axis) => lines.find((each) => each.row === row && each.axis === axis).at;
+  const { points } = parallels.parallel({ data });
+  const height = (row, axis) => points(row, {}).find((each) => each.axis === axis).at;
   const [low, high] = [0, 1].map((end) => {
     const column = data.designs.values[2];
     return column.indexOf((end === 0 ? Math.min : Math.max)(...column));
   });
   assert.equal(height(low, "objective 2 (turned)"), 1);
   assert.equal(height(high, "objective 2 (turned)"), 0);
+});
+
+test("lines are those of the best; every design is counted on every axis", () => {
+  const { spec, drawn, of } = parallels.parallel({ data: many(20_000) });
+  assert.equal(drawn, 30);
+  assert.equal(of, 20_000);
+  assert.deepEqual([...new Set(spec.datasets.lines.map(({ row }) => row))].sort((a, b) => a - b),
+    Array.from({ length: 30 }, (_, row) => row));
+  const counted = spec.datasets.density.reduce((sum, { count }) => sum + count, 0);
+  assert.equal(counted, 3 * 20_000);
+});
+
+// Uniformity is not greater than 1, and there are no half sheaths.
+test("no axis reaches beyond what is possible, and counts have whole numbers", () => {
+  const data = many(300);
+  data.objectives = data.objectives.map((objective, i) => ({ ...objective, count: i === 2 }));
+  data.designs.values[0] = data.designs.values[0].map((value) => 0.5 + value / 2);
+  data.designs.values[0][7] = 1;
+  data.designs.values[2] = data.designs.values[2].map((value) => Math.round(9 * value));
+  const { spec } = charts.pareto({ data, axes: [0, 2] });
+  const [low, high] = plain(spec.encoding.x.scale.domain);
+  assert.equal(high, 1);
+  assert.ok(low > 0.4 && low < 0.5, `${low}`);
+  assert.equal(plain(spec.encoding.y.axis).tickMinStep, 1);
+  assert.equal(plain(spec.encoding.y.axis).format, "d");
+  assert.equal(plain(spec.encoding.x.axis).tickMinStep, undefined);
+});
+
+// As of a motor force where none is enough.
+test("what has no value is a dash, and is drawn nowhere", () => {
+  const data = many(300);
+  data.designs.values[0][5] = null;
+  assert.equal(charts.number(null), "-");
+  assert.equal(charts.cell({ unit: "1" }, null), "-");
+  const { spec } = charts.pareto({ data, axes: [0, 1] });
+  assert.ok(spec.datasets.points.every(({ row }) => row !== 5));
+  assert.ok(spec.encoding.x.scale.domain.every(Number.isFinite));
+  const { points, spec: lines } = parallels.parallel({ data });
+  assert.equal(points(5, {})[0].at, null);
+  assert.equal(lines.datasets.density.reduce((sum, { count }) => sum + count, 0), 3 * 300 - 1);
+});
+
+test("labels lie neither over each other nor beyond the frame", () => {
+  const frame = { width: 400, height: 200 };
+  const wanted = Array.from({ length: 40 }, (_, i) => ({
+    x: (i * 97) % 400, y: (i * 53) % 200, text: `label ${i}` }));
+  const placed = plain(labels.place(wanted, frame));
+  assert.ok(placed.length > 15 && placed.length <= 40, `${placed.length}`);
+  const boxes = placed.map(({ x, y, dx, dy, align, text }) => {
+    const width = 7 * text.length;
+    const left = x + dx - (align === "left" ? 0 : align === "right" ? width : width / 2);
+    return { left, right: left + width, top: y + dy - 7, bottom: y + dy + 7 };
+  });
+  boxes.forEach((a, i) => {
+    assert.ok(a.left >= 0 && a.right <= 400 && a.top >= 0 && a.bottom <= 200);
+    for (const b of boxes.slice(i + 1)) {
+      assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top);
+    }
+  });
 });

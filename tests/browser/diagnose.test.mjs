@@ -102,7 +102,7 @@ for (const [kind, verdict] of Object.entries(verdicts)) {
       assert.equal(await schematic.count(), next ? 1 : 0);
       if (!next) return;
       assert.ok((await schematicTitle(schematic)).includes(next.routing));
-      const lead = await page.locator("#next ~ p.lead").first().textContent();
+      const lead = await page.locator("details:has(#next) p.lead").first().textContent();
       assert.ok(lead.includes(next.routing), lead);
     });
 

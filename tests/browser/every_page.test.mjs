@@ -8,6 +8,8 @@ import {
   print,
   screenshot,
   scrollWidth,
+  fold,
+  foldedAway,
   settled,
   startBrowser,
   tooWide,
@@ -53,10 +55,14 @@ describe("every page", { concurrency: 2 }, () => {
     test(`${name}: on a phone, and printed`, async () => {
       const { page, faults } = await open(browser, file, { width: phone, scripted });
       await screenshot(page, name, "380");
+      const height = await page.evaluate(() => document.documentElement.scrollHeight);
+      assert.ok(height < 4000, `${height} px high on a phone`);
       await unfold(page);
       await fitsThePhone(page);
+      await fold(page);
       await page.setViewportSize({ width: 794, height: 1123 });
       await page.emulateMedia({ media: "print" });
+      assert.deepEqual(await foldedAway(page), [], "printed");
       await screenshot(page, name, "print");
       assert.deepEqual(await staticFaults(page), []);
       await print(page, name);

@@ -9,6 +9,15 @@ export const summary = jsonBesidePage(name, "summary.json");
 export const designs = csvRecords(besidePage(name, "designs.csv"));
 export const byWord = new Map(designs.map((design) => [design.routing, design]));
 
+// As the table has them: those that are alike are one line, of the first.
+export const lines = (some) => {
+  const firsts = new Set();
+  return some.filter(({ routing, same_as }) => {
+    const whole = same_as || routing;
+    return !firsts.has(whole) && firsts.add(whole);
+  });
+};
+
 export const openExploration = (browser, options) =>
   open(browser, pageFile(name), { scripted: true, ...options });
 

@@ -92,6 +92,65 @@ describe("explore: the plot", () => {
     await settled(page);
   });
 
+  const ticks = (which) =>
+    page.locator(`#pareto .live .role-axis:has(.role-axis-title) .role-axis-label text`).evaluateAll(
+      (texts, wanted) => {
+        const axis = texts.map((text) => ({ text: text.textContent, of: text.closest(".role-axis") }));
+        const axes = [...new Set(axis.map(({ of }) => of))];
+        return axis.filter(({ of }) => axes.indexOf(of) === wanted).map(({ text }) => text);
+      },
+      which,
+    );
+
+  test("no axis has numbers beyond what is possible, and counts have whole ones", async () => {
+    const across = (await ticks(0)).map(Number);
+    assert.ok(across.length > 3 && across.every((value) => value >= 0 && value <= 1), across.join());
+    await page.locator("#x-axis").selectOption({ label: "sheaths (lower is better)" });
+    await page.locator("#y-axis").selectOption({ label: "knots (lower is better)" });
+    await page.waitForTimeout(200);
+    await settled(page);
+    for (const which of [0, 1]) {
+      const texts = await ticks(which);
+      assert.ok(texts.length > 0 && texts.every((text) => /^\d+$/.test(text)), texts.join());
+      assert.equal(new Set(texts).size, texts.length);
+    }
+    await page.locator("#x-axis").selectOption({ label: "uniformity mean (higher is better)" });
+    await page.locator("#y-axis").selectOption({ label: "efficiency mean (higher is better)" });
+    await page.waitForTimeout(200);
+    await settled(page);
+  });
+
+  test("names in the plot lie neither over each other nor over the letters", async () => {
+    const boxes = await page.locator("#pareto .live .mark-text.role-mark text").evaluateAll((texts) =>
+      texts.filter((text) => text.textContent.trim()).map((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        return { text: text.textContent, left, right, top, bottom };
+      }));
+    const said = boxes.map(({ text }) => text).join(" ");
+    for (const part of ["TR1", "knee", "within 2 %", "A", "B"]) assert.ok(said.includes(part), said);
+    boxes.forEach((a, i) => {
+      for (const b of boxes.slice(i + 1)) {
+        const apart = a.right <= b.left || b.right <= a.left || a.bottom <= b.top + 2 || b.bottom <= a.top + 2;
+        assert.ok(apart, `${a.text} over ${b.text}`);
+      }
+    });
+  });
+
+  test("words are explained below their headings, by keyboard", async () => {
+    for (const [place, words] of [
+      ["#ladder", ["gain", "kept", "knee"]],
+      ["#plots", ["front", "alike", "jams", "knots", "travel"]],
+    ]) {
+      const summary = page.locator(`${place} .glossary summary`);
+      await summary.focus();
+      await page.keyboard.press("Enter");
+      const terms = await page.locator(`${place} .glossary dt`).allTextContents();
+      for (const word of words) assert.ok(terms.includes(word), `${place}: ${terms}`);
+      assert.ok(await page.locator(`${place} .glossary dd`).first().isVisible());
+      await page.keyboard.press("Enter");
+    }
+  });
+
   test("a click on a mark shows its design: schematic, tensions of each grasp", async () => {
     await clearSelection(page);
     await filterBy(page, { which: "known" });

@@ -105,6 +105,21 @@ export const unfold = (page) =>
     for (const details of document.querySelectorAll("details")) details.open = true;
   });
 
+export const fold = (page) =>
+  page.evaluate(() => {
+    for (const details of document.querySelectorAll("details")) details.open = false;
+  });
+
+// What cannot be seen of what is in folds.
+export const foldedAway = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("details > :not(summary)")]
+      .filter((element) => !element.closest(".controls"))
+      .filter((element) => getComputedStyle(element).display !== "none" && !element.hidden)
+      .filter((element) => element.childElementCount + element.textContent.trim().length > 0)
+      .filter((element) => element.tagName !== "NOSCRIPT" && !element.checkVisibility({ contentVisibilityAuto: true }))
+      .map((element) => element.id || element.textContent.trim().slice(0, 40)));
+
 export const scrollWidth = (page) => page.evaluate(() => document.documentElement.scrollWidth);
 
 // What stands out to the right of the window, or holds text that does, for who looks for the culprit.

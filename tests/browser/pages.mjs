@@ -25,6 +25,15 @@ export const pages = [
   { name: "sample", command: (folder) => [sampleExecutable, folder] },
   reeve("explore-2", () => ["explore", "--fingers", "2", "--uncertainty"], { scripted: true }),
   reeve("explore-3", () => ["explore", "--fingers", "3", "--uncertainty"], { scripted: true }),
+  // Of some designs no motor force is enough.
+  reeve(
+    "explore-hand",
+    () => [
+      "explore", "--fingers", "3", "--objectives", "uniformity,efficiency,motor_force",
+      "--hardware", join(sources, "catalog/hardware/three_finger_hand.toml"),
+    ],
+    { scripted: true },
+  ),
   reeve("explore-hostile", () => ["explore"], {
     scripted: true,
     environment: hostileNames,

@@ -121,5 +121,12 @@ describe("rank", () => {
     }
   });
 
+  test("the ladder is the file's", async () => {
+    const table = page.locator("#ladder-table");
+    assert.deepEqual(await column(table, "routing"), json.ladder.rungs.map(({ routing }) => routing));
+    const kept = await column(table, "kept");
+    json.ladder.rungs.forEach((rung, i) => assert.equal(kept[i], `${(100 * rung.kept).toFixed(1)} %`));
+  });
+
   test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));
 });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -25,6 +26,10 @@ Json page_data(const std::string& html) {
   return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
 }
 
+double& value_of(ListedDesign& design, Objective objective) {
+  return design.ranked.design.values[static_cast<std::size_t>(objective)];
+}
+
 std::set<std::string> detailed_words(const std::string& html) {
   std::set<std::string> words;
   const Json data = page_data(html);
@@ -44,17 +49,72 @@ TEST(ExplorationPage, HasDetailsOfAllDesignsOfASmallList) {
   EXPECT_LT(page.html.size(), 1'300'000U);
 }
 
-TEST(ExplorationPage, HasDetailsOfTheBestAndTheKnownAndSaysSo) {
+TEST(ExplorationPage, HasDetailsOfTheBestTheLadderAndTheKnownAndSaysSo) {
   const ExploreReport report = explored(small_options());
   ExplorationView view = testing::view(report);
   view.details = 5;
   const std::string html = exploration_page(view).html;
   std::set<std::string> expected{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"};
   for (std::size_t i = 0; i < 5; ++i) expected.insert(report.top[i].ranked.design.word);
+  for (const ListedDesign& rung : report.ladder.rungs) expected.insert(rung.ranked.design.word);
+  EXPECT_EQ(expected.size(), 8U);
   EXPECT_EQ(detailed_words(html), expected);
-  EXPECT_NE(html.find("7 of 54 listed designs and known routings have schematics"),
+  EXPECT_NE(html.find("8 of 54 listed designs and known routings have schematics"),
             std::string::npos);
   EXPECT_NE(html.find("with --details 54 it has all"), std::string::npos);
+}
+
+// Words of what is drawn in the first grasp alone stand in chunks of their own, behind the others.
+TEST(ExplorationPage, DrawsFurtherDesignsInTheFirstGraspUnlessItIsSaidHowMany) {
+  const ExploreReport report = explored(small_options(3));
+  ExplorationView view = testing::view(report);
+  const std::size_t whole = usual_schematics / 4;
+  const std::string html = exploration_page(view).html;
+  EXPECT_GT(detailed_words(html).size(), whole + 100);
+  EXPECT_NE(html.find("more their schematic in the first grasp"), std::string::npos);
+  view.details = whole;
+  const std::string asked = exploration_page(view).html;
+  EXPECT_LT(detailed_words(asked).size(), whole + 20);
+  EXPECT_EQ(asked.find("more their schematic in the first grasp"), std::string::npos);
+}
+
+TEST(ExplorationPage, BeginsWithTheFirstAndTheAffordableDesignBesideEachOther) {
+  const ExploreReport report = explored(small_options());
+  const std::string html = exploration_page(testing::view(report)).html;
+  const std::size_t answer = html.find("First: 1-P-2-P-1, and 2 more with other bearings");
+  const std::size_t first = html.find("id=\"slot-first-title\"");
+  const std::size_t affordable = html.find("id=\"slot-affordable-title\"");
+  const std::size_t ladder = html.find("<section id=\"ladder\">");
+  ASSERT_NE(affordable, std::string::npos);
+  EXPECT_LT(answer, first);
+  EXPECT_LT(first, affordable);
+  EXPECT_LT(affordable, ladder);
+  EXPECT_LT(ladder, html.find("id=\"plots\""));
+  EXPECT_NE(html.find("<h2>Fewest sheaths within 2 %</h2>\n<p class=\"word\">M-1b-B-2b-F</p>"),
+            std::string::npos);
+  const Json ladder_data = page_data(html)["ladder"];
+  EXPECT_EQ(ladder_data["affordable"], "M-1b-B-2b-F");
+  EXPECT_EQ(ladder_data["knee"], "F-1b-P-2b-F");
+}
+
+TEST(ExplorationPage, HasALineForDesignsThatAreAlike) {
+  const ExploreReport report = explored(small_options());
+  const std::string html = exploration_page(testing::view(report)).html;
+  EXPECT_NE(html.find("<th scope=\"row\" class=\"left\">1-P-2-P-1</th><td>+2</td>"),
+            std::string::npos);
+  EXPECT_EQ(html.find("<th scope=\"row\" class=\"left\">1-P-2b-P-1</th>"), std::string::npos);
+}
+
+// As in the terminal.
+TEST(ExplorationPage, WritesADashOfWhatThereIsNoneOf) {
+  ExploreReport report = explored(small_options());
+  for (ListedDesign& design : report.top) {
+    value_of(design, Objective::travel) = std::numeric_limits<double>::infinity();
+  }
+  const std::string html = exploration_page(testing::view(report)).html;
+  EXPECT_NE(html.find("<td>-</td>"), std::string::npos);
+  EXPECT_EQ(html.find("<td>inf"), std::string::npos);
+  EXPECT_EQ(html.find("travel inf"), std::string::npos);
 }
 
 // Schematics that no compression makes small.
@@ -184,6 +244,41 @@ TEST(PageDesigns, StandInColumnsOfOneLength) {
     EXPECT_EQ(columns["kind"][i], static_cast<int>(designs[i].kind));
     EXPECT_NEAR(columns["values"][2][i], designs[i].values[2], 1e-8);
   }
+}
+
+TEST(PageDesigns, NameTheDesignThatStandsForThem) {
+  const ExploreReport report = explored(small_options());
+  const std::vector<PageDesign> designs = page_designs(report, 1'000'000);
+  const Json same_as = design_columns(designs, {})["same_as"];
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < report.top.size(); ++i) {
+    const std::string& of = report.top[i].same_as;
+    if (of.empty()) {
+      EXPECT_EQ(same_as[i], -1) << designs[i].word;
+      continue;
+    }
+    ++alike;
+    EXPECT_EQ(designs[same_as[i].get<std::size_t>()].word, of);
+  }
+  EXPECT_GT(alike, 5U);
+}
+
+// A rung may lie beyond the list, and the page draws it all the same.
+TEST(PageDesigns, HoldTheLadder) {
+  ExploreOptions options = small_options();
+  options.top = 1;
+  options.references.clear();
+  ExploreReport report = explored(options);
+  report.result.sample.clear();
+  std::set<std::string> expected;
+  for (const ListedDesign& design : listed_designs(report)) {
+    expected.insert(design.ranked.design.word);
+  }
+  for (const ListedDesign& rung : report.ladder.rungs) expected.insert(rung.ranked.design.word);
+  std::set<std::string> words;
+  for (const PageDesign& design : page_designs(report, 1'000'000)) words.insert(design.word);
+  EXPECT_EQ(words, expected);
+  EXPECT_TRUE(words.contains("M-1b-B-2b-F"));
 }
 
 // The page's script fills in what a specification leaves out, so no data may stand in one.

@@ -100,6 +100,12 @@ TEST(RoutingPage, SaysWhatTheRoutingMakesOfAHand) {
   EXPECT_TRUE(shown.has("Motor force 65.8 N"));
   EXPECT_TRUE(shown.has("<p>The motor&apos;s force of 80 N is enough"));
   EXPECT_TRUE(shown.has(">motor force<"));
+  EXPECT_TRUE(
+      shown.has("<strong>Hand.</strong> finger 1: 2 joints, arms 11/8 mm, ranges 60/70 °, "
+                "levers 58/28 mm, springs 15/10 N mm/rad, slack at -15/-10 °, 10 N wanted "
+                "at the tip; other fingers: 3 joints, arms 10/8/6 mm"));
+  EXPECT_TRUE(
+      shown.has("motor: closes in 0.8 s, spool radius 8 mm, can pull 80 N, can travel 90 mm"));
   const Shown blocked(
       {"M-1-M+M-2-M+M-3-M", "--hardware", REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml"});
   EXPECT_TRUE(blocked.has("<p class=\"note\">No motor force is enough"));
@@ -109,6 +115,7 @@ TEST(RoutingPage, HasNoHandWhereTheHardwareHasNone) {
   const Shown shown({"TR5"});
   EXPECT_FALSE(shown.has("<h2>Hand</h2>"));
   EXPECT_FALSE(shown.has("fingertip force"));
+  EXPECT_FALSE(shown.has("class=\"hand\""));
 }
 
 }  // namespace

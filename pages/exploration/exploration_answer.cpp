@@ -1,0 +1,113 @@
+#include "pages/exploration/exploration_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/objective_title.hpp"
+#include "reports/decision/decision_words.hpp"
+#include "reports/results/data_text.hpp"
+#include "reports/sheet/text_table.hpp"
+
+namespace reeve::pages {
+namespace {
+
+const ListedDesign* knee(const ListedLadder& ladder) {
+  return ladder.ladder.knee ? &ladder.rungs[*ladder.ladder.knee] : nullptr;
+}
+
+// "uniformity mean 0.996, efficiency mean 0.322; 10 sheaths, 8 pulleys, 2 knots"
+std::string values_text(const ExploreReport& report, const ListedDesign& design) {
+  std::string text;
+  for (const Objective objective : report.options.order.objectives) {
+    const ObjectiveRow& about = row(objective);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", objective_title(about),
+                        fixed(value(design.ranked.design.values, objective), about.decimals));
+  }
+  constexpr std::pair<Objective, const char*> parts[] = {{Objective::sheaths, "sheath"},
+                                                         {Objective::pulleys, "pulley"},
+                                                         {Objective::knots, "knot"},
+                                                         {Objective::blocks, "floating block"}};
+  std::string counts;
+  for (const auto& [objective, noun] : parts) {
+    const auto count = static_cast<std::uint64_t>(value(design.ranked.design.values, objective));
+    if (count > 0) counts += fmt::format("{}{}", counts.empty() ? "; " : ", ", plural(count, noun));
+  }
+  return text + counts;
+}
+
+Json slot(const std::string& id, const std::string& heading, const ListedDesign& design,
+          const ExploreReport& report, const SolveDesign& solve) {
+  return {{"heading", heading},
+          {"label", design_name(design)},
+          {"values", values_text(report, design)},
+          {"svg", grasp_svg(solve(design.routing), 0, id)}};
+}
+
+Json word_or_null(const ListedDesign* design) {
+  return design == nullptr ? Json(nullptr) : Json(design->ranked.design.word);
+}
+
+}  // namespace
+
+Json answer_body(const ExploreReport& report, const SolveDesign& solve) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  Json body{{"answer", Json::array()}, {"slots", Json::array()}};
+  for (const SheetLine& line : answer_lines(listed, report.ladder)) {
+    body["answer"].push_back(line.text + ".");
+  }
+  if (listed.empty()) return body;
+  body["slots"].push_back(slot("slot-first", "First", listed.front(), report, solve));
+  if (report.ladder.affordable) {
+    const std::string heading = advised_text(report.ladder.ladder.options);
+    body["slots"].push_back(
+        slot("slot-affordable", heading, *report.ladder.affordable, report, solve));
+  }
+  return body;
+}
+
+std::vector<AdvisedDesign> advised_designs(const ExploreReport& report) {
+  const ListedLadder& ladder = report.ladder;
+  std::vector<AdvisedDesign> designs;
+  if (ladder.affordable) {
+    designs.push_back({ladder.affordable->ranked.design.word, within_text(ladder.ladder.options)});
+  }
+  if (const ListedDesign* bend = knee(ladder)) {
+    const std::string& word = bend->ranked.design.word;
+    if (!designs.empty() && designs.front().word == word) {
+      designs.front().label += ", knee";
+    } else {
+      designs.push_back({word, "knee"});
+    }
+  }
+  return designs;
+}
+
+Json ladder_marks(const ExploreReport& report) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  const ListedLadder& ladder = report.ladder;
+  Json advised = Json::array();
+  for (const AdvisedDesign& design : advised_designs(report)) {
+    advised.push_back({{"word", design.word}, {"label", design.label}});
+  }
+  return {{"first", word_or_null(listed.empty() ? nullptr : &listed.front())},
+          {"affordable", word_or_null(ladder.affordable ? &*ladder.affordable : nullptr)},
+          {"knee", word_or_null(knee(ladder))},
+          {"heading", advised_text(ladder.ladder.options)},
+          {"advised", std::move(advised)}};
+}
+
+std::vector<const Routing*> ladder_routings(const ExploreReport& report) {
+  std::vector<const Routing*> routings;
+  std::set<std::string> held;
+  const auto add = [&](const ListedDesign& design) {
+    if (held.insert(design.ranked.design.word).second) routings.push_back(&design.routing);
+  };
+  if (!listed_designs(report).empty()) add(listed_designs(report).front());
+  if (report.ladder.affordable) add(*report.ladder.affordable);
+  for (const ListedDesign& rung : report.ladder.rungs) add(rung);
+  return routings;
+}
+
+}  // namespace reeve::pages

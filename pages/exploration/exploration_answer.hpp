@@ -1,0 +1,31 @@
+// The answer of an exploration, with which its page begins: the first design and the affordable one
+// in a few words, each with its drawing beside the other's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/exploration/exploration_details.hpp"
+#include "reports/json.hpp"
+#include "reports/results/explore_report.hpp"
+
+namespace reeve::pages {
+
+// For exploration.mustache: "answer", lines; "slots", the drawings. Empty if no design is left.
+Json answer_body(const ExploreReport& report, const SolveDesign& solve);
+
+// What the script needs of the ladder: words of "first", "affordable" and "knee", or null;
+// "heading", what the affordable design is: "Fewest sheaths within 2 %"; "advised", the designs
+// that plots mark.
+Json ladder_marks(const ExploreReport& report);
+
+struct AdvisedDesign {
+  std::string word;
+  std::string label;  // "within 2 %", "knee", or both
+};
+std::vector<AdvisedDesign> advised_designs(const ExploreReport& report);
+
+// The designs that the answer names and then the other rungs, each once.
+std::vector<const Routing*> ladder_routings(const ExploreReport& report);
+
+}  // namespace reeve::pages
