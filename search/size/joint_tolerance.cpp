@@ -153,11 +153,11 @@ class Shrinking {
 }  // namespace
 
 JointTolerance joint_tolerance(const SizingProblem& problem, const Goal& goal, const Point& point,
-                               const std::vector<Sensitivity>& alone, std::uint64_t seed) {
+                               const std::vector<Sensitivity>& alone, std::uint64_t drawn_by) {
   JointTolerance result;
   if (point.empty()) return result;
   const ToleranceBox box(problem, goal, point, alone);
-  Shrinking shrinking(box, seed);
+  Shrinking shrinking(box, drawn_by);
   shrinking.run();
   result.factor = shrinking.factor();
   for (const JointTolerance::Ways& ways : box.ways()) {

@@ -48,8 +48,8 @@ TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
     arguments.insert(arguments.end(), {"--format", format});
     return printed(arguments);
   };
-  EXPECT_TRUE(
-      has(in("table"), "\nrouting    uniformity, worst  rank\n1-P-2-P-1              0.997     1\n"))
+  EXPECT_TRUE(has(in("table"),
+                  "\nrouting    uniformity, worst  rank\n1-P-2-P-1              0.997     1\n"))
       << in("table");
   EXPECT_TRUE(has(in("markdown"), "| routing   | uniformity, worst | rank |\n"));
   EXPECT_EQ(count(in("latex"), "\\begin{tabular}{lrr}"), 1U);

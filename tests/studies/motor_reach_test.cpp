@@ -63,6 +63,20 @@ TEST(ForceReach, IsNothingWhereAFingerCannotCloseAgainstItsSprings) {
   EXPECT_GT(hand.force_reach->weakest, 0);
 }
 
+// It holds half closed, where its spring asks for little, and cannot close whole.
+TEST(ForceReach, CountsThatAFingerThatIsNotHeldMustClose) {
+  FingerParts stiff = simple_finger(10, 90, 50, 1);
+  stiff.joints[0].spring_Nmm_rad = 100;
+  stiff.joints[0].held_deg = 0;
+  Hardware hardware = with_motor(hand_of({simple_finger(10, 90, 50, 1), stiff}), 20, 60);
+  const ShownHand hand = reach_of("M-1-P-2-M", hardware);
+  EXPECT_EQ(hand.force_reach->share, 0);
+  EXPECT_EQ(hand.force_reach->weakest, 2);
+  EXPECT_FALSE(hand.force_reach->grasp.holds(2));
+  hardware.motor.force_N = 2000;
+  EXPECT_GT(reach_of("M-1-P-2-M", hardware).force_reach->share, 1);
+}
+
 TEST(ForceReach, HasNoWeakestFingerWhereNoneWantsAForce) {
   const Hardware hardware =
       with_motor(hand_of({simple_finger(8, 90, 60, 0), simple_finger(8, 90, 60, 0)}), 20, 60);
