@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -42,7 +43,10 @@ bool is_of_memory(const std::type_info* type) {
          *type == typeid(std::bad_array_new_length);
 }
 
+// Several threads may come here at once, and one of them speaks.
 [[noreturn]] void end() {
+  static std::atomic_flag is_said = ATOMIC_FLAG_INIT;
+  while (is_said.test_and_set()) ::pause();
   const std::type_info* type = abi::__cxa_current_exception_type();
   if (is_of_memory(type)) {
     complain_of_memory();

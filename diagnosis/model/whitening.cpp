@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <utility>
 
 #include "numerics/random.hpp"
@@ -29,10 +30,14 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
 }
 
 void whiten(const Whitening& whitening, Eigen::Ref<VectorXd> residuals) {
-  VectorXd own;
+  std::size_t most = 0;
+  for (const SharedScatter& shared : whitening) most = std::max(most, shared.cells.size());
+  // One allocation. (Where there is no memory for a vector's new size, Eigen frees the old one
+  // twice.)
+  VectorXd memory(static_cast<Index>(most));
   for (const SharedScatter& shared : whitening) {
     if (shared.shrunk.size() == 0) continue;
-    own.resize(static_cast<Index>(shared.cells.size()));
+    auto own = memory.head(static_cast<Index>(shared.cells.size()));
     for (Index i = 0; i < own.size(); ++i) {
       own[i] = residuals[shared.cells[static_cast<std::size_t>(i)]];
     }

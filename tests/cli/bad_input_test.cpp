@@ -108,12 +108,12 @@ TEST(BadArgument, OfAnyLengthIsShortened) {
     std::string endless;
     while (endless.size() < 100'000) endless += piece;
     expect_all_bad({
-        {{"show", endless}, " bytes … ", {}},
+        {{"show", endless}, "characters, at most 4096 are read", {}},
+        {{"show", "TR1", "--out", endless}, " bytes … ", {}},
         explore({"--constraint", endless}, " bytes … "),
         explore({"--grasps", endless}, " bytes … "),
         explore({"--fingers", endless}, " bytes … "),
         explore({"--hardware", endless}, ""),
-        explore({"--out", endless}, " bytes … "),
         explore({"--" + endless}, " bytes … "),
         {{endless}, " bytes … ", {}},
     });

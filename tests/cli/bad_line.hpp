@@ -65,7 +65,7 @@ inline void fill(const TemporaryFolder& folder) {
   const std::string long_name(10000, 'A');
   folder.write("run.csv", "run,routing,motor_tension_N,T1_N\n" + long_name + ",TR1,20,6\n");
   folder.write("name_of_column.csv", "run,routing,T1_N," + long_name + "\nA,TR1,20,6\n");
-  folder.write("log_run.csv", "t,run,T1_N\n0," + long_name + ",6\n");
+  folder.write("log_run.csv", "t,run,T1_N,T2_N\n0," + long_name + ",6,6\n");
   folder.write("nan.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,nan\n");
   folder.write("column.csv", "run,routing,motor_tension_N,t0_N\nA,TR1,20,6\n");
   folder.write("name.csv", "run,routing,T1_N\nA,TR9,1\n");
