@@ -140,7 +140,7 @@ TEST(KeysOfRank, AddADistributionWithUncertainty) {
             "first_share median p5 p95 first_shared");
   EXPECT_EQ(keys(json["designs"][0]["bands"]),
             "uniformity_mean uniformity_worst efficiency_mean efficiency_worst force_transmission "
-            "return_friction adaptability torsional_balance reliability authors_efficiency "
+            "round_trip_efficiency adaptability torsional_balance reliability authors_efficiency "
             "transmission score finger_uniformity_mean finger_uniformity_worst");
   EXPECT_EQ(keys(json["designs"][0]["bands"]["score"]), "median p5 p95");
   EXPECT_EQ(keys(json["settings"]["uncertainty"]),

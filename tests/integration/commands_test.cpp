@@ -135,12 +135,14 @@ TEST(Version, NamesReleaseAndCommit) {
 TEST(Help, MentionsEveryOption) {
   const Arguments generator{"--fingers", "--parts",    "--tips",   "--joins",
                             "--ends",    "--anchored", "--blocks", "--distinct-fingers"};
-  const Arguments ranking{"--grasps", "--objectives", "--score",    "--uncertainty", "--draws",
-                          "--seed",   "--threads",    "--hardware", "--model",       "--format",
-                          "--ladder", "--within",     "--cost",     "--sweep"};
+  const Arguments ranking{"--grasps", "--objectives", "--score",   "--uncertainty",
+                          "--draws",  "--seed",       "--threads", "--hardware",
+                          "--model",  "--format",     "--ladder",  "--within",
+                          "--cost",   "--sweep",      "--columns", "--text-width"};
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
-       {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--format"}},
+       {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--cost",
+        "--format"}},
       {"rank",
        {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data", "--mu",
         "--map", "--unit", "--group"}},
@@ -152,13 +154,13 @@ TEST(Help, MentionsEveryOption) {
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
         "--explore", "--out", "--save-model", "--map", "--unit", "--group", "--mounting-scatter",
-        "--as-readings", "--format"}},
-      {"simulate", {"--routings",      "--grasps",         "--directions",     "--channels",
-                    "--motor-tension", "--speed",          "--cycles",         "--temperature",
-                    "--sheath-angle",  "--noise-relative", "--noise-absolute", "--runs",
-                    "--rows",          "--repeats",        "--cause",          "--set",
-                    "--power",         "--hardware",       "--seed",           "--format",
-                    "-o,--output"}}};
+        "--as-readings", "--noise", "--exact", "--format"}},
+      {"simulate",
+       {"--routings",       "--grasps",      "--directions",  "--channels",     "--motor-tension",
+        "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",
+        "--noise-absolute", "--noise-motor", "--runs",        "--rows",         "--repeats",
+        "--cause",          "--set",         "--power",       "--hardware",     "--seed",
+        "--format",         "-o,--output"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());
