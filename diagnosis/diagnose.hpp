@@ -130,9 +130,9 @@ struct DiagnosisResult {
   std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;         // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
-  double p_value = 1;            // that chance alone gives what the best cause gains
+  double p_value = 1;                     // that chance alone gives what the best cause gains
   std::optional<RowScatter> row_scatter;  // by the training runs, beside the model
-  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
+  double structure_p_value = 1;           // that it gives the strongest of `structure`, family-wise
   Noise noise;
   MountingScatter mounting;
   Model model;  // the extended one

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "cli/commands/commands.hpp"
+#include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "cli/reading_flags.hpp"
 #include "reports/files.hpp"
 #include "reports/results/compare_report.hpp"
 #include "studies/comparison_study.hpp"

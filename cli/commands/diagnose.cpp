@@ -11,10 +11,10 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "cli/reading_flags.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "diagnosis/data/csv.hpp"

@@ -4,9 +4,9 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/ladder_flags.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
-#include "cli/ladder_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"

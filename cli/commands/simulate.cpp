@@ -9,7 +9,7 @@
 
 #include "causes/named_effect.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/experiment_flags.hpp"
+#include "cli/flags/experiment_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"

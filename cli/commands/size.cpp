@@ -8,11 +8,11 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/table_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
-#include "cli/table_flags.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"

@@ -1,7 +1,8 @@
-// Whether the readings of a row go together, as they do where the motor tension is not what it reads.
+// Whether the readings of a row go together, as they do where the motor tension is not what it
+// reads.
 //
-// With s = dm/dT_M T_M / sd of a row's readings, e their residuals, a motor tension that is off by a
-// share of standard deviation τ from row to row leaves
+// With s = dm/dT_M T_M / sd of a row's readings, e their residuals, a motor tension that is off by
+// a share of standard deviation τ from row to row leaves
 //
 //   z = s·e / |s|,   z ~ N(0, 1 + τ² |s|²)
 //

@@ -1,4 +1,4 @@
-#include "cli/ladder_flags.hpp"
+#include "cli/flags/ladder_flags.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cli/sweep_flags.hpp"
+#include "cli/flags/sweep_flags.hpp"
 
 #include "cli/inputs.hpp"
 

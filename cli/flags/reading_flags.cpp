@@ -1,4 +1,4 @@
-#include "cli/reading_flags.hpp"
+#include "cli/flags/reading_flags.hpp"
 
 #include "cli/inputs.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/table_flags.hpp"
+#include "cli/flags/table_flags.hpp"
 
 #include <array>
 #include <charconv>

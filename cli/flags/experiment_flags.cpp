@@ -1,4 +1,4 @@
-#include "cli/experiment_flags.hpp"
+#include "cli/flags/experiment_flags.hpp"
 
 #include <fmt/format.h>
 
