@@ -26,6 +26,7 @@
 
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/model/forecast.hpp"
+#include "diagnosis/model/scatter_samples.hpp"
 
 namespace reeve::diagnosis {
 
@@ -50,15 +51,6 @@ struct Noise {
   double deviation(double tension_N) const;
 };
 
-// A reading less what it scatters about, and which part of its variance is left in that.
-struct ScatterSample {
-  double level_N = 0;
-  double residual_N = 0;
-  double kept = 1;
-  double motor_variance_N2 = 0;  // of what its row's motor tension is known to bring
-  std::size_t row = 0;           // in the dataset
-};
-
 // sd of each cell at what a model expects it to read, and not less than what the file says of it
 // (the standard error of an average); where the reading is far from that, at the
 // reading. (Always at the reading would be worse: readings that chance made small would weigh more
@@ -73,8 +65,5 @@ std::optional<Noise> noise_of_samples(const Dataset& dataset, std::vector<Scatte
 // From what a model with so many fitted parameters leaves.
 Noise noise_of_residuals(const Dataset& dataset, const Forecast& at,
                          const Eigen::VectorXd& residual_N, double parameters);
-
-// N², of a cell at this forecast: what its motor tension is known to bring.
-double motor_variance(const DatasetRow& row, double by_scale);
 
 }  // namespace reeve::diagnosis

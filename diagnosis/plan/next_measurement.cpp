@@ -42,21 +42,21 @@ std::optional<std::size_t> column_of(const MeasuredData& data, const Segment& se
   return static_cast<std::size_t>(found - data.channels.begin());
 }
 
-struct Levels {
+struct TriedLevels {
   std::vector<double> values;
   bool measured = false;  // the data have the column
 };
 
 // The least, the middle and the greatest that were measured, and what a rig could do beyond.
 template <typename Value>
-Levels levels(const MeasuredData& data, Value value, const std::vector<double>& beyond) {
+TriedLevels levels(const MeasuredData& data, Value value, const std::vector<double>& beyond) {
   std::vector<double> seen;
   for (const Reading& reading : data.readings) {
     if (const auto given = value(reading)) seen.push_back(*given);
   }
   if (seen.empty()) return {};
   std::sort(seen.begin(), seen.end());
-  Levels result{{seen[seen.size() / 2], seen.front(), seen.back()}, true};
+  TriedLevels result{{seen[seen.size() / 2], seen.front(), seen.back()}, true};
   result.values.insert(result.values.end(), beyond.begin(), beyond.end());
   std::vector<double> once;
   for (const double x : result.values) {
@@ -94,7 +94,7 @@ class Measurements {
   }
 
  private:
-  static void vary(Conditions at, double Conditions::*what, const Levels& levels,
+  static void vary(Conditions at, double Conditions::*what, const TriedLevels& levels,
                    const std::function<void(const Conditions&)>& use) {
     for (std::size_t i = 1; i < levels.values.size(); ++i) {
       at.*what = levels.values[i];
@@ -102,7 +102,7 @@ class Measurements {
     }
   }
 
-  Levels load_, speed_, cycle_, temperature_;
+  TriedLevels load_, speed_, cycle_, temperature_;
 };
 
 // Readings of all strands and of the channels that the data have.

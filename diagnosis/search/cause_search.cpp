@@ -17,7 +17,7 @@ constexpr std::size_t most_contenders = 10;
 constexpr std::size_t most_rivals = 6;
 // Times what chance gains at most when mountings are drawn to second order: what they do beyond it
 // was seen to gain ten times as much.
-constexpr double far_beyond = 30;
+constexpr double beyond_chance = 30;
 constexpr double least_advantage = 0.5;  // in log-likelihood, to take another cause's place
 
 class Search {
@@ -79,7 +79,7 @@ class Search {
     const double alpha = result_.accepted.empty() ? options_.alpha : options_.further_alpha;
     judge(observed, alpha, greatest);
     if (result_.p_value_of_next <= alpha && !problem_.shared.empty() &&
-        observed < far_beyond * greatest.back()) {
+        observed < beyond_chance * greatest.back()) {
       const MountedDraws mounted(*problem_.dataset, result_.model, mounting_);
       greatest = greatest_by_chance(outlook, &mounted);
       judge(observed, alpha, greatest);

@@ -15,35 +15,36 @@ constexpr std::size_t draws = 1000;
 constexpr std::size_t enough_held_out_runs = 5;
 
 // What one run contributes, or one reading.
-struct Unit {
+struct Contribution {
   double before = 0;  // Σ of squared residuals, N²
   double after = 0;
   double cells = 0;
   double gain = 0;  // in log-likelihood
 };
 
-void add(Unit& sum, const Unit& unit, double weight = 1) {
+void add(Contribution& sum, const Contribution& unit, double weight = 1) {
   sum.before += weight * unit.before;
   sum.after += weight * unit.after;
   sum.cells += weight * unit.cells;
   sum.gain += weight * unit.gain;
 }
 
-double reduction(const Unit& sum) {
+double reduction(const Contribution& sum) {
   return sum.before > 0 ? 1 - std::sqrt(sum.after / sum.before) : 0;
 }
 
 // Errors in newton are the readings' own; the likelihood knows what a mounting shares.
-std::vector<Unit> units(const Problem& problem, const Forecast& first, const Forecast& second) {
+std::vector<Contribution> units(const Problem& problem, const Forecast& first,
+                                const Forecast& second) {
   const Eigen::VectorXd before = own_residuals(problem, first);
   const Eigen::VectorXd after = own_residuals(problem, second);
   const Eigen::VectorXd likely_before = residuals(problem, first);
   const Eigen::VectorXd likely_after = residuals(problem, second);
   const Dataset& dataset = *problem.dataset;
-  std::map<std::size_t, Unit> by_run;
-  std::vector<Unit> by_row;
+  std::map<std::size_t, Contribution> by_run;
+  std::vector<Contribution> by_row;
   for (const DatasetRow& row : dataset.rows) {
-    Unit unit;
+    Contribution unit;
     for (std::size_t i = row.first; i < row.last; ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       const double sd = problem.deviation_N[k];
@@ -56,7 +57,7 @@ std::vector<Unit> units(const Problem& problem, const Forecast& first, const For
     add(by_run[dataset.data->readings[row.reading].run], unit);
   }
   if (by_run.size() < enough_held_out_runs) return by_row;
-  std::vector<Unit> result;
+  std::vector<Contribution> result;
   for (const auto& [run, unit] : by_run) result.push_back(unit);
   return result;
 }
@@ -72,9 +73,9 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
                       std::uint64_t seed) {
   const Forecast first = forecast(*held_out.dataset, before);
   const Forecast second = forecast(*held_out.dataset, after);
-  const std::vector<Unit> all = units(held_out, first, second);
-  Unit sum;
-  for (const Unit& unit : all) add(sum, unit);
+  const std::vector<Contribution> all = units(held_out, first, second);
+  Contribution sum;
+  for (const Contribution& unit : all) add(sum, unit);
   HeldOut result;
   result.rms_before_N = std::sqrt(sum.before / sum.cells);
   result.rms_after_N = std::sqrt(sum.after / sum.cells);
@@ -83,7 +84,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   result.expected_gain = difference(held_out, second, first).squaredNorm() / 2;
   std::vector<double> reductions, gains;
   for (std::size_t d = 0; d < draws; ++d) {
-    Unit drawn;
+    Contribution drawn;
     double weights = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double weight = -std::log1p(-uniform(seed, streams::resampling, d * all.size() + i));

@@ -24,7 +24,7 @@ export const openExploration = (browser, options) =>
 // The designs that are drawn, with all that the chart holds of each.
 export async function drawn(page) {
   const data = await page
-    .locator("#pareto .live .layer_1_marks > path")
+    .locator("#pareto .live .designs_marks > path")
     .evaluateAll((paths) => paths.map((path) => path.__data__.datum));
   return data.map(({ x, y, kind, tip }) => {
     const [label] = tip.split("\n");

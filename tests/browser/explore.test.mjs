@@ -156,7 +156,7 @@ describe("explore: the plot", () => {
     await filterBy(page, { which: "known" });
     const word = "M-1-T-2-F";
     const at = (await drawn(page)).findIndex((mark) => mark.word === word);
-    await page.locator("#pareto .live .layer_1_marks > path").nth(at).click();
+    await page.locator("#pareto .live .designs_marks > path").nth(at).click();
     const shown = card(page, word);
     await shown.locator("figure.schematic svg").waitFor();
     assert.equal(await page.locator(".card").count(), 1);
@@ -176,7 +176,7 @@ describe("explore: the plot", () => {
     await filterBy(page, { which: "known" });
     const word = "M-1-P-2-M";
     const at = (await drawn(page)).findIndex((mark) => mark.word === word);
-    await page.locator("#pareto .live .layer_1_marks > path").nth(at).click();
+    await page.locator("#pareto .live .designs_marks > path").nth(at).click();
     await card(page, word).locator("figure.schematic svg").waitFor();
     await settled(page);
     const places = await page.locator(".card").evaluateAll((cards) =>
@@ -207,7 +207,7 @@ describe("explore: the plot", () => {
     const count = (await drawn(page)).length;
     const svg = await saved(page, saveButton(page.locator("#pareto"), "SVG"));
     const text = svg.bytes.toString("utf8");
-    assert.equal(await countInSvg(page, text, ".layer_1_marks > path"), count);
+    assert.equal(await countInSvg(page, text, ".designs_marks > path"), count);
     const png = await saved(page, saveButton(page.locator("#pareto"), "PNG"));
     assert.ok(pngSize(png.bytes).width > 1000 && pngSize(png.bytes).height > 1000);
   });

@@ -126,7 +126,7 @@ describe("explore: the panel", () => {
 
   test("a mark that is pointed at stands in it", async () => {
     await filterBy(page, { which: "known" });
-    const marks = page.locator("#pareto .live .layer_1_marks > path");
+    const marks = page.locator("#pareto .live .designs_marks > path");
     const words = await marks.evaluateAll((all) => all.map((one) => one.__data__.datum.tip.split("\n")[0].split(": ").pop()));
     const at = words.indexOf("M-1-T-2-F");
     await marks.nth(at).hover();
