@@ -9,6 +9,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/table_flags.hpp"
+#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
@@ -144,6 +145,11 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   options.goal = for_name("--", [&] {
     return targeted ? parse_target(flags.target, fingers) : parse_goal(flags.goal);
   });
+  const std::vector<Objective>& factors = options.goal.factors;
+  require_hand_for("--goal", factors, options.nominal.hardware);
+  if (std::find(factors.begin(), factors.end(), Objective::score) != factors.end()) {
+    require_hand_for("--score", options.score, options.nominal.hardware);
+  }
   read_bounds(flags, file.vary, options);
   return options;
 }

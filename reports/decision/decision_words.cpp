@@ -69,6 +69,11 @@ std::string values_text(const ListedLadder& ladder, const ObjectiveValues& value
     if (objective == by) continue;
     text += ", " + change_text(objective, values, ladder.ladder.first.values);
   }
+  // Nobody ranks by it, and nobody wants less than all.
+  const double closure = value(values, Objective::closure);
+  if (has_hand(values) && closure < 1) {
+    text += fmt::format(", the hand closes to {} of its range only", percent(closure));
+  }
   return text;
 }
 
@@ -185,11 +190,12 @@ std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreR
     }
   }
   if (!alone.empty() || result.unmet.empty()) return alone;
-  together.insert(together.begin(),
-                  {fmt::format("Each of these constraints is met by some design, but all {} by "
-                               "none",
-                               result.unmet.size()),
-                   true});
+  together.insert(
+      together.begin(),
+      {fmt::format("Each of these constraints is met by some design, but {} by none",
+                   result.unmet.size() == 2 ? std::string("both")
+                                            : fmt::format("all {}", result.unmet.size())),
+       true});
   return together;
 }
 

@@ -95,11 +95,12 @@ void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
 }
 
 void add_limit_line(const char* what, const char* unit, double asked,
-                    const std::optional<double>& limit, std::vector<SheetLine>& lines) {
+                    const std::optional<double>& limit, const char* where_enough,
+                    std::vector<SheetLine>& lines) {
   if (!limit) return;
   const bool enough = asked <= *limit;
   lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
-                               *limit, unit, enough ? "enough" : "not enough",
+                               *limit, unit, enough ? where_enough : "not enough",
                                percent(asked / *limit), enough ? "are" : "would be"),
                    !enough});
 }
@@ -218,8 +219,10 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   std::vector<SheetLine> lines;
   add_force_lines(hand.demand, lines);
   add_motion_lines(hand, lines);
-  add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, lines);
-  add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm, lines);
+  add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, "enough", lines);
+  add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm,
+                 hand.demand.closure < 1 ? "enough for as far as the hand closes" : "enough",
+                 lines);
   add_reach_lines(hand, lines);
   return {
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"

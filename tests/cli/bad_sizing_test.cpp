@@ -32,6 +32,11 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
                "--vary 'sheath_angle[2]=1..4': expected dimensions of M-1-T-2-F: sheath_angle[1]"),
       varied({"--vary", "tip_angle=1..3"},
              "--vary 'tip_angle=1..3': what --vary 'tip_angle=1..4' varies is varied again"),
+      varied({"--goal", "motor_force"},
+             "--goal: motor_force needs a hand; expected the joints of its fingers in the file of "
+             "--hardware or --model"),
+      varied({"--goal", "score", "--score", "closure=1"},
+             "--score: closure needs a hand; expected"),
       varied({"--same", "sheaths"}, "--same 'sheaths': expected dimensions that are varied"),
       varied({"--same", "thumbs"}, "--same 'thumbs': expected tips, sheaths, strands"),
       size_tr1({"--vary", "sheath_angle=1..50"},

@@ -124,7 +124,7 @@ TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
   const Explored explored(
       {"--fingers", "2", "--constraint", "sheaths<=1", "--constraint", "uniformity>=0.994"});
   EXPECT_EQ(explored.result.exit_code, 1);
-  EXPECT_TRUE(says(explored.result, "all 2 by none\n"));
+  EXPECT_TRUE(says(explored.result, "both by none\n"));
   EXPECT_TRUE(says(explored.result, "Of the designs that meet all but sheaths<=1, the least is 2"));
 }
 

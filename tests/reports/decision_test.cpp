@@ -146,7 +146,7 @@ TEST(UnmetLines, SayWhatGivesWayWhereOnlyAllTogetherAreTooMuch) {
   EXPECT_EQ(unmet_text({"sheaths<=1", "uniformity>=0.99"},
                        {{true, {2, std::nullopt}, {3, std::nullopt}},
                         {true, {std::nullopt, 0.98}, {std::nullopt, 0.97}}}),
-            "Each of these constraints is met by some design, but all 2 by none\n"
+            "Each of these constraints is met by some design, but both by none\n"
             "Of the designs that meet all but sheaths<=1, the least is 3\n"
             "Of the designs that meet all but uniformity>=0.99, the greatest is 0.97\n");
 }
