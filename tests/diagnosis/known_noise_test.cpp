@@ -120,7 +120,8 @@ TEST(KnownNoise, OfTheMotorTensionIsSharedByTheRow) {
   covariance.diagonal() += deviation.cwiseAbs2();
   EXPECT_NEAR(own_residuals(rig, at).squaredNorm(), left.dot(covariance.ldlt().solve(left)), 1e-9);
   // Replicates scatter alike: each is a χ² of six.
-  const NullModel null(rig, Projection(rig, {}, at), at, 3, 2000);
+  const Projection projection(rig, {}, at);
+  const NullModel null(rig, projection, at, 3, 2000);
   double sum = 0;
   Workers workers(1);
   std::vector<double> squares(2000);
