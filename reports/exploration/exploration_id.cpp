@@ -57,7 +57,7 @@ std::string whole_exploration_id(const ExploreReport& report) {
 }
 
 std::string exploration_id(const ExploreReport& report) {
-  const std::string whole = whole_exploration_id(report);
+  std::string whole = whole_exploration_id(report);
   const Shard& shard = report.options.shard;
   const ExploreResult& result = report.result;
   if (shard.count == 1 && !result.partial && !report.draws_stopped) return whole;
