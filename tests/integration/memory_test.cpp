@@ -45,6 +45,7 @@ struct Starved {
 class OutOfMemory : public ::testing::TestWithParam<Starved> {
  protected:
   void SetUp() override {
+    // It would be asked past the failing malloc; the release build runs these tests.
     if (has_sanitizer()) GTEST_SKIP() << "sanitizers have an allocator of their own";
     run({});
     ASSERT_EQ(result_.exit_code, 0) << result_.err;
@@ -113,6 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // As `ulimit -v` has it.
 TEST(MemoryLimit, IsSaidToBeReached) {
+  // Terabytes of address space, so that nothing would start; the release build runs this test.
   if (has_sanitizer()) GTEST_SKIP() << "sanitizers reserve more than any limit";
   int starved = 0;
   for (int limit_kB = 20000; limit_kB <= 80000; limit_kB += 3000) {

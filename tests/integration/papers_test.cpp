@@ -82,6 +82,8 @@ TEST(TablesForPapers, OfCharactersFitIntoThem) {
 
 // With the LaTeX of Debian's texlive-latex-recommended, where it is installed.
 TEST(TablesForPapers, AreTypesetWithinTheColumn) {
+  // Some hundred megabytes for one test: nothing of ours installs it. Widths are tested without it
+  // in tests/reports/latex_table_test.cpp.
   if (run_process({"pdflatex", "--version"}).exit_code != 0) {
     GTEST_SKIP() << "no pdflatex: texlive-latex-recommended has it, and booktabs";
   }

@@ -116,6 +116,7 @@ TEST(WritingAFile, KeepsThePermissionsOfAnOlderOne) {
 }
 
 TEST(WritingAFile, RefusesOneThatMayNotBeWritten) {
+  // Who is not root sees it; as root, that a full device is refused (streams_test.cpp) tells alike.
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("file", "old");
