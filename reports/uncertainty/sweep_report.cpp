@@ -73,7 +73,8 @@ Table sweep_table(const SweptDesigns& swept, std::size_t objective) {
     table.columns.push_back(number_column(swept_name(swept.designs[i])));
   }
   const int digits = digits_of(sweep);
-  const int decimals = decimals_of(swept, objective, sweep.at.size() / rows_between);
+  const int decimals =
+      decimals_of(swept, objective, (sweep.at.size() + rows_between - 1) / rows_between);
   for (std::size_t k = 0; k < sweep.at.size(); k += rows_between) {
     std::vector<std::string> cells{coefficient_text(sweep.at[k], digits)};
     for (std::size_t i = 0; i < shown; ++i) {

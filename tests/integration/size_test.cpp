@@ -59,8 +59,8 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
   const std::string file = (sized.folder.path() / "hand.toml").string();
   const ProcessResult shown = reeve({"show", "TR1", "--hardware", file});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
-  sized.run({"TR1", "--vary", "closing[2]=0.5..2", "--goal", "travel", "--nominal", "--starts", "1",
-             "--save-hardware", "c.toml"});
+  sized.run({"TR1", "--vary", "closing[2]=0.5..2", "--goal", "round_trip_efficiency", "--nominal",
+             "--starts", "1", "--save-hardware", "c.toml"});
   const std::string closes = read_text(sized.folder.path() / "c.toml");
   EXPECT_EQ(closes.find("closing"), closes.rfind("closing"));
   EXPECT_NE(closes.find("[finger.2]\nclosing"), std::string::npos) << closes;

@@ -137,7 +137,7 @@ TEST(UnmetLines, SayTheLeastOrTheGreatest) {
   EXPECT_EQ(unmet_text({"uniformity>=1"}, {{false, {std::nullopt, 0.9}, {std::nullopt, 0.9}}}),
             "No design meets uniformity>=1: the greatest is 0.9\n");
   EXPECT_EQ(unmet_text({"travel==3"}, {{false, {4, 2}, {4, 2}}}),
-            "No design meets travel==3: the nearest are 2 and 4\n");
+            "No design meets travel==3: the nearest are 2 and 4 mm/mm\n");
   EXPECT_EQ(unmet_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
             "No design meets sheaths==9: the nearest is 4\n");
 }
