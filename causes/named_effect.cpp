@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
 
 #include "causes/library.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve::causes {
 namespace {
@@ -81,11 +81,9 @@ std::vector<Subject> subjects_named(const std::string& name, const Cause& cause,
 
 double number_of(const Setting& setting, const Parameter& parameter) {
   const std::string& text = setting.value;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc{} && end == text.data() + text.size();
+  const auto value = number_in(text);
   const Range range = valid_range(parameter);
-  if (is_number && value >= range.low && value <= range.high) return value;
+  if (value && *value >= range.low && *value <= range.high) return *value;
   throw InputError({.what = setting.key,
                     .value = text,
                     .expected = fmt::format("a number from {} to {}", range.low, range.high),

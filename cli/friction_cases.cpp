@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <limits>
 #include <set>
 #include <sstream>
 
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -18,14 +17,13 @@ constexpr std::size_t most_cases = 6;
 
 FrictionCase read_case(const std::string& item, const Model& model) {
   if (item == "model") return {FrictionKind::model, model};
-  double mu = std::numeric_limits<double>::quiet_NaN();
-  const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), mu);
-  if (error != std::errc{} || end != item.data() + item.size() || !(mu >= 0 && mu <= greatest_mu)) {
+  const auto mu = number_in(item);
+  if (!mu || *mu < 0 || *mu > greatest_mu) {
     throw InputError(
         {.value = item,
          .expected = "friction coefficients from 0 to 1, or 'model', such as 0.18,0.09,model"});
   }
-  FrictionCase result = with_coefficient(model, mu);
+  FrictionCase result = with_coefficient(model, *mu);
   validate(effective_hardware(result.model));
   return result;
 }

@@ -63,7 +63,9 @@ int run(int argc, char** argv) {
   add_merge(program, exit_code);
   refuse_leading_zeros(program);
   core::set_waiting_notice(say_what_is_waited_for);
-  program.footer("Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted.");
+  program.footer(
+      "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
+      "standard output cannot be written, not enough memory, or an internal error.");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -35,7 +35,7 @@ struct FingerHardware {
   std::optional<double> strand_mm;
   // Share of the tendon that this finger takes when it closes, relative to the others. Fingers with
   // joints take shares by their excursions instead.
-  double closing = 1;
+  std::optional<double> closing;  // 1 unless given
   FingerParts parts{};
 };
 

@@ -114,7 +114,7 @@ void MechanicsBuilder::close_by_excursions(Mechanics& mechanics) const {
 void MechanicsBuilder::apply_overrides(const Network& network, Mechanics& mechanics) const {
   for (const FingerHardware& finger : hardware_.fingers) {
     if (finger.finger > network.fingers) continue;
-    mechanics.closing[static_cast<std::size_t>(finger.finger - 1)] = finger.closing;
+    mechanics.closing[static_cast<std::size_t>(finger.finger - 1)] = finger.closing.value_or(1);
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
       if (finger.strand_mm && network.segments[i].finger == finger.finger) {
         mechanics.length[i] = *finger.strand_mm;

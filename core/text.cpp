@@ -1,8 +1,21 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace reeve::core {
+namespace {
+
+template <typename Number>
+std::optional<Number> read_whole(std::string_view text) {
+  Number number{};
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  return error == std::errc{} && end == last ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
 
 std::vector<std::string> comma_separated(std::string_view text) {
   std::vector<std::string> items;
@@ -19,5 +32,12 @@ std::string_view trimmed(std::string_view text) {
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
+
+std::optional<double> number_in(std::string_view text) {
+  const std::optional<double> number = read_whole<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<int> whole_number_in(std::string_view text) { return read_whole<int>(text); }
 
 }  // namespace reeve::core

@@ -1,6 +1,8 @@
-// Small parts of what users write: items of a list, and words without the blanks round them.
+// Small parts of what users write: items of a list, words without the blanks round them, and
+// numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,5 +16,10 @@ std::vector<std::string> comma_separated(std::string_view text);
 
 // Without blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
+
+// The number that the whole text is, as C writes it: "12.5", "-1e-3". Nothing where anything else
+// stands beside it, a blank or a plus among them, and of what is not finite.
+std::optional<double> number_in(std::string_view text);
+std::optional<int> whole_number_in(std::string_view text);
 
 }  // namespace reeve::core

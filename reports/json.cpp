@@ -50,7 +50,7 @@ Json finger_json(const FingerHardware& finger) {
   add_if_given(json, "sheath_mu", finger.sheath_mu);
   add_if_given(json, "sheath_angle_rad", finger.sheath_angle_rad);
   add_if_given(json, "strand_mm", finger.strand_mm);
-  json["closing"] = finger.closing;
+  add_if_given(json, "closing", finger.closing);
   add_parts(json, finger.parts);
   return json;
 }

@@ -18,6 +18,7 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
     designs.push_back({ranked[i], routings[i], name_of(catalogue, routings[i]), std::nullopt});
     if (!drawn.ranks.empty()) designs.back().distribution = drawn.ranks[i];
     if (!drawn.bands.empty()) designs.back().bands = drawn.bands[i];
+    if (!drawn.constraints_met.empty()) designs.back().constraints_met = drawn.constraints_met[i];
   }
   return designs;
 }

@@ -27,6 +27,8 @@ struct ListedDesign {
   std::string same_as = {};
   Bands bands = {};       // only where uncertainty was asked for
   std::size_t place = 0;  // its rank, but that designs that are equal share the first of theirs
+  // Share of the draws in which it meets all constraints: only where there are both.
+  std::optional<double> constraints_met = std::nullopt;
 };
 
 // A ladder with what is known of its designs. Ranks and fronts are 0 where they are beyond the
@@ -38,7 +40,7 @@ struct ListedLadder {
   std::string cost_unit;  // of the prices; "" if there are none, or nobody says
 };
 
-// `routings` begins parallel to `ranked`, and so do ranks and bands of `drawn` or are empty.
+// `routings` begins parallel to `ranked`, and so is what was drawn, or it is empty.
 std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
                                        const std::vector<Routing>& routings,
                                        const DrawnDesigns& drawn, const Catalogue& catalogue);

@@ -26,13 +26,11 @@ std::string table(std::string_view name, const ContactLaw& law) {
          (law.known ? "known = true\n" : "") + "\n";
 }
 
-// Joints say how far a finger closes.
-std::string table(const FingerHardware& finger, bool has_joints) {
+std::string table(const FingerHardware& finger) {
   return fmt::format("[finger.{}]\n", finger.finger) + line("tip_mu", finger.tip_mu) +
          line("tip_angle_rad", finger.tip_angle_rad) + line("sheath_mu", finger.sheath_mu) +
          line("sheath_angle_rad", finger.sheath_angle_rad) + line("strand_mm", finger.strand_mm) +
-         (has_joints ? "" : line("closing", finger.closing)) + finger_parts_toml(finger.parts) +
-         "\n";
+         line("closing", finger.closing) + finger_parts_toml(finger.parts) + "\n";
 }
 
 std::string table(const ContactHardware& contact) {
@@ -64,9 +62,7 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
   text += "[lengths]\n" + line("strand_mm", hardware.strand_mm) +
           line("motor_side_mm", hardware.motor_side_mm) + line("hand_mm", hardware.hand_mm) + "\n";
   text += hand_toml(hardware);
-  for (const FingerHardware& finger : hardware.fingers) {
-    text += table(finger, !finger.parts.joints.empty() || !hardware.finger_parts.joints.empty());
-  }
+  for (const FingerHardware& finger : hardware.fingers) text += table(finger);
   for (const ContactHardware& contact : hardware.contacts) text += table(contact);
   return text + "[uncertainty]\n" + line("tube_mu", uncertainty.tube_mu) +
          line("sheath_mu", uncertainty.sheath_mu) +

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
 #include "pages/shell/figure_files.hpp"
@@ -158,10 +158,9 @@ void run(const DiagnoseFlags& flags) {
 CLI::Validator number(double low, bool or_low, double high) {
   return CLI::Validator(
       [=](const std::string& text) {
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool read = error == std::errc{} && end == text.data() + text.size();
-        if (read && (or_low ? value >= low : value > low) && value <= high) return std::string();
+        const auto value = number_in(text);
+        if (value && (or_low ? *value >= low : *value > low) && *value <= high)
+          return std::string();
         return fmt::format("Value {}: expected a number {} {} and at most {}", text.substr(0, 40),
                            or_low ? "from" : "above", low, high);
       },

@@ -95,9 +95,11 @@ ExploreOptions options(const ExploreFlags& flags, const Model& model, const Cata
 
 UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFile& file,
                                        const ExploreOptions& options) {
-  return {file.model,          file.uncertainty,   options.grasps,        options.order,
-          flags.ranking.draws, flags.ranking.seed, flags.ranking.threads, options.score,
-          options.prices};
+  UncertaintyOptions drawn{
+      file.model,         file.uncertainty,      options.grasps, options.order, flags.ranking.draws,
+      flags.ranking.seed, flags.ranking.threads, options.score,  options.prices};
+  drawn.constraints = options.constraints;
+  return drawn;
 }
 
 // What is printed and written is the same of one exploration and of its shards.
@@ -106,7 +108,8 @@ int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<Sh
   const ModelFile file = flags.model.read();
   const ExploreOptions explore_options = options(flags, file.model, catalogue);
   const UncertaintyOptions drawn = uncertainty_options(flags, file, explore_options);
-  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value()};
+  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value(),
+                        flags.ranking.uncertainty, !explore_options.constraints.empty()};
   const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
   flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) validate(drawn, flags.top);

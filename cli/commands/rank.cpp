@@ -218,7 +218,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 int run(const RankFlags& flags, const CLI::App& command) {
   const RankInputs inputs = read(flags);
   const RankRequest asked = request(flags, inputs);
-  const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
+  const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value(),
+                        asked.draws.has_value()};
   const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
   flags.tables.require_width(flags.format);
   // First what may still refuse its input: then the folder, then what takes long.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "cli/inputs.hpp"
@@ -15,9 +14,10 @@ namespace reeve::cli {
 namespace {
 
 bool is_number(const std::string& text, Range range, double& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() && number >= range.low &&
-         number <= range.high;
+  const auto read = number_in(text);
+  if (!read || *read < range.low || *read > range.high) return false;
+  number = *read;
+  return true;
 }
 
 double read_number(const std::string& option, const std::string& text, Range range) {

@@ -1,13 +1,19 @@
 #include "cli/flags/table_flags.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
-#include <charconv>
+#include <cmath>
+#include <iostream>
 #include <optional>
 #include <string_view>
 
 #include "cli/printing.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "reports/sheet/latex_width.hpp"
+#include "reports/sheet/sheet_latex.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -20,10 +26,8 @@ constexpr std::array length_units{LengthUnit{"mm", pt_in_mm}, LengthUnit{"cm", 1
                                   LengthUnit{"in", 72.27}, LengthUnit{"pt", 1}};
 
 std::optional<double> positive_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && value > 0 ? std::optional(value) : std::nullopt;
+  const auto number = number_in(text);
+  return number && *number > 0 ? number : std::nullopt;
 }
 
 std::optional<double> length_pt(std::string_view text) {
@@ -63,6 +67,13 @@ ListColumns TableFlags::read_columns(const FormatOption& format,
                       .expected = "--format table, markdown or latex with it",
                       .form = InputForm::unknown});
   }
+  if (columns.find_first_not_of(", \t") == std::string::npos) {
+    throw InputError(
+        {.what = "--columns",
+         .value = columns,
+         .expected = fmt::format("names of columns with commas between them, any of {}",
+                                 fmt::join(known, ", "))});
+  }
   wanted.chosen = for_name("--", [&] { return parse_columns(columns, known); });
   return wanted;
 }
@@ -91,7 +102,14 @@ double TableFlags::read_width(const FormatOption& format) const {
 }
 
 std::string TableFlags::printed(const Sheet& sheet, const FormatOption& format) const {
-  return cli::printed(sheet, format, read_width(format));
+  const double width = read_width(format);
+  if (format.is("latex") && width > 0 && least_width_pt(sheet) > width) {
+    std::cerr << fmt::format(
+        "reeve: a table is wider than --text-width '{}': it takes {:.0f}mm; fewer --columns take "
+        "less\n",
+        text_width, std::ceil(least_width_pt(sheet) / pt_in_mm));
+  }
+  return cli::printed(sheet, format, width);
 }
 
 }  // namespace reeve::cli

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -16,17 +16,27 @@ namespace {
 constexpr double most_percent = 100;
 constexpr double most_N = 1e9;
 
-// "2%" or "0.3N".
+[[noreturn]] void fail(const std::string& what, std::string_view value,
+                       const std::string& expected) {
+  throw InputError({.what = what, .value = std::string(value), .expected = expected});
+}
+
+// "2%" or "0.3N"; false of what is neither.
 bool add_part(std::string_view part, KnownNoise& noise) {
   const bool relative = part.ends_with('%');
-  if (!relative && !part.ends_with('N')) return false;
-  const std::string_view digits = trimmed(part.substr(0, part.size() - 1));
-  const char* last = digits.data() + digits.size();
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), last, value);
-  if (error != std::errc() || end != last) return false;
-  if (!(value >= 0) || value > (relative ? most_percent : most_N)) return false;
-  (relative ? noise.relative : noise.absolute_N) = relative ? value / 100 : value;
+  const bool has_unit = relative || part.ends_with('N');
+  const auto value = number_in(trimmed(part.substr(0, part.size() - (has_unit ? 1 : 0))));
+  if (!value) return false;
+  if (!has_unit)
+    fail("noise without a unit", part, "a share with %, or a force with N, such as 0.5N");
+  const double most = relative ? most_percent : most_N;
+  if (*value < 0) fail("a standard deviation below 0", part, "0 or more");
+  if (*value > most) {
+    fail("a standard deviation", part,
+         relative ? fmt::format("at most {:g}%, beyond which a reading says nothing", most)
+                  : fmt::format("at most {:g}N", most));
+  }
+  (relative ? noise.relative : noise.absolute_N) = relative ? *value / 100 : *value;
   return true;
 }
 
@@ -57,8 +67,14 @@ ColumnNoise parse_column_noise(const std::string& text) {
   ColumnNoise result;
   if (equals != std::string::npos)
     result.column = trimmed(std::string_view(text).substr(0, equals));
-  if (result.column.empty() ||
-      !read_parts(std::string_view(text).substr(equals + 1), result.noise)) {
+  const auto is_read = [&] {
+    try {
+      return read_parts(std::string_view(text).substr(equals + 1), result.noise);
+    } catch (const InputError& error) {
+      throw error.at(fmt::format("'{}'", text));
+    }
+  };
+  if (result.column.empty() || !is_read()) {
     throw InputError({.value = text,
                       .expected =
                           "a column of tensions or 'motor', '=', and the standard deviation "

@@ -86,7 +86,8 @@
     lines = explorationParallel.parallel({ data, rows, base: state.base(), ranges: state.ranges(), width });
     [pareto, parallel].forEach(sayIfNothing);
     document.getElementById("pareto-count").textContent =
-      `${plot.drawn} of ${plot.of} designs drawn: of those that lie on one spot, the first.`;
+      `${plot.drawn} of ${plot.of} designs drawn: of those that lie on one spot, the first.` +
+      (plot.cut ? " Bars that reach far beyond the points end where the plot does." : "");
     document.getElementById("parallel-count").textContent =
       `Lines: ${lines.drawn} of ${lines.of} designs, the best ${explorationParallel.mostLines} by rank and the ` +
       "known routings. Grey bars: where all of them lie, the wider the more.";

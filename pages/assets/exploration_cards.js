@@ -72,12 +72,13 @@ const explorationCards = (() => {
   }
 
   function drawsText(row) {
-    const { first, median, low, high } = state.designs().distribution;
+    const { first, median, low, high, constraints_met: met } = state.designs().distribution;
     if (!first || first[row] === null || first[row] === undefined) return [];
-    const { number } = explorationCharts;
+    const { number, shareText } = explorationCharts;
+    const constraints = met ? ` It meets all constraints in ${shareText(met[row])}.` : "";
     return [element("p", { className: "draws", textContent:
-      `With drawn coefficients: first in ${(100 * first[row]).toFixed(1)} % of the draws, median ` +
-      `rank ${number(median[row])}, from ${number(low[row])} (5 %) to ${number(high[row])} (95 %).` })];
+      `With drawn coefficients: first in ${shareText(first[row])} of the draws, median ` +
+      `rank ${number(median[row])}, from ${number(low[row])} (5 %) to ${number(high[row])} (95 %).${constraints}` })];
   }
 
   function commands(word) {

@@ -23,6 +23,13 @@ const explorationCharts = (() => {
     if (value === null) return "-";
     return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
   };
+  // A share of the draws: some or most do not read as none or all.
+  const shareText = (share) => {
+    const text = (100 * share).toFixed(1);
+    if (share > 0 && text === "0.0") return "under 0.1 %";
+    if (share < 1 && text === "100.0") return "over 99.9 %";
+    return `${text} %`;
+  };
   // Aligned in a column.
   const cell = (objective, value) =>
     objective.unit === "1" && value !== null ? value.toFixed(4) : number(value);
@@ -101,6 +108,17 @@ const explorationCharts = (() => {
       if (has(up)) bars.push({ x, x2: x, y: up.low[row], y2: up.high[row] });
     }
     return bars;
+  }
+
+  // Bars no longer than half of what the points span beyond these, so that the points stay apart;
+  // of one place alone they are whole.
+  function cutBars(bars, ranges) {
+    const reaches = ranges.map(([low, high]) =>
+      high > low ? [low - (high - low) / 2, high + (high - low) / 2] : [-Infinity, Infinity]);
+    const within = (value, [low, high]) => Math.min(Math.max(value, low), high);
+    return bars.map(({ x, x2, y, y2 }) => ({
+      x: within(x, reaches[0]), x2: within(x2, reaches[0]),
+      y: within(y, reaches[1]), y2: within(y2, reaches[1]) }));
   }
 
   // A range of the axis (0: x, 1: y) that holds the bars, too.
@@ -202,7 +220,9 @@ const explorationCharts = (() => {
     const line = axes.every((axis) => ranking.includes(axis))
       ? frontLine(onFront.map((row) => columns.map((column) => column[row])), chosen, ranges)
       : [];
-    const bars = bandBars(designs, points, axes);
+    const whole = bandBars(designs, points, axes);
+    const bars = cutBars(whole, ranges);
+    const cut = bars.some((bar, i) => Object.keys(bar).some((key) => bar[key] !== whole[i][key]));
     const reaches = chosen.map((objective, i) => domain(withBars(ranges[i], bars, i), objective));
     const among = new Set(all);
     const rings = advised
@@ -226,7 +246,7 @@ const explorationCharts = (() => {
     axis(spec.encoding.x, chosen[0], reaches[0]);
     axis(spec.encoding.y, chosen[1], reaches[1]);
     spec.height = size.height;
-    return { drawn: points.length, of: all.length, labelsBeside, spec };
+    return { drawn: points.length, of: all.length, cut, labelsBeside, spec };
   }
 
   // tensions: [{held, strand, tension}]
@@ -245,7 +265,7 @@ const explorationCharts = (() => {
   });
 
   return {
-    kinds, layers, letters, number, bandText, cell, label, axisTitle, range, place, specification, present,
+    kinds, layers, letters, number, shareText, bandText, cell, label, axisTitle, range, place, specification, present,
     frontLine, thinned, pareto, tensions, ranks,
   };
 })();

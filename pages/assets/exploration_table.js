@@ -92,7 +92,7 @@ const explorationTable = (() => {
 
   function rowElement(row) {
     const designs = state.designs();
-    const { number, kinds } = explorationCharts;
+    const { number, kinds, shareText } = explorationCharts;
     const line = element("tr");
     line.dataset.word = designs.word[row];
     if (state.selected().includes(row)) line.setAttribute("aria-selected", "true");
@@ -111,9 +111,11 @@ const explorationTable = (() => {
     const drawn = designs.distribution;
     if (drawn.first) {
       const has = drawn.first[row] !== null && drawn.first[row] !== undefined;
-      line.append(cell(has ? `${(100 * drawn.first[row]).toFixed(1)} %` : "–"));
+      line.append(cell(has ? shareText(drawn.first[row]) : "–"));
       line.append(cell(has ? number(drawn.median[row]) : "–"));
       line.append(cell(has ? `${number(drawn.low[row])}–${number(drawn.high[row])}` : "–"));
+      const met = drawn.constraints_met?.[row];
+      if (drawn.constraints_met) line.append(cell(met === null || met === undefined ? "–" : shareText(met)));
     }
     line.title = kinds[designs.kind[row]];
     return line;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_title.hpp"
@@ -17,10 +19,21 @@ const ListedDesign* knee(const ListedLadder& ladder) {
   return ladder.ladder.knee ? &ladder.rungs[*ladder.ladder.knee] : nullptr;
 }
 
+// The counts of parts are said anyway.
+std::vector<Objective> ranked_and_constrained(const ExploreOptions& options) {
+  std::vector<Objective> objectives = options.order.objectives;
+  for (const Constraint& constraint : options.constraints) {
+    const bool told =
+        std::find(objectives.begin(), objectives.end(), constraint.objective) != objectives.end();
+    if (!told && !row(constraint.objective).is_count()) objectives.push_back(constraint.objective);
+  }
+  return objectives;
+}
+
 // "uniformity mean 0.996, efficiency mean 0.322; 10 sheaths, 8 pulleys, 2 knots"
 std::string values_text(const ExploreReport& report, const ListedDesign& design) {
   std::string text;
-  for (const Objective objective : report.options.order.objectives) {
+  for (const Objective objective : ranked_and_constrained(report.options)) {
     const ObjectiveRow& about = row(objective);
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", objective_title(about),
                         fixed(value(design.ranked.design.values, objective), about.decimals));

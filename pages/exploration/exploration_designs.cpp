@@ -102,7 +102,8 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
                                            : Kind::listed;
     held.insert(word);
     designs.push_back({kind, word, listed[i].name, ranked.rank, ranked.front, ranked.design.values,
-                       listed[i].distribution, listed[i].bands, listed[i].same_as});
+                       listed[i].distribution, listed[i].bands, listed[i].same_as,
+                       listed[i].constraints_met});
   }
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
@@ -127,8 +128,8 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 }
 
 std::vector<Objective> page_objectives(const ExploreReport& report) {
-  std::vector<Objective> shown =
-      search::shown_objectives(report.options.order, report.options.score);
+  std::vector<Objective> shown = search::shown_objectives(
+      report.options.order, report.options.score, report.options.constraints);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && report.options.generator.parts.blocks > 0) shown.push_back(Objective::blocks);
   const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
@@ -159,6 +160,11 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
   distribution["median"] = distribution_column(designs, &RankDistribution::median);
   distribution["low"] = distribution_column(designs, &RankDistribution::low);
   distribution["high"] = distribution_column(designs, &RankDistribution::high);
+  if (!designs.front().constraints_met) return columns;
+  distribution["constraints_met"] = Json::array();
+  for (const PageDesign& design : designs) {
+    distribution["constraints_met"].push_back(value_or_null(design.constraints_met, rounded));
+  }
   return columns;
 }
 

@@ -36,6 +36,7 @@ struct PageDesign {
   std::optional<RankDistribution> distribution;
   Bands bands = {};
   std::string same_as = {};  // the design that stands for it where alike designs are one line
+  std::optional<double> constraints_met = std::nullopt;  // share of the draws
 };
 
 // Of the listed designs the first `most`, then the known routings and those of the ladder that are

@@ -3,22 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/exploration/exploration_method.hpp"
+#include "pages/exploration/exploration_holdings.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
 #include "pages/exploration/exploration_tables.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/ladder_part.hpp"
+#include "pages/exploration/parallel_picture.hpp"
 #include "pages/routing/figure_captions.hpp"
 #include "pages/routing/figure_names.hpp"
 #include "pages/shell/asset_table.hpp"
-#include "pages/shell/compressed.hpp"
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/uncertainty/sweep_figures.hpp"
@@ -28,31 +27,7 @@
 namespace reeve::pages {
 namespace {
 
-constexpr std::size_t column_bytes = 2'000'000;
 constexpr std::size_t schematics_of_the_front = 3;
-
-struct HeldDesigns {
-  std::vector<PageDesign> designs;
-  std::string packed;  // their columns
-  std::size_t listed = 0;
-};
-
-// As many as fit.
-HeldDesigns held_designs(const ExploreReport& report) {
-  std::size_t most = listed_designs(report).size();
-  for (;;) {
-    std::vector<PageDesign> designs = page_designs(report, most);
-    Json columns = design_columns(designs, page_objectives(report));
-    if (report.uncertainty) {
-      columns["bands"] =
-          band_columns(designs, page_objectives(report), report.options.order.objectives);
-    }
-    std::string packed = compressed(columns.dump());
-    if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
-    const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
-    most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
-  }
-}
 
 // Places of what is ranked by among the objectives that are shown.
 Json ranking_json(const ExploreReport& report) {
@@ -71,37 +46,6 @@ Json specifications() {
     all[chart] = Json::parse(asset(std::string(chart) + ".json"));
   }
   return all;
-}
-
-// Those of the ladder, known routings, then the best in the order of the ranking, which the front
-// begins.
-std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std::size_t best) {
-  std::vector<const Routing*> routings;
-  std::set<std::string> held;
-  const auto add = [&](const Routing& routing) {
-    if (held.insert(to_word(routing)).second) routings.push_back(&routing);
-  };
-  for (const Routing* routing : ladder_routings(report)) add(*routing);
-  for (const Routing& known : report.options.references) add(known);
-  const std::vector<ListedDesign>& listed = listed_designs(report);
-  for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) add(listed[i].routing);
-  return routings;
-}
-
-std::size_t details_of(const ExplorationView& view) {
-  return view.details.value_or(usual_schematics / view.report.options.grasps.size());
-}
-
-// Unless it was said how many, further ones are drawn in the first grasp, so that whatever is
-// pointed at near the top has a drawing.
-DetailedDesigns detailed_designs(const ExplorationView& view) {
-  DetailedDesigns designs{in_order_of_details(view.report, details_of(view)), {}};
-  if (view.details) return designs;
-  const std::vector<const Routing*> more =
-      in_order_of_details(view.report, details_of(view) + usual_first_schematics);
-  designs.brief.assign(more.begin() + static_cast<std::ptrdiff_t>(designs.whole.size()),
-                       more.end());
-  return designs;
 }
 
 std::vector<Routing> drawn_routings(const ExploreReport& report) {
@@ -126,12 +70,17 @@ std::string schematic_id(std::string word) {
   return "schematic-" + word;
 }
 
-// What those schematics show besides the parts of every routing.
-FloatingParts drawn_parts(const ExplorationView& view) {
-  FloatingParts parts;
-  for (const Routing& routing : drawn_routings(view.report)) {
-    parts |= floating_parts(view.solve(routing).network);
-  }
+// What the schematics of this page can show; whether a strand is slack in one, their grasps say.
+DrawnParts drawn_parts(const ExplorationView& view) {
+  DrawnParts parts;
+  const auto add = [&](const Routing& routing) {
+    parts |= reports::drawn_parts(layout(expand(routing), {}));
+  };
+  for (const Routing& routing : drawn_routings(view.report)) add(routing);
+  const DetailedDesigns detailed = detailed_designs(view);
+  for (const Routing* routing : detailed.whole) add(*routing);
+  for (const Routing* routing : detailed.brief) add(*routing);
+  parts.slack = true;
   return parts;
 }
 
@@ -184,68 +133,6 @@ Json commands(const ExplorationView& view) {
 
 std::string title(const ExploreReport& report) {
   return fmt::format("Exploration of {}-finger routings", report.options.generator.fingers);
-}
-
-std::string held_text(const ExploreReport& report, std::size_t held) {
-  const std::size_t listed = listed_designs(report).size();
-  std::string text =
-      fmt::format("{} of {} ranked designs are listed", listed, ranked_designs(report));
-  if (held < listed) text += fmt::format("; this page holds the first {}", held);
-  return text + fmt::format(". {} of them {} on the front.", report.front.size(),
-                            report.front.size() == 1 ? "is" : "are");
-}
-
-std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
-  if (others == 0) return "";
-  return fmt::format(
-      " What they stand out from is shown by {} more: the rest of {} drawn at random from all.",
-      others, report.result.sample.size());
-}
-
-// Why a known routing is not in the list, or one of the ladder.
-std::string standing(const ReferenceStanding& reference, const ExploreReport& report) {
-  if (!reference.generated && report.result.partial)
-    return "it was not reached before the exploration stopped";
-  if (!reference.generated) return "these parts, or this shard, do not give it";
-  if (reference.rejected_by) {
-    return "it fails " + report.options.constraints[*reference.rejected_by].text;
-  }
-  return fmt::format("its rank is beyond the list, and {} designs dominate it",
-                     reference.dominated_by);
-}
-
-Json standings_json(const ExploreReport& report) {
-  Json json = Json::object();
-  for (const ListedDesign& rung : report.ladder.rungs) {
-    json[rung.ranked.design.word] = "On the ladder; its rank is beyond the list.";
-  }
-  for (const ReferenceStanding& reference : report.result.references) {
-    json[reference.design.word] = fmt::format("Known routing, not among the listed designs: {}.",
-                                              standing(reference, report));
-  }
-  return json;
-}
-
-std::string details_text(const ExplorationView& view, const DesignDetails& details) {
-  const std::size_t listed = listed_designs(view.report).size();
-  const std::size_t all = in_order_of_details(view.report, listed).size();
-  if (details.designs >= all) {
-    return fmt::format(
-        "All {} listed designs and known routings have schematics, tensions and contacts here.",
-        all);
-  }
-  const bool full = details.designs < in_order_of_details(view.report, details_of(view)).size();
-  const std::string brief =
-      details.brief == 0
-          ? ""
-          : fmt::format(", and {} more their schematic in the first grasp", details.brief);
-  return fmt::format(
-      "{} of {} listed designs and known routings have schematics, tensions and contacts here{}: "
-      "those of the ladder and known routings first, then by rank. For the others the page gives "
-      "the values and the command that shows the rest; {}.",
-      details.designs, all, brief,
-      full ? "there is no room for more of them, whatever --details says"
-           : fmt::format("with --details {} it has all, as far as there is room", listed));
 }
 
 Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDetails& details,

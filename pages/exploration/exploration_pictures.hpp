@@ -23,11 +23,6 @@ ExplorationPicture pareto_picture(const std::vector<PageDesign>& designs,
                                   const std::vector<Objective>& ranking,
                                   const std::vector<AdvisedDesign>& advised = {});
 
-// Lines of the best and of the known routings over these objectives, and in grey how many of all
-// designs have a value.
-ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
-                                    const std::vector<Objective>& shown);
-
 // Those that the ranking counts first; where it counts one, uniformity or efficiency joins it.
 TwoObjectives first_axes(const std::vector<Objective>& ranking);
 

@@ -39,10 +39,11 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
   }
   if (design.distribution) {
     const RankDistribution& drawn = *design.distribution;
-    row["cells"].push_back(fmt::format("{:.1f} %", 100 * drawn.first));
+    row["cells"].push_back(share_text(drawn.first));
     row["cells"].push_back(four_digits(drawn.median));
     row["cells"].push_back(four_digits(drawn.low) + "–" + four_digits(drawn.high));
   }
+  if (design.constraints_met) row["cells"].push_back(share_text(*design.constraints_met));
   return row;
 }
 
@@ -81,6 +82,7 @@ Json static_tables(const ExploreReport& report) {
     json["bests"].push_back(best_json(best, listed.front()));
   }
   json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
+  json["constrained"] = !listed.empty() && listed.front().constraints_met.has_value();
   json["has_bests"] = !json["bests"].empty();
   json["table_caption"] = "Designs, best first. Values are over the grasps of this exploration.";
   json["bests_caption"] = fmt::format(

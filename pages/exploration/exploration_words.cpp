@@ -163,16 +163,22 @@ std::string draws_text(const ExploreReport& report, const std::vector<ListedDesi
       listed.begin(), listed.end(),
       [&](const ListedDesign& a, const ListedDesign& b) { return share(a) < share(b); });
   std::string text = fmt::format(
-      "With friction coefficients drawn {} times from their ranges, {} stays first in {:.1f} % of "
+      "With friction coefficients drawn {} times from their ranges, {} stays first in {} of "
       "the draws.",
-      report.uncertainty->draws, design_label(listed[0]), 100 * share(listed[0]));
+      report.uncertainty->draws, design_label(listed[0]), share_text(share(listed[0])));
   if (listed[0].distribution->first_shared > 0) {
-    text += fmt::format(" In {:.1f} % it shares first place with designs that equal it.",
-                        100 * listed[0].distribution->first_shared);
+    text += fmt::format(" In {} it shares first place with designs that equal it.",
+                        share_text(listed[0].distribution->first_shared));
   }
   if (&most != &listed[0] && share(most) > share(listed[0])) {
     text +=
-        fmt::format(" {} is first most often: in {:.1f} %.", design_label(most), 100 * share(most));
+        fmt::format(" {} is first most often: in {}.", design_label(most), share_text(share(most)));
+  }
+  if (listed[0].constraints_met) {
+    text += fmt::format(
+        " Constraints were judged at the nominal coefficients; in {} of the draws it meets all of "
+        "them.",
+        share_text(*listed[0].constraints_met));
   }
   return text;
 }
@@ -239,9 +245,10 @@ ExplorationWords exploration_words(const ExploreReport& report) {
 }
 
 std::vector<SingleBest> single_bests(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
   std::vector<SingleBest> bests;
   for (const BestDesigns& best : report.result.best) {
-    if (!is_shown(best.objective, report.options.order, report.options.score)) continue;
+    if (!is_shown(best.objective, options.order, options.score, options.constraints)) continue;
     for (const ListedDesign& design : listed_designs(report)) {
       if (design.ranked.design.word != best.words.front()) continue;
       bests.push_back({row(best.objective), design, best.count - 1});

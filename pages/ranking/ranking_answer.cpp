@@ -105,9 +105,9 @@ std::string uncertainty(const RankReport& report, const Labels& labels) {
   if (!report.uncertainty) return "";
   const RankDistribution& drawn = *report.designs.front().distribution;
   std::string text = fmt::format(
-      "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} % of the draws.",
+      "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} of the draws.",
       plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
-      fixed(100 * drawn.first, 1));
+      share_text(drawn.first));
   for (const SheetLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
   return text;
 }

@@ -94,10 +94,13 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   chart::Points front;
   chart::Points dominated;
   std::vector<BandedSpot> banded;
+  PointsSpan span;
   for (const SharedSpot& point : points(report, labels, on)) {
     if (all_named || point.on_front) {
       banded.push_back({point.x, point.y, point.bands, shortened(point.names)});
     }
+    span[0].add(point.x);
+    span[1].add(point.y);
     (point.on_front ? front : dominated)
         .spots.push_back(spot(point, on, all_named || point.on_front));
     alt += fmt::format(" {}: {}, {}.", shortened(point.names), fixed(point.x), fixed(point.y));
@@ -115,8 +118,9 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   chart::Style other = design_style(Kind::listed);
   best.size = other.size = 5;
   other.opacity = 1;
-  panel.layers = band_layers(banded, {on.first, on.second});
-  caption += band_caption(panel.layers);
+  const BandBars bars = band_bars(banded, {on.first, on.second}, span);
+  panel.layers = bars.layers;
+  caption += band_caption(bars);
   panel.layers.push_back({"on the Pareto front", best, front});
   panel.layers.push_back({"dominated", other, dominated});
   chart::Chart chart;
@@ -140,8 +144,8 @@ Figure rank_figure(const RankReport& report, const Labels& labels) {
     const RankDistribution& drawn = *report.designs[i].distribution;
     const auto at = static_cast<double>(i);
     const std::string title =
-        fmt::format("{}\nmedian rank {:g}\n5 % to 95 %: {:g} to {:g}\nfirst in {} % of the draws",
-                    labels[i], drawn.median, drawn.low, drawn.high, fixed(100 * drawn.first, 1));
+        fmt::format("{}\nmedian rank {:g}\n5 % to 95 %: {:g} to {:g}\nfirst in {} of the draws",
+                    labels[i], drawn.median, drawn.low, drawn.high, share_text(drawn.first));
     ranges.spans.push_back({at, drawn.low, drawn.high, title});
     medians.spots.push_back({drawn.median, at, title, ""});
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reports/chart/chart.hpp"
+#include "reports/chart/chart_scale.hpp"
 #include "search/uncertainty/bands.hpp"
 
 namespace reeve::pages {
@@ -21,11 +22,20 @@ struct BandedSpot {
 // More crosses than these hide each other.
 inline constexpr std::size_t most_banded = 16;
 
+// What the points of the plot span along both axes. Bars reach at most half of that beyond them, so
+// that points stay apart that one chooses by; of one place alone they are whole.
+using PointsSpan = std::array<chart::Extent, 2>;
+
+struct BandBars {
+  std::vector<chart::Layer> layers;
+  bool cut = false;  // some reach further than they are drawn
+};
+
 // Of the first so many that have bands on these axes, each once; nothing where there is none.
-std::vector<chart::Layer> band_layers(const std::vector<BandedSpot>& spots,
-                                      const std::array<Objective, 2>& axes);
+BandBars band_bars(const std::vector<BandedSpot>& spots, const std::array<Objective, 2>& axes,
+                   const PointsSpan& points);
 
 // What the caption says of them; "" where there is none.
-std::string band_caption(const std::vector<chart::Layer>& layers);
+std::string band_caption(const BandBars& bars);
 
 }  // namespace reeve::pages

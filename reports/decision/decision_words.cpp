@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "reports/results/data_text.hpp"
+#include "reports/telling_digits.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -94,17 +95,23 @@ std::string affordable_text(const ListedLadder& listed) {
                      values_text(listed, ladder.affordable->values));
 }
 
-// "the least is 1"
+// "the least is 1", "the least is 37.66 N": rounded away from the bound, so that a design meets the
+// constraint with this bound.
 std::string nearest_text(const Constraint& constraint, const Nearest& nearest) {
   const bool below = constraint.comparison.front() == '<';
   const bool above = constraint.comparison.front() == '>';
-  if (below && nearest.above) return fmt::format("the least is {}", *nearest.above);
-  if (above && nearest.below) return fmt::format("the greatest is {}", *nearest.below);
+  const ObjectiveRow& about = row(constraint.objective);
+  const bool has_unit = !about.is_count() && about.unit != std::string_view("1");
+  const std::string unit = has_unit ? std::string(" ") + about.unit : "";
+  const auto low = [&] { return rounded_text(*nearest.below, Rounding::down); };
+  const auto high = [&] { return rounded_text(*nearest.above, Rounding::up) + unit; };
+  if (below && nearest.above) return "the least is " + high();
+  if (above && nearest.below) return "the greatest is " + low() + unit;
   if (nearest.above && nearest.below) {
-    return fmt::format("the nearest are {} and {}", *nearest.below, *nearest.above);
+    return fmt::format("the nearest are {} and {}", low(), high());
   }
-  const std::optional<double>& one = nearest.above ? nearest.above : nearest.below;
-  return one ? fmt::format("the nearest is {}", *one) : "";
+  if (nearest.above) return "the nearest is " + high();
+  return nearest.below ? "the nearest is " + low() + unit : "";
 }
 
 }  // namespace

@@ -66,6 +66,10 @@ void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
                      true});
     return;
   }
+  if (demand.force_N == 0) {
+    lines.push_back({"Motor force 0 N: no finger is to press, and no spring is to be overcome"});
+    return;
+  }
   lines.push_back(
       {fmt::format("Motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
                    "held {}. Friction costs {} of it: without, {:.4g} N would do",

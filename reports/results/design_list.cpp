@@ -10,7 +10,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/uncertainty/band_report.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "reports/uncertainty/drawn_columns.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -45,12 +45,9 @@ std::vector<ColumnRows> all_columns() {
   return columns;
 }
 
-// Blocks are told of where there are any, and the cost where it is known.
 std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
-                                          const Order& order, const Score& score,
-                                          const ListColumns& wanted) {
+                                          std::vector<Objective> shown, const ListColumns& wanted) {
   if (!wanted.chosen.empty()) return all_columns();
-  std::vector<Objective> shown = shown_objectives(order, score);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
   const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
@@ -93,6 +90,18 @@ std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool
   return columns;
 }
 
+// To choose from: of what was not asked for the names are refused.
+void add_places_and_draws(const std::vector<ListedDesign>& designs, Table& table) {
+  const std::vector<DrawnColumn> columns = drawn_columns(true, true);
+  table.columns.push_back(number_column("place"));
+  for (const DrawnColumn& drawn : columns) table.columns.push_back(drawn.column);
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    std::vector<std::string>& cells = table.rows[i].cells;
+    cells.push_back(std::to_string(designs[i].place));
+    for (const DrawnColumn& drawn : columns) cells.push_back(drawn.cell(designs[i]));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> list_column_names(const ListedWith& with) {
@@ -102,13 +111,18 @@ std::vector<std::string> list_column_names(const ListedWith& with) {
     if (row.objective == Objective::cost && !with.prices) continue;
     names.emplace_back(row.name);
   }
+  names.emplace_back("place");
+  if (!with.draws) return names;
+  for (const DrawnColumn& drawn : drawn_columns(with.hand, with.constraints)) {
+    names.push_back(drawn.column.key);
+  }
   return names;
 }
 
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objective> shown,
                    const ListColumns& wanted) {
   const bool all = !wanted.chosen.empty();
-  const std::vector<ColumnRows> objectives = objective_columns(designs, order, score, wanted);
+  const std::vector<ColumnRows> objectives = objective_columns(designs, std::move(shown), wanted);
   const bool alike = all || has_alike(designs);
   Table table{columns(objectives, alike, all || wanted.apart), {}};
   for (const ListedDesign& design : designs) {
@@ -121,7 +135,9 @@ Table design_table(const std::vector<ListedDesign>& designs, const Order& order,
     }
     table.add(std::move(cells));
   }
-  return all ? with_columns(table, wanted.chosen) : table;
+  if (!all) return table;
+  add_places_and_draws(designs, table);
+  return with_columns(table, wanted.chosen);
 }
 
 std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs) {
@@ -161,13 +177,15 @@ std::string sample_csv(const std::vector<Design>& designs, const std::string& no
 
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note) {
   const bool uncertain = with_distributions(designs);
+  const bool constrained = !designs.empty() && designs.front().constraints_met.has_value();
   std::string csv = note.empty() ? "" : "# " + note + "\n";
   csv += "rank,front,routing,name";
   csv += objective_headings(designs.empty() ? ObjectiveValues{}
                                             : designs.front().ranked.design.values);
   const Bands& bands = designs.empty() ? Bands{} : designs.front().bands;
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as,place" : ",same_as,place";
-  csv += (uncertain ? ",first_shared" : "") + band_headings(bands) + '\n';
+  csv += (uncertain ? ",first_shared" : "") + band_headings(bands);
+  csv += constrained ? ",constraints_met\n" : "\n";
   for (const ListedDesign& design : designs) {
     csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
                        design.ranked.design.word, csv_field(design.name));
@@ -183,6 +201,8 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
       csv += design.distribution ? fmt::format(",{}", design.distribution->first_shared) : ",";
       csv += design.bands.empty() ? std::string(3 * bands.size(), ',') : band_cells(design.bands);
     }
+    if (constrained)
+      csv += "," + (design.constraints_met ? csv_number(*design.constraints_met) : "");
     csv += '\n';
   }
   return csv;
@@ -205,6 +225,7 @@ Json to_json(const ListedDesign& design) {
                                  {"first_shared", design.distribution->first_shared}};
     json["bands"] = bands_json(design.bands);
   }
+  if (design.constraints_met) json["constraints_met"] = *design.constraints_met;
   return json;
 }
 

@@ -7,22 +7,22 @@
 #include "reports/json.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
-#include "search/judge/order.hpp"
-#include "search/judge/score.hpp"
 #include "studies/listed_design.hpp"
 
 namespace reeve::reports {
 
-// Uniformity and efficiency as mean/worst over the grasps. Besides what is always shown, the
-// objectives that the order asks for, and what the score is made of where it orders. Or what is
-// chosen among all columns, which are called as those of the CSV.
-Table design_table(const std::vector<ListedDesign>& designs, const Order& order, const Score& score,
+// Uniformity and efficiency as mean/worst over the grasps. The objectives that are shown
+// (search/judge/shown_objectives.hpp), blocks where there are any, and the cost where it is known.
+// Or what is chosen among all columns, which are called as those of the CSV.
+Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objective> shown,
                    const ListColumns& wanted = {});
 
 // What can be chosen, of designs that were judged so.
 struct ListedWith {
   bool prices = false;
   bool hand = false;
+  bool draws = false;
+  bool constraints = false;
 };
 std::vector<std::string> list_column_names(const ListedWith& with);
 

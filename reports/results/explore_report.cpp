@@ -12,6 +12,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -39,6 +40,11 @@ std::string counts_text(const ExploreReport& report) {
   return text + fmt::format(", {} evaluated", result.evaluated);
 }
 
+std::vector<Objective> objectives_to_show(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  return search::shown_objectives(options.order, options.score, options.constraints);
+}
+
 Section front_section(const ExploreReport& report, const ListColumns& columns) {
   std::string text = fmt::format("Pareto front over {}: {} design{}",
                                  objective_names(report.options.order.objectives),
@@ -53,16 +59,21 @@ Section front_section(const ExploreReport& report, const ListColumns& columns) {
   }
   if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
   return {text,
-          design_table(first(report.front, shown_at_most), report.options.order,
-                       report.options.score, columns),
+          design_table(first(report.front, shown_at_most), objectives_to_show(report), columns),
           {}};
 }
 
-std::string standing(const ExploreReport& report, const ReferenceStanding& reference) {
+std::string rank_cell(const ExploreReport& report, const ReferenceStanding& reference) {
   if (reference.rank > 0) return std::to_string(reference.rank);
-  if (reference.rejected_by)
-    return "not " + report.options.constraints[*reference.rejected_by].text;
-  return reference.generated ? fmt::format(">{}", report.options.top) : "not among them";
+  const bool is_beyond = reference.generated && !reference.rejected_by;
+  return is_beyond ? fmt::format(">{}", report.options.top) : "-";
+}
+
+// Why it has no rank; "" if it has.
+std::string why_unranked(const ExploreReport& report, const ReferenceStanding& reference) {
+  if (!reference.generated) return "not among them";
+  if (!reference.rejected_by) return "";
+  return "fails " + report.options.constraints[*reference.rejected_by].text;
 }
 
 Section known_section(const ExploreReport& report) {
@@ -71,13 +82,23 @@ Section known_section(const ExploreReport& report) {
                number_column("front", "", 1), number_column("dominated by", "", 2),
                number_column("uniformity"), number_column("efficiency")},
               {}};
-  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
-    const ReferenceStanding& reference = report.result.references[i];
-    table.add({report.reference_names[i], reference.design.word, standing(report, reference),
-               reference.front > 0 ? std::to_string(reference.front) : "-",
-               std::to_string(reference.dominated_by),
-               fixed(value(reference.design.values, Objective::uniformity_mean)),
-               fixed(value(reference.design.values, Objective::efficiency_mean))});
+  const std::vector<ReferenceStanding>& references = report.result.references;
+  const bool some_unranked = std::any_of(
+      references.begin(), references.end(),
+      [&](const ReferenceStanding& known) { return !why_unranked(report, known).empty(); });
+  if (some_unranked) table.columns.push_back(text_column("no rank since"));
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const ReferenceStanding& reference = references[i];
+    const std::string why = why_unranked(report, reference);
+    std::vector<std::string> cells{
+        report.reference_names[i], reference.design.word, rank_cell(report, reference),
+        reference.front > 0 ? std::to_string(reference.front) : "-",
+        // Of what is out, it says nothing by how many others it would be beaten.
+        reference.rejected_by ? "-" : std::to_string(reference.dominated_by),
+        fixed(value(reference.design.values, Objective::uniformity_mean)),
+        fixed(value(reference.design.values, Objective::efficiency_mean))};
+    if (some_unranked) cells.push_back(why);
+    table.add(std::move(cells));
   }
   return {"Where the known routings stand", table, {}};
 }
@@ -151,8 +172,7 @@ Json unmet_json(const ExploreReport& report) {
 Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   const Section best{fmt::format("Top {}", top.size()),
-                     design_table(top, report.options.order, report.options.score, columns),
-                     alike_lines(top)};
+                     design_table(top, objectives_to_show(report), columns), alike_lines(top)};
   Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
   if (!columns.chosen.empty()) {
     sheet.add(best);

@@ -11,6 +11,7 @@
 #include "reports/results/show_report.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -76,7 +77,8 @@ Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(shown, report.order, report.score, columns), alike_lines(shown)}}};
+               {"", design_table(shown, shown_objectives(report.order, report.score), columns),
+                alike_lines(shown)}}};
   if (report.designs.size() > 1) {
     std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
     for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);

@@ -87,14 +87,20 @@ enum class LegendSymbol : std::uint8_t {
   slack,
 };
 
-// What a legend need not explain where there is none.
-struct FloatingParts {
+// What is drawn, so that a legend explains that and nothing else.
+struct DrawnParts {
+  bool tubes = false;
+  bool bearings = false;
+  bool sheaths = false;
+  bool fixed = false;
+  bool tied = false;
   bool anchors = false;
   bool blocks = false;
   bool bars = false;
+  bool slack = false;
 
-  friend bool operator==(const FloatingParts&, const FloatingParts&) = default;
-  FloatingParts& operator|=(const FloatingParts& other);
+  friend bool operator==(const DrawnParts&, const DrawnParts&) = default;
+  DrawnParts& operator|=(const DrawnParts& other);
 };
 
 struct LegendItem {
@@ -133,16 +139,17 @@ struct SchematicFrame {
   Grasp held;
   bool with_legend = true;
   bool with_tension = true;  // whether the legend explains what only tensions show
+  bool with_slack = true;    // among it strands without any
 };
 
 // Drawings with floating blocks, bars or anchored tips: floating/floating_layout.hpp.
 SchematicLayout layout(const Network& network, const SchematicFrame& frame);
 
-FloatingParts floating_parts(const SchematicLayout& layout);
-FloatingParts floating_parts(const Network& network);
+// Slack does not show in a layout.
+DrawnParts drawn_parts(const SchematicLayout& layout);
 
 // The symbols' meanings, flowing between left and right.
-Legend legend(const Box& room, bool with_tension, const FloatingParts& parts = {});
+Legend legend(const Box& room, bool with_tension, const DrawnParts& parts);
 
 // What a symbol covers.
 Box bounds(const DrawnContact& contact);

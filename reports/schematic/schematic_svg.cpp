@@ -23,6 +23,10 @@ std::string description(const Schematic& schematic) {
   return text;
 }
 
+bool has_slack(const TensionState& state) {
+  return std::find(state.tension.begin(), state.tension.end(), 0) != state.tension.end();
+}
+
 // `role`: an image is one thing to a screen reader, a group has things inside.
 std::string file(const Box& page, const char* role, const std::string& ids,
                  const std::string& title, const std::string& description,
@@ -60,7 +64,8 @@ Schematic schematic(const Network& network, const std::string& title, bool with_
 
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
                     bool with_legend) {
-  return {layout(network, {title, subtitle(view, network.fingers), view.grasp, with_legend, true}),
+  return {layout(network, {title, subtitle(view, network.fingers), view.grasp, with_legend, true,
+                           has_slack(view.state)}),
           &view.state, view.direction};
 }
 
@@ -70,7 +75,7 @@ std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
               draw(schematic));
 }
 
-std::string schematic_legend(double width, const std::string& ids, const FloatingParts& parts) {
+std::string schematic_legend(double width, const std::string& ids, const DrawnParts& parts) {
   const Legend key = legend({measures::margin, 0, width - measures::margin, 0}, true, parts);
   return file({0, 0, width, key.bottom + measures::margin / 2}, "img", ids, "Symbols",
               "What the symbols of the schematics mean.", draw(key));
@@ -96,8 +101,11 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
   const double right = width * static_cast<double>(std::min(columns, schematics.size()));
   const bool with_tension = std::any_of(schematics.begin(), schematics.end(),
                                         [](const Schematic& s) { return s.state != nullptr; });
-  FloatingParts parts;
-  for (const Schematic& schematic : schematics) parts |= floating_parts(schematic.layout);
+  DrawnParts parts;
+  for (const Schematic& schematic : schematics) {
+    parts |= drawn_parts(schematic.layout);
+    parts.slack = parts.slack || (schematic.state != nullptr && has_slack(*schematic.state));
+  }
   const Legend key =
       legend({measures::margin, bottom, right - measures::margin, 0}, with_tension, parts);
   return file({0, 0, right, key.bottom + measures::margin / 2}, "group", ids, title, "",

@@ -35,8 +35,7 @@ Schematic schematic(const Network& network, const std::string& title, const Gras
 std::string schematic_svg(const Schematic& schematic, const std::string& ids = "schematic");
 
 // The symbols' meanings alone, for drawings without a legend.
-std::string schematic_legend(double width, const std::string& ids = "legend",
-                             const FloatingParts& parts = {});
+std::string schematic_legend(double width, const std::string& ids, const DrawnParts& parts);
 
 // Several side by side, `columns` in a row, over one legend.
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,

@@ -44,11 +44,12 @@ constexpr std::array<SymbolMeaning, 10> legend_entries{{{LegendSymbol::tube, "tu
                                                         {LegendSymbol::slides, "slides"},
                                                         {LegendSymbol::slack, "slack"}}};
 
-bool is_shown(LegendSymbol symbol, bool with_tension, const FloatingParts& parts) {
+bool is_shown(LegendSymbol symbol, bool with_tension, const DrawnParts& parts) {
   switch (symbol) {
     case LegendSymbol::slides:
-    case LegendSymbol::slack:
       return with_tension;
+    case LegendSymbol::slack:
+      return with_tension && parts.slack;
     case LegendSymbol::anchored:
       return parts.anchors;
     case LegendSymbol::block:
@@ -56,11 +57,15 @@ bool is_shown(LegendSymbol symbol, bool with_tension, const FloatingParts& parts
     case LegendSymbol::bar:
       return parts.bars;
     case LegendSymbol::tube:
+      return parts.tubes;
     case LegendSymbol::bearing:
+      return parts.bearings;
     case LegendSymbol::sheath:
+      return parts.sheaths;
     case LegendSymbol::fixed:
+      return parts.fixed;
     case LegendSymbol::tied:
-      return true;
+      return parts.tied;
   }
   return true;
 }
@@ -135,32 +140,32 @@ void add_note(const Box& room, Legend& legend) {
 
 }  // namespace
 
-FloatingParts& FloatingParts::operator|=(const FloatingParts& other) {
-  anchors = anchors || other.anchors;
-  blocks = blocks || other.blocks;
-  bars = bars || other.bars;
+DrawnParts& DrawnParts::operator|=(const DrawnParts& other) {
+  for (const auto part : {&DrawnParts::tubes, &DrawnParts::bearings, &DrawnParts::sheaths,
+                          &DrawnParts::fixed, &DrawnParts::tied, &DrawnParts::anchors,
+                          &DrawnParts::blocks, &DrawnParts::bars, &DrawnParts::slack}) {
+    this->*part = this->*part || other.*part;
+  }
   return *this;
 }
 
-FloatingParts floating_parts(const Network& network) {
-  FloatingParts parts;
-  for (int finger = 1; finger <= network.fingers; ++finger) {
-    parts.anchors = parts.anchors || is_anchored(network, finger);
+DrawnParts drawn_parts(const SchematicLayout& layout) {
+  DrawnParts parts;
+  for (const DrawnContact& contact : layout.contacts) {
+    parts.tubes = parts.tubes || contact.kind == ContactKind::tube;
+    parts.bearings = parts.bearings || contact.kind == ContactKind::bearing;
+    parts.sheaths = parts.sheaths || contact.kind == ContactKind::sheath;
   }
-  for (const core::Block& block : network.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
-  return parts;
-}
-
-FloatingParts floating_parts(const SchematicLayout& layout) {
-  FloatingParts parts;
   for (const DrawnEnd& end : layout.ends) {
+    parts.fixed = parts.fixed || end.hold == EndHold::fixed;
+    parts.tied = parts.tied || end.hold == EndHold::tied;
     parts.anchors = parts.anchors || end.hold == EndHold::anchored;
   }
   for (const DrawnBlock& block : layout.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
   return parts;
 }
 
-Legend legend(const Box& room, bool with_tension, const FloatingParts& parts) {
+Legend legend(const Box& room, bool with_tension, const DrawnParts& parts) {
   constexpr double symbol = 22;
   constexpr double high = 22;
   constexpr double cell = 86;

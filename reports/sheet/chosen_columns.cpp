@@ -50,6 +50,12 @@ std::vector<std::string> parse_columns(const std::string& text,
   std::vector<std::string> chosen;
   for (const std::string& item : comma_separated(text)) {
     const std::string name(trimmed(item));
+    if (name.empty()) {
+      throw InputError({.where = fmt::format("columns '{}'", text),
+                        .what = "nothing stands before or behind a comma",
+                        .expected = "a name of a column there, or no comma",
+                        .form = InputForm::unknown});
+    }
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw InputError({.where = fmt::format("columns '{}'", text),
                         .what = fmt::format("there is no column '{}'", name),

@@ -291,6 +291,17 @@ std::string fitted(const std::vector<LatexColumn>& columns, double width_pt) {
 
 }  // namespace
 
+double least_width_pt(const Table& table) {
+  const std::vector<LatexColumn> columns = latex_columns(table);
+  double widest = least_total(columns.front());
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    widest = std::max(widest, total_width({columns.front(), columns[i]}, least_total));
+  }
+  std::vector<LatexColumn> kept = columns;
+  std::erase_if(kept, [](const LatexColumn& column) { return column.about.dispensable > 0; });
+  return kept.empty() ? widest : std::min(widest, total_width(kept, least_total));
+}
+
 std::string latex(const Table& table, double width_pt) {
   const std::vector<LatexColumn> columns = latex_columns(table);
   if (width_pt == 0 || can_fit(columns, width_pt)) return tabular(columns, width_pt);

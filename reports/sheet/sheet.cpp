@@ -37,4 +37,11 @@ std::string percent(double share) {
   return std::isfinite(share) ? fixed(100 * share, 1) + " %" : "-";
 }
 
+std::string share_text(double share) {
+  std::string text = percent(share);
+  if (share > 0 && text == percent(0)) return "under 0.1 %";
+  if (share < 1 && text == percent(1)) return "over 99.9 %";
+  return text;
+}
+
 }  // namespace reeve::reports

@@ -66,4 +66,7 @@ void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool cave
 std::string fixed(double value, int decimals = 3);
 std::string percent(double share);  // "72.1 %"; "-" if it is none
 
+// Of draws: as percent(), but that some or most do not read as none or all: "under 0.1 %".
+std::string share_text(double share);
+
 }  // namespace reeve::reports

@@ -32,4 +32,12 @@ std::string latex(const Sheet& sheet, double width_pt) {
   return text;
 }
 
+double least_width_pt(const Sheet& sheet) {
+  double widest = 0;
+  for (const Section& section : sheet.sections) {
+    if (section.table) widest = std::max(widest, least_width_pt(*section.table));
+  }
+  return widest;
+}
+
 }  // namespace reeve::reports

@@ -18,6 +18,10 @@ namespace reeve::reports {
 // Throws InputError of chosen columns that are too wide.
 std::string latex(const Sheet& sheet, double width_pt = 0);  // 0: any
 
+// What the widest of the tables takes if everything is done to make it narrow: below, it stands
+// out.
+double least_width_pt(const Sheet& sheet);
+
 // Text as LaTeX typesets it, with any engine.
 std::string latex_escaped(const std::string& text);
 

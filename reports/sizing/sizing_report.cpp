@@ -14,6 +14,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sizing/sizing_words.hpp"
+#include "reports/telling_digits.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
@@ -171,18 +172,24 @@ std::size_t worst_finger(const std::vector<double>& target, const std::vector<do
 SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
   const std::vector<double>& target = options.goal.target;
   const std::size_t worst = worst_finger(target, design.nearest_shares);
-  const std::string at_best = fmt::format(
-      "at the nominal coefficients shares miss it by {:.4g} at best, where finger {} has "
-      "{:.4g} of all pull instead of {:.4g}",
-      on_grid(*design.least_miss), worst + 1, design.nearest_shares[worst], target[worst]);
+  const double share = on_grid(design.nearest_shares[worst]);
+  const double wanted = on_grid(target[worst]);
+  const int digits = telling_digits({share, wanted});
+  const std::string at_best =
+      share == wanted
+          ? std::string("at the nominal coefficients shares meet it at best")
+          : fmt::format(
+                "at the nominal coefficients shares miss it by {:.4g} at best, where finger "
+                "{} has {:.{}g} of all pull instead of {:.{}g}",
+                on_grid(*design.least_miss), worst + 1, share, digits, wanted, digits);
   if (!is_met(design)) {
     return {"The target is out of reach within the bounds: " + at_best, true};
   }
   if (on_grid(*design.least_miss) == 0 && !options.robust) return {"The target is met"};
-  const std::string here = options.robust
-                               ? fmt::format("; sized for all coefficients, by {:.4g} there",
-                                             on_grid(design.after.nominal))
-                               : "";
+  const std::string here =
+      options.robust ? fmt::format("; sized for all coefficients, they miss it by {:.4g} there",
+                                   on_grid(design.after.nominal))
+                     : "";
   return {"The target is within reach: " + at_best + here};
 }
 
@@ -201,6 +208,8 @@ Section best_section(const SizingReport& report) {
         {"A dimension may be off by so much, alone, " + tolerance_text(report.options)});
     const std::string together = together_text(report.options, design);
     if (!together.empty()) section.lines.push_back({together});
+    const std::string any = any_text(design);
+    if (!any.empty()) section.lines.push_back({any});
   }
   for (const FlatDirection& flat : design.flat) section.lines.push_back({flat_text(design, flat)});
   return section;

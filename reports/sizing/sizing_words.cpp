@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace reeve::reports {
 
@@ -20,10 +22,21 @@ std::string title_of(const SizedRouting& routing) {
   return routing.name.empty() ? routing.word : fmt::format("{} ({})", routing.name, routing.word);
 }
 
+namespace {
+
+// " N"; "" of shares, products and what else has none.
+std::string unit_text(const Goal& goal) {
+  if (goal.factors.size() != 1) return "";
+  const std::string_view unit = row(goal.factors.front()).unit;
+  return unit == "1" ? "" : fmt::format(" {}", unit);
+}
+
+}  // namespace
+
 std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
   const double before = on_grid(design.before.goal);
   const double after = on_grid(design.after.goal);
-  std::string text = fmt::format("{:.4g} -> {:.4g}", before, after);
+  std::string text = fmt::format("{:.4g} -> {:.4g}{}", before, after, unit_text(options.goal));
   if (options.goal.is_target() || before == 0) return text;
   text += fmt::format(" ({:+.1f} %)", 100 * (after - before) / std::abs(before));
   return text;
@@ -44,6 +57,19 @@ std::string moves_text(const SizedDesign& design, const std::vector<double>& mov
                         *about.unit == '\0' ? "" : " ", about.unit);
   }
   return text;
+}
+
+std::string any_text(const SizedDesign& design) {
+  const bool any =
+      std::any_of(design.variables.begin(), design.variables.end(), [](const SizedVariable& sized) {
+        return !sized.sensitivity.less || !sized.sensitivity.more;
+      });
+  if (!any || design.variables.size() == 1 || !design.together) return "";
+  return fmt::format(
+      "any: not within its bounds and their width beyond, alone; all at once it was tried with its "
+      "other side's tolerance (a tenth of its bounds where both are any) times {:.3g}, and with no "
+      "more",
+      design.together->factor);
 }
 
 std::string together_text(const SizingOptions& options, const SizedDesign& design) {

@@ -46,10 +46,10 @@ std::string band_text(const Band& band, int decimals) {
 }
 
 std::string first_share_text(const RankDistribution& ranks) {
-  std::string text = percent(ranks.first);
+  std::string text = share_text(ranks.first);
   if (ranks.first_shared == 0) return text;
   if (ranks.first_shared == ranks.first) return text + ", shared";
-  return fmt::format("{}, {} shared", text, percent(ranks.first_shared));
+  return fmt::format("{}, {} shared", text, share_text(ranks.first_shared));
 }
 
 Table band_table(const std::vector<ListedDesign>& designs,
@@ -58,6 +58,8 @@ Table band_table(const std::vector<ListedDesign>& designs,
   for (const Objective objective : objectives) {
     table.columns.push_back(number_column(objective_heading(objective)));
   }
+  const bool constrained = !designs.empty() && designs.front().constraints_met.has_value();
+  if (constrained) table.columns.push_back(number_column("meets all"));
   table.columns.push_back(number_column("first", "", 1));
   table.columns.push_back(number_column("median place", "", 2));
   table.columns.push_back(number_column("5–95 %", "", 2));
@@ -66,6 +68,9 @@ Table band_table(const std::vector<ListedDesign>& designs,
                                    design.name.empty() ? "-" : design.name,
                                    design.ranked.design.word};
     for (const Objective objective : objectives) cells.push_back(band_cell(design, objective));
+    if (constrained) {
+      cells.push_back(design.constraints_met ? share_text(*design.constraints_met) : "");
+    }
     if (design.distribution) {
       cells.push_back(first_share_text(*design.distribution));
       cells.push_back(fixed(design.distribution->median, 0));
@@ -107,7 +112,7 @@ std::vector<SheetLine> shared_first_lines(const std::vector<ListedDesign>& desig
   text += ", which are equal in all that is ranked";
   if (drawn) {
     text += fmt::format("; it is shared in {} of the draws",
-                        percent(designs.front().distribution->first_shared));
+                        share_text(designs.front().distribution->first_shared));
   }
   return {{text}};
 }

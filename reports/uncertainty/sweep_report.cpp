@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "reports/chart/chart_scale.hpp"
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
+#include "reports/telling_digits.hpp"
 #include "reports/uncertainty/band_report.hpp"
 
 namespace reeve::reports {
@@ -32,8 +34,30 @@ std::string leaders_text(const SweptDesigns& swept, const SweepLead& lead) {
   return text + (lead.first.size() == 1 ? " comes first" : ", which are equal, come first");
 }
 
-std::string sweep_cell(const SweepCurve& curve, std::size_t k) {
-  const int decimals = row(curve.objective).decimals;
+std::string coefficient_text(double value, int digits) {
+  return fmt::format("{:.{}g}", value, digits);
+}
+
+// So that each coefficient and each end of a lead differs from its neighbours.
+int digits_of(const Sweep& sweep) {
+  std::vector<double> values = sweep.at;
+  for (const SweepLead& lead : sweep.leads) values.push_back(lead.to);
+  return telling_digits(std::move(values));
+}
+
+// So that the design that changes most changes from row to row.
+int decimals_of(const SweptDesigns& swept, std::size_t objective, std::size_t rows) {
+  double most = 0;
+  for (const std::vector<SweepCurve>& curves : swept.sweep.designs) {
+    chart::Extent extent;
+    for (const double value : curves[objective].values) extent.add(value);
+    if (!extent.empty()) most = std::max(most, extent.high - extent.low);
+  }
+  const Objective of = swept.sweep.designs.front()[objective].objective;
+  return telling_decimals(on_grid(most), rows, row(of).decimals);
+}
+
+std::string sweep_cell(const SweepCurve& curve, std::size_t k, int decimals) {
   std::string nominal = fixed(curve.values[k], decimals);
   if (curve.bands.empty()) return nominal;
   const std::string range = range_text(curve.bands[k], decimals);
@@ -48,10 +72,13 @@ Table sweep_table(const SweptDesigns& swept, std::size_t objective) {
   for (std::size_t i = 0; i < shown; ++i) {
     table.columns.push_back(number_column(swept_name(swept.designs[i])));
   }
+  const int digits = digits_of(sweep);
+  const int decimals =
+      decimals_of(swept, objective, (sweep.at.size() + rows_between - 1) / rows_between);
   for (std::size_t k = 0; k < sweep.at.size(); k += rows_between) {
-    std::vector<std::string> cells{coefficient_text(sweep.at[k])};
+    std::vector<std::string> cells{coefficient_text(sweep.at[k], digits)};
     for (std::size_t i = 0; i < shown; ++i) {
-      cells.push_back(sweep_cell(sweep.designs[i][objective], k));
+      cells.push_back(sweep_cell(sweep.designs[i][objective], k, decimals));
     }
     table.add(std::move(cells));
   }
@@ -122,13 +149,13 @@ std::string coefficient_title(Coefficient coefficient) {
   return *about.unit == '\0' ? about.title : fmt::format("{}, {}", about.title, about.unit);
 }
 
-std::string coefficient_text(double value) { return fmt::format("{:.4g}", value); }
-
 std::vector<std::string> lead_sentences(const SweptDesigns& swept) {
+  const int digits = digits_of(swept.sweep);
   std::vector<std::string> sentences;
   for (const SweepLead& lead : swept.sweep.leads) {
     sentences.push_back(fmt::format("{} from {} to {}", leaders_text(swept, lead),
-                                    coefficient_text(lead.from), coefficient_text(lead.to)));
+                                    coefficient_text(lead.from, digits),
+                                    coefficient_text(lead.to, digits)));
   }
   return sentences;
 }
@@ -136,8 +163,10 @@ std::vector<std::string> lead_sentences(const SweptDesigns& swept) {
 std::vector<Section> sweep_sections(const SweptDesigns& swept) {
   if (swept.designs.empty()) return {};
   const CoefficientRange& over = swept.sweep.over;
+  const int digits = digits_of(swept.sweep);
   Section leads{fmt::format("Over the {}, from {} to {}", coefficient_title(over.coefficient),
-                            coefficient_text(over.range.low), coefficient_text(over.range.high)),
+                            coefficient_text(over.range.low, digits),
+                            coefficient_text(over.range.high, digits)),
                 std::nullopt,
                 {}};
   for (const std::string& sentence : lead_sentences(swept)) leads.lines.push_back({sentence});

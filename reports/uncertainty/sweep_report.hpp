@@ -12,8 +12,6 @@ namespace reeve::reports {
 
 // "friction coefficient of the sheaths", "wrap angle of the sheaths, rad".
 std::string coefficient_title(Coefficient coefficient);
-// "0.0934": of a coefficient.
-std::string coefficient_text(double value);
 
 // One for each lead: "TR3 and TR6, which are equal, come first from 0.05 to 0.0934".
 std::vector<std::string> lead_sentences(const SweptDesigns& swept);

@@ -1,7 +1,6 @@
 #include "search/decide/ladder.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -128,17 +127,13 @@ const std::vector<std::string>& ladder_measures() {
 double parse_within(const std::string& text) {
   const std::string_view whole = trimmed(text);
   const bool in_percent = whole.ends_with('%');
-  const std::string number(trimmed(whole.substr(0, whole.size() - (in_percent ? 1 : 0))));
-  const char* last = number.data() + number.size();
-  double percent = 0;
-  const auto [end, error] = std::from_chars(number.data(), last, percent);
-  const bool is_number = error == std::errc{} && end == last;
-  if (!in_percent || !is_number || !(percent >= 0 && percent < 100)) {
+  const auto percent = number_in(trimmed(whole.substr(0, whole.size() - (in_percent ? 1 : 0))));
+  if (!in_percent || !percent || *percent < 0 || *percent >= 100) {
     throw InputError({.what = "within",
                       .value = text,
                       .expected = "a loss in percent, from 0% to below 100%, such as 2%"});
   }
-  return percent / 100;
+  return *percent / 100;
 }
 
 }  // namespace reeve::search

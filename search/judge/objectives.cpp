@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -240,11 +239,8 @@ Constraint parse_constraint(const std::string& text) {
   const std::string comparison = text.substr(at, end - at);
   const std::string number(trimmed(text.substr(end)));
   constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
-  double bound = 0;
-  const char* last = number.data() + number.size();
-  const auto [stop, error] = std::from_chars(number.data(), last, bound);
-  const bool is_number = error == std::errc{} && stop == last && std::isfinite(bound);
-  if (std::find(known.begin(), known.end(), comparison) == known.end() || !is_number) {
+  const auto bound = number_in(number);
+  if (std::find(known.begin(), known.end(), comparison) == known.end() || !bound) {
     throw InputError(
         {.what = "constraint",
          .value = text,
@@ -253,7 +249,7 @@ Constraint parse_constraint(const std::string& text) {
   const std::string name(trimmed(text.substr(0, at)));
   const std::string option = fmt::format("constraint '{}'", text);
   // On the grid of the values, so that a bound copied with all its digits holds.
-  return {parse_objective(name, option), comparison, on_grid(bound), name + comparison + number};
+  return {parse_objective(name, option), comparison, on_grid(*bound), name + comparison + number};
 }
 
 }  // namespace reeve::search

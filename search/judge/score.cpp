@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -23,16 +23,15 @@ ScoreTerm parse_term(const std::string& text, const std::string& option) {
                       .form = InputForm::unknown});
   }
   if (equals == text.size()) return term;
-  const std::string number(trimmed(text.substr(equals + 1)));
-  const char* last = number.data() + number.size();
-  const auto [end, error] = std::from_chars(number.data(), last, term.weight);
-  if (error != std::errc{} || end != last || !(term.weight > 0 && term.weight <= greatest_weight)) {
+  const auto weight = number_in(trimmed(std::string_view(text).substr(equals + 1)));
+  if (!weight || *weight <= 0 || *weight > greatest_weight) {
     throw InputError({.where = option,
                       .value = text,
                       .expected = fmt::format("a weight above 0 and at most {}, such as "
                                               "adaptability=2",
                                               greatest_weight)});
   }
+  term.weight = *weight;
   return term;
 }
 

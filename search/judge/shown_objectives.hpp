@@ -1,5 +1,5 @@
 // Which objectives are shown to people: all but those that are shown on demand only, and of these
-// the chosen ones, and what the score is made of where it counts.
+// the chosen ones, those that a constraint names, and what the score is made of where it counts.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,10 @@
 namespace reeve::search {
 
 // In the order of their table.
-std::vector<Objective> shown_objectives(const Order& order, const Score& score);
+std::vector<Objective> shown_objectives(const Order& order, const Score& score,
+                                        const std::vector<Constraint>& constraints = {});
 
-bool is_shown(Objective objective, const Order& order, const Score& score);
+bool is_shown(Objective objective, const Order& order, const Score& score,
+              const std::vector<Constraint>& constraints = {});
 
 }  // namespace reeve::search

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
 #include "core/error.hpp"
@@ -47,14 +46,12 @@ std::string quantity_names() {
 }
 
 Dimension of_finger(const QuantityRow& row, const std::string& text, const std::string& whole) {
-  int finger = 0;
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, finger);
-  if (error != std::errc{} || end != last || finger < 1 || finger > max_fingers) {
+  const auto finger = whole_number_in(text);
+  if (!finger || *finger < 1 || *finger > max_fingers) {
     fail(whole, fmt::format("numbers of fingers from 1 to {}, such as {}[1] or {}[2,3]",
                             max_fingers, row.name, row.name));
   }
-  return {row.quantity, finger, {}, {}};
+  return {row.quantity, *finger, {}, {}};
 }
 
 Dimension of_contact(const QuantityRow& row, const std::string& text, const std::string& whole) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
@@ -58,23 +56,18 @@ class TargetReader {
   void read(const std::string& item) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) fail();
-    const double pull = number<double>(trimmed(std::string_view(item).substr(equals + 1)));
-    if (!(pull >= least_pull && pull <= greatest_pull)) fail();
+    const auto pull = number_in(trimmed(std::string_view(item).substr(equals + 1)));
+    if (!pull || *pull < least_pull || *pull > greatest_pull) fail();
     const std::string_view name = trimmed(std::string_view(item).substr(0, equals));
-    const std::size_t finger = name == "others" ? 0 : number<std::size_t>(name);
-    if (name != "others" && (finger < 1 || finger > pulls_.size())) fail();
-    std::optional<double>& place = name == "others" ? others_ : pulls_[finger - 1];
+    std::optional<double>& place = name == "others" ? others_ : pull_of(name);
     if (place) fail();
     place = pull;
   }
 
-  template <typename Number>
-  Number number(std::string_view text) const {
-    Number value{};
-    const char* last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, value);
-    if (error != std::errc{} || end != last) fail();
-    return value;
+  std::optional<double>& pull_of(std::string_view finger) {
+    const auto number = whole_number_in(finger);
+    if (!number || *number < 1 || *number > static_cast<int>(pulls_.size())) fail();
+    return pulls_[static_cast<std::size_t>(*number) - 1];
   }
 
   const std::string& text_;

@@ -103,7 +103,8 @@ std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Ha
   if (quantity == Quantity::closing && hand(hardware)) return found;
   for (int finger = 1; finger <= network.fingers; ++finger) {
     const FingerHardware* own = find_finger(hardware, finger);
-    const double nominal = quantity == Quantity::closing ? (own != nullptr ? own->closing : 1)
+    const double nominal = quantity == Quantity::closing
+                               ? (own != nullptr ? own->closing.value_or(1) : 1)
                            : own != nullptr ? own->strand_mm.value_or(hardware.strand_mm)
                                             : hardware.strand_mm;
     found.push_back({{quantity, finger, {}, {}}, nominal, false});

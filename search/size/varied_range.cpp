@@ -2,24 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-#include <optional>
-
 #include "core/error.hpp"
 #include "core/text.hpp"
 
 namespace reeve::search {
 namespace {
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0;
-  const std::string_view digits = trimmed(text);
-  const char* last = digits.data() + digits.size();
-  const auto [end, error] = std::from_chars(digits.data(), last, number);
-  if (error != std::errc{} || end != last || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
 
 // Between commas that stand in no bracket.
 std::vector<std::string> items_in(const std::string& text) {
@@ -53,6 +40,14 @@ VariedRange varied_range(const std::string& name, const Interval& bounds, const 
     throw error.at(text);
   }
   const QuantityRow& about = row(range.name.quantity);
+  if (bounds.low == bounds.high) {
+    throw InputError({.where = text,
+                      .what = fmt::format("{} has no room between {} and {}", about.name,
+                                          bounds.low, bounds.high),
+                      .expected = "a least and a greater value; what is to stay as it is stands in "
+                                  "the hardware file, and is not varied",
+                      .form = InputForm::unknown});
+  }
   if (bounds.low <= bounds.high && bounds.low >= about.possible.low &&
       bounds.high <= about.possible.high) {
     return range;
@@ -71,8 +66,9 @@ VariedRange parse_varied(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t dots = text.find("..", equals == std::string::npos ? 0 : equals);
   if (equals != std::string::npos && dots != std::string::npos) {
-    const auto low = number_in(std::string_view(text).substr(equals + 1, dots - equals - 1));
-    const auto high = number_in(std::string_view(text).substr(dots + 2));
+    const auto low =
+        number_in(trimmed(std::string_view(text).substr(equals + 1, dots - equals - 1)));
+    const auto high = number_in(trimmed(std::string_view(text).substr(dots + 2)));
     if (low && high) return varied_range(text.substr(0, equals), {*low, *high}, option);
   }
   throw InputError({.what = "vary",

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -22,15 +19,6 @@ constexpr std::array<CoefficientRow, 5> coefficients{{
     {Coefficient::bearing_mu, "bearing_mu", "friction coefficient of the bearings", "", 1},
     {Coefficient::sheath_angle, "sheath_angle", "wrap angle of the sheaths", "rad", 50},
 }};
-
-std::optional<double> swept_number(std::string_view text) {
-  double number = 0;
-  const std::string_view digits = trimmed(text);
-  const char* last = digits.data() + digits.size();
-  const auto [end, error] = std::from_chars(digits.data(), last, number);
-  if (error != std::errc{} || end != last || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
 
 InputError no_sweep(const std::string& text, const std::string& expected) {
   return InputError({.what = "sweep", .value = text, .expected = expected});
@@ -78,8 +66,8 @@ CoefficientRange parse_sweep(const std::string& text) {
   const std::string_view range = std::string_view(text).substr(std::min(equals + 1, text.size()));
   const std::size_t dots = range.find("..");
   if (dots != std::string_view::npos) {
-    const auto low = swept_number(range.substr(0, dots));
-    const auto high = swept_number(range.substr(dots + 2));
+    const auto low = number_in(trimmed(range.substr(0, dots)));
+    const auto high = number_in(trimmed(range.substr(dots + 2)));
     if (low && high && *low >= 0 && *low < *high && *high <= about->greatest) {
       return {about->coefficient, {*low, *high}};
     }

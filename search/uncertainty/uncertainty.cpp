@@ -16,17 +16,28 @@
 namespace reeve::search {
 namespace {
 
-// The places of the routings in one draw, in their order.
+// The places of the routings in one draw, in their order, and which of them meet all constraints.
 struct DrawnPlaces {
   std::vector<std::uint32_t> places;
+  std::vector<bool> meets;  // empty without constraints
   bool first_is_shared = false;
 };
 
-DrawnPlaces drawn_places(std::vector<Design> designs, const Order& order) {
+bool meets_all(const std::vector<Constraint>& constraints, const ObjectiveValues& values) {
+  return std::all_of(constraints.begin(), constraints.end(),
+                     [&](const Constraint& constraint) { return constraint.admits(values); });
+}
+
+DrawnPlaces drawn_places(std::vector<Design> designs, const UncertaintyOptions& options) {
   DrawnPlaces result;
   result.places.resize(designs.size());
-  const std::vector<RankedDesign> ranked = rank(std::move(designs), order);
-  const std::vector<std::size_t> shared = places(ranked, order);
+  if (!options.constraints.empty()) {
+    for (const Design& design : designs) {
+      result.meets.push_back(meets_all(options.constraints, design.values));
+    }
+  }
+  const std::vector<RankedDesign> ranked = rank(std::move(designs), options.order);
+  const std::vector<std::size_t> shared = places(ranked, options.order);
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     result.places[ranked[i].given] = static_cast<std::uint32_t>(shared[i]);
   }
@@ -56,6 +67,12 @@ RankDistribution distribution(const std::vector<DrawnPlaces>& draws, std::size_t
   const auto count = static_cast<double>(draws.size());
   return {first / count, quantile(places, 0.5), quantile(places, 0.05), quantile(places, 0.95),
           shared / count};
+}
+
+double share_that_meets(const std::vector<DrawnPlaces>& draws, std::size_t design) {
+  const auto met = std::count_if(draws.begin(), draws.end(),
+                                 [&](const DrawnPlaces& draw) { return draw.meets[design]; });
+  return static_cast<double>(met) / static_cast<double>(draws.size());
 }
 
 // Goes through all draws, once or several times, in slices, so that progress can be told and a stop
@@ -177,13 +194,15 @@ std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
         designs.push_back({words[i], evaluator.evaluate(routings[i])});
         values.keep(i, draw, designs.back().values);
       }
-      by_draw[draw] = drawn_places(std::move(designs), options.order);
+      by_draw[draw] = drawn_places(std::move(designs), options);
     });
     if (!finished) return std::nullopt;
     result.bands = values.bands(loop.workers());
   }
   for (std::size_t i = 0; i < routings.size(); ++i) {
     result.ranks.push_back(distribution(by_draw, i));
+    if (options.constraints.empty()) continue;
+    result.constraints_met.push_back(share_that_meets(by_draw, i));
   }
   by_draw.clear();
   if (!add_bands(routings, objectives, options, model, loop, result.bands)) return std::nullopt;

@@ -38,6 +38,7 @@ struct UncertaintyOptions {
   Score score = authors_score();
   std::optional<PartPrices> prices = std::nullopt;
   std::size_t values_at_once = 32'000'000;  // of draws, kept for bands; eight bytes each
+  std::vector<Constraint> constraints = {};
 };
 
 // Of the place among the designs that were drawn together.
@@ -51,6 +52,9 @@ struct RankDistribution {
 
 struct DrawnDesigns {
   std::vector<RankDistribution> ranks;
+  // Shares of the draws in which a design meets all constraints; empty without constraints. They
+  // leave no design out: what is listed met them at the nominal coefficients.
+  std::vector<double> constraints_met = {};
   std::vector<Bands> bands;
 };
 
@@ -62,7 +66,8 @@ Model draw_model(const UncertaintyOptions& options, std::uint64_t draw);
 // and designs together are more than memory should hold.
 void validate(const UncertaintyOptions& options, std::size_t designs);
 
-// Ranks among the given routings, and their bands, parallel to them. Nothing if stopped.
+// Ranks among the given routings, how often they meet the constraints, and their bands, parallel to
+// them. Nothing if stopped.
 std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
                                           const UncertaintyOptions& options,
                                           const Supervision& supervision = {});

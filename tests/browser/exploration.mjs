@@ -1,5 +1,6 @@
 // The page of an exploration, and what it must show: from the files beside it, never from itself.
-import { open, settled } from "./harness.mjs";
+import { after, before } from "node:test";
+import { open, settled, startBrowser } from "./harness.mjs";
 import { csvRecords } from "./csv.mjs";
 import { column } from "./looking.mjs";
 import { besidePage, jsonBesidePage, pageFile } from "./places.mjs";
@@ -20,6 +21,17 @@ export const lines = (some) => {
 
 export const openExploration = (browser, options) =>
   open(browser, pageFile(name), { scripted: true, ...options });
+
+// Within describe(): a browser with the page of that exploration, from before the first test until
+// after the last; `use` is given {browser, page, faults}.
+export function withExploration(use, of = name) {
+  let browser;
+  before(async () => {
+    browser = await startBrowser();
+    await use({ browser, ...(await open(browser, pageFile(of), { scripted: true })) });
+  });
+  after(() => browser.close());
+}
 
 // The designs that are drawn, with all that the chart holds of each.
 export async function drawn(page) {

@@ -1,6 +1,6 @@
 // The plot of an exploration, and the designs that are selected in it.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import {
   byWord,
   card,
@@ -10,8 +10,9 @@ import {
   filterBy,
   openExploration,
   summary,
+  withExploration,
 } from "./exploration.mjs";
-import { settled, startBrowser } from "./harness.mjs";
+import { settled } from "./harness.mjs";
 import {
   countInSvg,
   pngSize,
@@ -33,11 +34,7 @@ describe("explore: the plot", () => {
   let browser;
   let page;
   let faults;
-  before(async () => {
-    browser = await startBrowser();
-    ({ page, faults } = await openExploration(browser));
-  });
-  after(() => browser.close());
+  withExploration((opened) => ({ browser, page, faults } = opened));
 
   async function lieWhereTheFileSays(marks, [x, y]) {
     for (const mark of marks) {

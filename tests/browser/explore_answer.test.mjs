@@ -1,10 +1,10 @@
 // The page of an exploration begins with the answer, and what is pointed at stays in view.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { box, clearSelection, filterBy, name, openExploration, summary } from "./exploration.mjs";
-import { open, settled, startBrowser } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { box, clearSelection, filterBy, name, summary, withExploration } from "./exploration.mjs";
+import { settled } from "./harness.mjs";
 import { sameToThreeDecimals, schematicTensions, schematicTitle } from "./looking.mjs";
-import { pageFile, reeveJson } from "./places.mjs";
+import { reeveJson } from "./places.mjs";
 
 const slot = (page, word) => page.locator(`.slot[data-word="${word}"]`);
 const shownWords = (page) =>
@@ -16,17 +16,14 @@ const { first, affordable } = {
 
 for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
   describe(`explore: the first screen of ${fingers} fingers`, () => {
-    let browser;
     let page;
-    before(async () => {
-      browser = await startBrowser();
-      ({ page } = await open(browser, pageFile(page_name), { scripted: true }));
+    withExploration(async (opened) => {
+      ({ page } = opened);
       await page.setViewportSize({ width: 1280, height: 800 });
       await page.reload();
       await page.waitForSelector("html[data-ready]", { state: "attached" });
       await settled(page);
-    });
-    after(() => browser.close());
+    }, page_name);
 
     test("it holds the answer, both drawings, the ladder and the plot", async () => {
       const parts = ["#answer", ".slot:nth-child(1) .drawing svg", ".slot:nth-child(2) .drawing svg",
@@ -57,14 +54,9 @@ for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
 }
 
 describe("explore: the panel", () => {
-  let browser;
   let page;
   let faults;
-  before(async () => {
-    browser = await startBrowser();
-    ({ page, faults } = await openExploration(browser));
-  });
-  after(() => browser.close());
+  withExploration((opened) => ({ page, faults } = opened));
 
   test("it begins with the first and the affordable design, as the summary has them", async () => {
     assert.deepEqual(await shownWords(page), [first, affordable]);

@@ -1,25 +1,21 @@
 // An exploration with a hand: where no motor force is enough there is no number, which is a dash, as
 // in the terminal, and comes last.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { csvRecords } from "./csv.mjs";
-import { filterBy } from "./exploration.mjs";
-import { open, startBrowser } from "./harness.mjs";
+import { filterBy, withExploration } from "./exploration.mjs";
 import { column, sortButton } from "./looking.mjs";
-import { besidePage, pageFile } from "./places.mjs";
+import { besidePage } from "./places.mjs";
 
 describe("explore: a hand", () => {
   const designs = csvRecords(besidePage("explore-hand", "designs.csv"));
   const none = designs.filter(({ motor_force }) => motor_force === "");
-  let browser;
   let page;
   let faults;
-  before(async () => {
-    browser = await startBrowser();
-    ({ page, faults } = await open(browser, pageFile("explore-hand"), { scripted: true }));
+  withExploration(async (opened) => {
+    ({ page, faults } = opened);
     await filterBy(page, { which: "listed" });
-  });
-  after(() => browser.close());
+  }, "explore-hand");
 
   test("what there is none of is a dash, and a bound leaves it out", async () => {
     assert.ok(none.length > 0 && none.length < designs.length, `${none.length} of ${designs.length}`);

@@ -1,8 +1,8 @@
 // Ranges that are brushed on the parallel axes, and a filter that leaves nothing.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { designs, filterBy, openExploration, tableWords } from "./exploration.mjs";
-import { settled, startBrowser } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { designs, filterBy, openExploration, tableWords, withExploration } from "./exploration.mjs";
+import { settled } from "./harness.mjs";
 
 const count = async (page) => Number((await page.locator("#filter-count").textContent()).split(" ")[0]);
 const drawnLater = async (page) => {
@@ -38,12 +38,10 @@ describe("explore: ranges on the parallel axes", () => {
   const values = (key) => designs.map((design) => Number(design[key]));
   const uniformity = values("uniformity_mean");
   const [low, high] = [Math.min(...uniformity), Math.max(...uniformity)];
-  before(async () => {
-    browser = await startBrowser();
-    ({ page, faults } = await openExploration(browser));
+  withExploration(async (opened) => {
+    ({ browser, page, faults } = opened);
     await filterBy(page, { which: "listed" });
   });
-  after(() => browser.close());
 
   test("a range that is dragged keeps the designs that are in it, and no others", async () => {
     await drag(page, "uniformity mean", 1, 0.5);

@@ -1,6 +1,6 @@
 // The table of an exploration: filter, order, and all of it with the keyboard alone.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import {
   box,
   byWord,
@@ -12,8 +12,9 @@ import {
   openExploration,
   summary,
   tableWords,
+  withExploration,
 } from "./exploration.mjs";
-import { settled, startBrowser } from "./harness.mjs";
+import { settled } from "./harness.mjs";
 import { sameToThreeDecimals, schematicTensions, sortButton, tabTo } from "./looking.mjs";
 import { reeveJson } from "./places.mjs";
 
@@ -25,11 +26,7 @@ describe("explore: the table", () => {
   let browser;
   let page;
   let faults;
-  before(async () => {
-    browser = await startBrowser();
-    ({ page, faults } = await openExploration(browser));
-  });
-  after(() => browser.close());
+  withExploration((opened) => ({ browser, page, faults } = opened));
 
   test("it begins in the order of designs.csv", async () => {
     const first = lines(designs).slice(0, screenful).map(({ routing }) => routing);

@@ -26,6 +26,9 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
                "sheath_angle[1]=3..9"),
       size_tr1({"--vary", "angle=1..2"},
                "--vary 'angle=1..2': dimension 'angle': expected one of sheath_angle[1], "),
+      size_tr1({"--vary", "tip_angle=3..3"},
+               "--vary 'tip_angle=3..3': tip_angle has no room between 3 and 3; expected a least "
+               "and a greater value; what is to stay as it is stands in the hardware file"),
       size_tr1({"--vary", "tip_angle=4..1"},
                "--vary 'tip_angle=4..1': tip_angle = 4..1: expected the least and the greatest"),
       size_tr1({"--vary", "sheath_angle[2]=1..4"},
@@ -50,6 +53,13 @@ TEST(BadTables, AreNamedWithWhatWasExpected) {
       {{"rank", "--catalog", "--columns", "name,speed"},
        "--columns 'name,speed': there is no column 'speed'; expected any of rank, front, name, "
        "routing, alike, uniformity_mean, ",
+       {}},
+      {{"rank", "--catalog", "--columns", ","},
+       "--columns ',': expected names of columns with commas between them, any of rank, front, ",
+       {}},
+      {{"rank", "--catalog", "--columns", "name,,rank"},
+       "--columns 'name,,rank': nothing stands before or behind a comma; expected a name of a "
+       "column there, or no comma",
        {}},
       {{"rank", "--catalog", "--columns", "rank_median"}, "there is no column 'rank_median'", {}},
       {{"explore", "--columns", "motor_force"}, "there is no column 'motor_force'", {}},

@@ -1,34 +1,15 @@
 // The keys of the JSON interface, which docs/json.md promises to keep: names and order. Those about
-// measured tensions are in readings_keys_test.cpp.
+// measured tensions are in readings_keys_test.cpp, those of an exploration in
+// explore_keys_test.cpp.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "tests/golden/json_keys.hpp"
+#include "tests/golden/design_keys.hpp"
 
 namespace reeve::testing {
 namespace {
-
-const std::string objectives =
-    " uniformity efficiency force_transmission jams sheaths pulleys knots travel "
-    "round_trip_efficiency return_friction adaptability torsional_balance reliability authors_efficiency transmission score "
-    "blocks finger_uniformity parts cost";
-const std::string alike = " alike same_as place";
-const std::string judged_settings = "objectives score grasps hardware model uncertainty";
-const std::string common_settings = judged_settings + " ladder prices sweep";
-
-void expect_pair(const Json& json) {
-  EXPECT_EQ(keys(json["uniformity"]), "mean worst");
-  EXPECT_EQ(keys(json["efficiency"]), "mean worst");
-}
-
-void expect_settings(const Json& settings) {
-  EXPECT_EQ(keys(settings["grasps"][0]), "held weight");
-  EXPECT_EQ(keys(settings["hardware"]), "tube bearing sheath lengths fingers contacts");
-  EXPECT_EQ(keys(settings["hardware"]["tube"]), "mu angle_rad");
-  EXPECT_EQ(keys(settings["hardware"]["lengths"]), "strand_mm motor_side_mm hand_mm");
-}
 
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
@@ -76,7 +57,7 @@ TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
   EXPECT_EQ(keys(hardware["hand"]), "force_N joints");
   EXPECT_EQ(keys(hardware["hand"]["joints"][0]),
             "arm_mm range_deg lever_mm spring_Nmm_rad rest_deg held_deg");
-  EXPECT_EQ(keys(hardware["fingers"][0]), "finger closing force_N joints");
+  EXPECT_EQ(keys(hardware["fingers"][0]), "finger force_N joints");
   EXPECT_EQ(keys(hardware["motor"]), "spool_radius_mm close_s force_N stroke_mm");
 }
 
@@ -173,105 +154,6 @@ TEST(KeysOfRank, AddWhatThePageShows) {
             "strand model published published_fault measured measured_deviation");
   EXPECT_EQ(keys(json["measured_data"]), "file simulated notes");
   EXPECT_TRUE(with_page({"rank", "TR5"})["measured_data"].is_null());
-}
-
-TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
-  const Json json = summary();
-  EXPECT_EQ(keys(json),
-            "generated rejected evaluated partial notes total seconds designs_per_second "
-            "front_equals_left_out front top best known ladder unmet exploration settings version");
-  EXPECT_EQ(keys(json["rejected"]), "not actuated");
-  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + alike);
-  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + alike);
-  EXPECT_EQ(keys(json["known"][0]),
-            "name routing rank front dominated_by generated rejected_by" + objectives);
-  EXPECT_EQ(keys(json["settings"]),
-            "fingers identical_fingers parts tendons shard top constraints " + common_settings);
-  EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
-  expect_pair(json["known"][0]);
-  expect_settings(json["settings"]);
-}
-
-TEST(KeysOfASweep, AreThePromisedOnes) {
-  const Json json = json_of({"rank", "TR1", "TR7", "--sweep", "mu=0.1..0.2"})["sweep"];
-  EXPECT_EQ(keys(json), "coefficient unit at leads designs");
-  EXPECT_EQ(keys(json["leads"][0]), "from to first");
-  EXPECT_EQ(keys(json["designs"][0]), "routing name place objectives");
-  EXPECT_EQ(keys(json["designs"][0]["objectives"]), "uniformity_mean efficiency_mean");
-  const Json& curve = json["designs"][0]["objectives"]["efficiency_mean"];
-  EXPECT_EQ(keys(curve), "nominal median p5 p95");
-  EXPECT_EQ(curve["nominal"].size(), json["at"].size());
-  EXPECT_TRUE(curve["median"].is_null());
-  const Json explored =
-      summary({"--sweep", "mu=0.1..0.2", "--uncertainty", "--draws", "3", "--top", "1"});
-  EXPECT_EQ(keys(explored["sweep"]), keys(json));
-  EXPECT_EQ(explored["settings"]["sweep"].dump(), R"({"coefficient":"mu","from":0.1,"to":0.2})");
-  EXPECT_EQ(explored["sweep"]["designs"][0]["objectives"]["efficiency_mean"]["p5"].size(),
-            json["at"].size());
-  EXPECT_EQ(keys(explored["known"][0]),
-            "name routing rank front dominated_by generated "
-            "rejected_by" +
-                objectives + " bands");
-  EXPECT_EQ(explored["known"][0]["bands"].size(), 14U);
-}
-
-TEST(KeysOfAShard, AreThePromisedOnes) {
-  const TemporaryFolder folder;
-  reeve({"explore", "--fingers", "2", "--shard", "1/2", "--constraint", "sheaths<=2", "--out",
-         folder.path().string()});
-  const Json json = Json::parse(read_text(folder.path() / "shard.json"));
-  EXPECT_EQ(
-      keys(json),
-      "exploration whole shard partial arguments total generated evaluated unconverged seconds "
-      "constraint_failures reaches known kept equals_left_out ladder sample settings version");
-  EXPECT_EQ(keys(json["reaches"][0]), "met_by_any nearest nearest_with_the_others_met");
-  EXPECT_EQ(keys(json["reaches"][0]["nearest"]), "below above");
-  EXPECT_EQ(keys(json["known"][0]), "dominated_by generated rejected_by");
-  EXPECT_EQ(keys(json["sample"]), "places routings");
-  EXPECT_EQ(json["arguments"].dump(), R"(["--fingers=2","--constraint=sheaths<=2"])");
-  EXPECT_EQ(keys(json["settings"]), keys(summary()["settings"]));
-}
-
-TEST(KeysOfTheLadder, AreThePromisedOnes) {
-  const std::string prices = (std::filesystem::path(REEVE_CATALOG_DIR) / "prices/example.toml");
-  const Json json = summary({"--cost", prices, "--within", "5%"});
-  EXPECT_EQ(keys(json["ladder"]), "by within affordable knee rungs");
-  EXPECT_EQ(keys(json["ladder"]["affordable"]), "routing name rank losses" + objectives);
-  const Json& rungs = json["ladder"]["rungs"];
-  EXPECT_EQ(keys(rungs[1]), "at_most routing name rank kept gains losses" + objectives);
-  EXPECT_EQ(keys(rungs[1]["gains"]), "uniformity_mean efficiency_mean");
-  EXPECT_EQ(keys(rungs[1]["losses"]), "uniformity_mean efficiency_mean");
-  EXPECT_TRUE(rungs[0]["gains"].is_null());
-  EXPECT_EQ(json["settings"]["ladder"].dump(), R"({"by":"cost","within":0.05})");
-  EXPECT_EQ(keys(json["settings"]["prices"]),
-            "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
-            "knot tendon_mm");
-  EXPECT_EQ(keys(json_of({"rank", "--catalog"})["ladder"]), keys(json["ladder"]));
-}
-
-TEST(KeysOfUnmetConstraints, AreThePromisedOnes) {
-  const Json json = summary({"--constraint", "sheaths<=0"});
-  ASSERT_EQ(json["unmet"].size(), 1U);
-  EXPECT_EQ(json["unmet"][0].dump(),
-            R"({"constraint":"sheaths<=0","met_by_any":false,"nearest":{"below":null,"above":1.0},)"
-            R"("nearest_with_the_others_met":{"below":null,"above":1.0}})");
-  EXPECT_TRUE(json["ladder"]["rungs"].empty());
-  EXPECT_TRUE(summary()["unmet"].empty());
-}
-
-TEST(KeysOfTheExploreSummary, NameEveryConstraintThatRejects) {
-  const Json json = summary({"--constraint", "sheaths<=2", "--constraint", "jams == 0"});
-  EXPECT_EQ(keys(json["rejected"]), "not actuated constraint sheaths<=2 constraint jams==0");
-  EXPECT_EQ(json["settings"]["constraints"].dump(), R"(["sheaths<=2","jams==0"])");
-}
-
-TEST(KeysOfTheExploreSummary, HaveNullRankForAKnownRoutingThatIsNotAmongTheDesigns) {
-  const Json json = summary({"--constraint", "sheaths<=1"});
-  const Json tr7 = json["known"][6];
-  ASSERT_EQ(tr7["name"], "TR7");
-  EXPECT_TRUE(tr7["rank"].is_null());
-  EXPECT_TRUE(tr7["front"].is_null());
-  EXPECT_EQ(tr7["dominated_by"], 0);
 }
 
 TEST(KeysOfSize, AreThePromisedOnes) {

@@ -120,6 +120,33 @@ TEST(Constraint, ThatNothingMeetsSaysTheLeastAndExitsWithOne) {
   EXPECT_EQ(reeve({"explore", "--constraint", "sheaths<=1", "--out", explored.out()}).exit_code, 0);
 }
 
+TEST(Constraint, ThatNothingMeetsLeavesKnownRoutingsWithoutRankAndThePlotWithoutAnEdge) {
+  const Explored explored({"--fingers", "2", "--constraint", "sheaths<=0"});
+  EXPECT_TRUE(says(explored.result, "no rank since\n"));
+  EXPECT_TRUE(says(explored.result,
+                   "TR7   1-P-2-P-1     -      -             -       0.998       0.322  fails "
+                   "sheaths<=0\n"));
+  EXPECT_EQ(explored.file("index.html").find("dashed line"), std::string::npos);
+  EXPECT_NE(Explored({"--fingers", "2"}).file("index.html").find("dashed line"), std::string::npos);
+}
+
+TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
+  const Explored explored({"--fingers", "3", "--hardware",
+                           REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--constraint",
+                           "motor_force<=150", "--uncertainty", "--draws", "40", "--top", "5"});
+  EXPECT_TRUE(says(explored.result, "  motor  "));
+  EXPECT_TRUE(says(explored.result, "  meets all  "));
+  const Json first = explored.summary()["top"][0];
+  const double met = first["constraints_met"];
+  EXPECT_GT(met, 0);
+  EXPECT_NE(explored.file("designs.csv").find(",constraints_met,exploration\n"), std::string::npos);
+  const std::string page = explored.file("index.html");
+  EXPECT_NE(page.find(">motor force</th>"), std::string::npos);
+  EXPECT_NE(page.find("data-column=\"constraints_met\""), std::string::npos);
+  EXPECT_NE(page.find("Constraints were judged at the nominal coefficients; in "),
+            std::string::npos);
+}
+
 TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
   const Explored explored(
       {"--fingers", "2", "--constraint", "sheaths<=1", "--constraint", "uniformity>=0.994"});

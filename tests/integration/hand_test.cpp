@@ -48,6 +48,20 @@ TEST(HandOfTheCommands, IsThatOfThePullWhateverIsShown) {
   EXPECT_EQ(hand_json({"show", "M-1-T-2-T-3-F", "--direction", "release"})["hand"], pulling);
 }
 
+TEST(HandOfTheCommands, ThatPressesNothingAsksForNoForceAndNamesNoFinger) {
+  const TemporaryFolder folder;
+  const std::string idle =
+      folder
+          .write("idle.toml",
+                 "[hand]\nforce_N = 0\njoints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60 }]\n")
+          .string();
+  const ProcessResult shown = reeve({"show", "TR7", "--hardware", idle});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_NE(shown.out.find("Motor force 0 N: no finger is to press"), std::string::npos)
+      << shown.out;
+  EXPECT_EQ(shown.out.find("asks for it"), std::string::npos);
+}
+
 // Each line of the section, in the document behind four spaces.
 TEST(HandOfTheDocument, IsWhatTheCommandPrints) {
   const std::string document =

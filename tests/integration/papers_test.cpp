@@ -63,6 +63,17 @@ TEST(TablesForPapers, HaveMeanAndWorstInColumnsOfTheirOwn) {
   EXPECT_TRUE(has(printed({"rank", "--catalog"}), "0.998/0.997"));
 }
 
+TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForSayWhatTheyTake) {
+  const auto warned = [](const std::string& width) {
+    return reeve({"rank", "--catalog", "--format", "latex", "--text-width", width}).err;
+  };
+  EXPECT_TRUE(
+      warned("2cm").starts_with("reeve: a table is wider than --text-width '2cm': it takes "))
+      << warned("2cm");
+  const std::string takes = warned("2cm").substr(warned("2cm").find("takes ") + 6);
+  EXPECT_EQ(warned(takes.substr(0, takes.find(';'))), "");
+}
+
 TEST(TablesForPapers, OfSizesHaveThoseOfTheDimensionsOrOfTheRoutings) {
   const Arguments size{"size",      "TR1",      "TR7", "--vary", "sheath_angle=3..9",
                        "--nominal", "--columns"};

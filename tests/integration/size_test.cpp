@@ -44,6 +44,28 @@ TEST(Size, WritesAHardwareFileThatGivesTheSameFigures) {
   EXPECT_TRUE(read_text(file).starts_with("# Sized by reeve "));
 }
 
+// Joints can still be given to the fingers: nobody has said how far they close.
+TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
+  Sized sized({"TR1", "--vary", "tip_angle=1..4", "--nominal", "--starts", "1", "--save-hardware",
+               "h.toml"});
+  ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
+  const std::string saved = read_text(sized.folder.path() / "h.toml");
+  EXPECT_NE(saved.find("tip_angle_rad"), std::string::npos);
+  EXPECT_EQ(saved.find("closing"), std::string::npos) << saved;
+  sized.folder.write("hand.toml",
+                     saved +
+                         "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, "
+                         "lever_mm = 60 }]\n");
+  const std::string file = (sized.folder.path() / "hand.toml").string();
+  const ProcessResult shown = reeve({"show", "TR1", "--hardware", file});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  sized.run({"TR1", "--vary", "closing[2]=0.5..2", "--goal", "round_trip_efficiency", "--nominal",
+             "--starts", "1", "--save-hardware", "c.toml"});
+  const std::string closes = read_text(sized.folder.path() / "c.toml");
+  EXPECT_EQ(closes.find("closing"), closes.rfind("closing"));
+  EXPECT_NE(closes.find("[finger.2]\nclosing"), std::string::npos) << closes;
+}
+
 TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
   Sized sized({});
   sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n");
@@ -67,6 +89,33 @@ TEST(Size, OfATargetOutOfReachSaysByHowMuchAndExitsWithOne) {
                                   "of all pull instead of 0.4"),
             std::string::npos)
       << sized.result.out;
+}
+
+// Shares that are met at the nominal coefficients and missed by what suits all of them.
+TEST(Size, OfATargetForAllCoefficientsDoesNotSayOneNumberInsteadOfItself) {
+  const Sized sized({"M-1-P-2-F", "--target", "1=2,others=1", "--vary", "sheath_angle=1..12",
+                     "--draws", "10", "--starts", "1"});
+  const std::string& out = sized.result.out;
+  const std::size_t instead = out.find(" of all pull instead of ");
+  if (instead == std::string::npos) {
+    EXPECT_NE(out.find("shares meet it at best"), std::string::npos) << out;
+  } else {
+    const std::string has = out.substr(out.rfind(' ', instead - 1) + 1);
+    const std::string wanted = out.substr(instead + 24);
+    EXPECT_NE(has.substr(0, has.find(' ')), wanted.substr(0, wanted.find_first_of(";\n"))) << out;
+  }
+}
+
+TEST(Size, SaysUnitsAndWhatAnyMeans) {
+  const std::string hand = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
+  const Sized force({"M-1b-T-2b-B-3b-M", "--hardware", hand, "--goal", "motor_force", "--vary",
+                     "tip_angle=2..4", "--nominal", "--starts", "1"});
+  const std::string headline = force.result.out.substr(force.result.out.find("M-1b"));
+  EXPECT_NE(headline.substr(0, headline.find('\n')).find(" N ("), std::string::npos) << headline;
+  EXPECT_NE(force.result.out.find("any: not within its bounds and their width beyond, alone; all "
+                                  "at once it was tried with its other side's tolerance"),
+            std::string::npos)
+      << force.result.out;
 }
 
 TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {

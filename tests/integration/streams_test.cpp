@@ -73,6 +73,13 @@ TEST(FullStdout, IsAnError) {
   }
 }
 
+TEST(FullStdout, IsAmongTheExitCodesOfTheHelp) {
+  const std::string help = reeve({"--help"}).out;
+  EXPECT_NE(help.find("3 interrupted, standard output cannot be written, not enough memory"),
+            std::string::npos)
+      << help;
+}
+
 TEST(FullStdout, IsAnErrorForHelpAndVersionToo) {
   ProcessOptions options;
   options.stdout_to = "/dev/full";

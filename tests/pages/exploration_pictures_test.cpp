@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/exploration/parallel_picture.hpp"
 #include "search/judge/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"

@@ -28,7 +28,7 @@ BandedSpot banded_spot(double x, double y) {
 
 TEST(BandLayers, AreBarsBothWaysThroughTheSpot) {
   chart::Panel panel;
-  panel.layers = band_layers({banded_spot(0.5, 0.4)}, both_means);
+  panel.layers = band_bars({banded_spot(0.5, 0.4)}, both_means, {}).layers;
   ASSERT_EQ(panel.layers.size(), 2U);
   const auto& across = std::get<chart::Spans>(panel.layers[0].marks);
   const auto& up = std::get<chart::Spans>(panel.layers[1].marks);
@@ -47,15 +47,41 @@ TEST(BandLayers, AreFewAndNoneWhereThereIsNoBand) {
   std::vector<BandedSpot> many;
   for (int i = 0; i < 50; ++i) many.push_back(banded_spot(0.01 * i, 0.5));
   many.push_back(banded_spot(0, 0.5));  // on the first
-  EXPECT_EQ(std::get<chart::Spans>(band_layers(many, both_means)[0].marks).spans.size(),
+  EXPECT_EQ(std::get<chart::Spans>(band_bars(many, both_means, {}).layers[0].marks).spans.size(),
             most_banded);
-  EXPECT_TRUE(band_layers({{0.5, 0.5, {}, "design"}}, both_means).empty());
+  EXPECT_TRUE(band_bars({{0.5, 0.5, {}, "design"}}, both_means, {}).layers.empty());
   EXPECT_EQ(band_caption({}), "");
   BandedSpot point = banded_spot(0.5, 0.5);
   point.bands[1].band = {0.5, 0.5, 0.5};
-  EXPECT_EQ(band_layers({point}, both_means).size(), 1U);
+  EXPECT_EQ(band_bars({point}, both_means, {}).layers.size(), 1U);
   // Sheaths have no band.
-  EXPECT_EQ(band_layers({point}, {Objective::sheaths, Objective::uniformity_mean}).size(), 1U);
+  EXPECT_EQ(band_bars({point}, {Objective::sheaths, Objective::uniformity_mean}, {}).layers.size(),
+            1U);
+}
+
+// Points 0.02 apart under bars of 0.15 and 0.3.
+TEST(BandBars, LeaveThePointsApart) {
+  const std::vector<BandedSpot> close{banded_spot(0.5, 0.4), banded_spot(0.52, 0.42)};
+  PointsSpan points;
+  for (const BandedSpot& spot : close) {
+    points[0].add(spot.x);
+    points[1].add(spot.y);
+  }
+  const BandBars bars = band_bars(close, both_means, points);
+  EXPECT_TRUE(bars.cut);
+  EXPECT_NE(band_caption(bars).find("end where the plot does"), std::string::npos);
+  const chart::Span& first = std::get<chart::Spans>(bars.layers[0].marks).spans[0];
+  EXPECT_NEAR(first.low, 0.49, 1e-12);
+  EXPECT_NEAR(first.high, 0.53, 1e-12);
+  EXPECT_EQ(first.title, "design\nuniformity mean: 0.500 (0.400–0.550)");
+  points[0].add(0.1);
+  points[0].add(0.9);
+  points[1].add(0);
+  points[1].add(1);
+  const BandBars whole = band_bars(close, both_means, points);
+  EXPECT_FALSE(whole.cut);
+  EXPECT_EQ(std::get<chart::Spans>(whole.layers[0].marks).spans[0].high, 0.55);
+  EXPECT_EQ(band_caption(whole).find("end where the plot does"), std::string::npos);
 }
 
 TEST(ExplorationPicture, HasBarsOfTheFrontAndKnownRoutingsOnly) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,49 @@ TEST(FirstShareText, SaysHowMuchIsShared) {
   EXPECT_EQ(first_share_text({0.75, 1, 1, 2, 0}), "75.0 %");
   EXPECT_EQ(first_share_text({0.75, 1, 1, 2, 0.25}), "75.0 %, 25.0 % shared");
   EXPECT_EQ(first_share_text({1, 1, 1, 1, 1}), "100.0 %, shared");
+  EXPECT_EQ(first_share_text({1, 1, 1, 1, 0.9996}), "100.0 %, over 99.9 % shared");
+}
+
+TEST(ShareText, DoesNotRoundSomeToNoneOrMostToAll) {
+  EXPECT_EQ(share_text(0), "0.0 %");
+  EXPECT_EQ(share_text(0.0004), "under 0.1 %");
+  EXPECT_EQ(share_text(0.0006), "0.1 %");
+  EXPECT_EQ(share_text(0.9994), "99.9 %");
+  EXPECT_EQ(share_text(0.9996), "over 99.9 %");
+  EXPECT_EQ(share_text(1), "100.0 %");
+}
+
+TEST(BandTable, SaysHowOftenAllConstraintsAreMet) {
+  ListedDesign design = drawn_design("1-P-2-P-1", 1, 1);
+  EXPECT_EQ(text(band_table({design}, {})).find("meets all"), std::string::npos);
+  design.constraints_met = 0.375;
+  const std::string table = text(band_table({design}, {}));
+  EXPECT_NE(table.find("meets all"), std::string::npos);
+  EXPECT_NE(table.find("     37.5 %  75.0 %, 25.0 % shared"), std::string::npos) << table;
+  EXPECT_EQ(to_json(design)["constraints_met"], 0.375);
+  EXPECT_TRUE(design_csv({design}).ends_with(",0.32209,0.375\n"));
+}
+
+TEST(DesignTable, HasBandsWhereTheyAreChosen) {
+  ListedDesign design = drawn_design("1-P-2-P-1", 1, 1);
+  design.constraints_met = 0.375;
+  const ListColumns chosen{{"routing", "uniformity_mean_p5", "rank_p95", "first_shared",
+                            "constraints_met", "motor_force_median"}};
+  EXPECT_EQ(
+      text(design_table({design, placed("B", 2, 2)}, {}, chosen)),
+      "routing    uniformity, mean, 5 %  place, 95 %  first, shared  meets all  motor, median\n"
+      "1-P-2-P-1                  0.961            2         25.0 %     37.5 %              -\n"
+      "B                              -            -              -          -              -\n");
+  const auto names = [](const ListedWith& with) {
+    const std::vector<std::string> list = list_column_names(with);
+    return std::set<std::string>(list.begin(), list.end());
+  };
+  EXPECT_FALSE(names({}).contains("uniformity_mean_p5"));
+  EXPECT_TRUE(names({.draws = true}).contains("uniformity_mean_p5"));
+  EXPECT_FALSE(names({.draws = true}).contains("motor_force_p5"));
+  EXPECT_FALSE(names({.draws = true}).contains("constraints_met"));
+  EXPECT_TRUE(names({.hand = true, .draws = true, .constraints = true}).contains("motor_force_p5"));
+  EXPECT_TRUE(names({.draws = true, .constraints = true}).contains("constraints_met"));
 }
 
 TEST(BandTable, HasTheObjectivesThatWereAskedForAndThePlace) {
@@ -126,6 +170,25 @@ TEST(SweepReport, SaysWhoComesFirstWhere) {
   ASSERT_EQ(sentences.size(), 2U);
   EXPECT_EQ(sentences[0], "A comes first from 1 to 1.75");
   EXPECT_EQ(sentences[1], "A and a \"B\", which are equal, come first from 1.75 to 3");
+}
+
+// Of a narrow range, coefficients and values that differ read so.
+TEST(SweepReport, TellsNeighboursApart) {
+  SweptDesigns swept = two_swept();
+  swept.sweep.leads = {{0.1, 0.100041, {0}}, {0.100041, 0.1001, {1}}};
+  swept.sweep.at.clear();
+  for (auto& curves : swept.sweep.designs) curves[0].values.clear();
+  for (int k = 0; k < 9; ++k) {
+    swept.sweep.at.push_back(0.1 + k * 1.25e-5);
+    for (auto& curves : swept.sweep.designs) curves[0].values.push_back(0.39 - k * 1e-5);
+  }
+  EXPECT_EQ(lead_sentences(swept)[0], "A comes first from 0.1 to 0.100041");
+  EXPECT_EQ(lead_sentences(swept)[1], "a \"B\" comes first from 0.100041 to 0.1001");
+  EXPECT_EQ(text(*sweep_sections(swept)[1].table),
+            "sheath_angle        A    a \"B\"\n"
+            "         0.1  0.39000  0.39000\n"
+            "     0.10005  0.38996  0.38996\n"
+            "      0.1001  0.38992  0.38992\n");
 }
 
 TEST(SweepCsv, HasARowForEachDesignAndValueAndBandsWhereTheyAre) {

@@ -137,9 +137,21 @@ TEST(UnmetLines, SayTheLeastOrTheGreatest) {
   EXPECT_EQ(unmet_text({"uniformity>=1"}, {{false, {std::nullopt, 0.9}, {std::nullopt, 0.9}}}),
             "No design meets uniformity>=1: the greatest is 0.9\n");
   EXPECT_EQ(unmet_text({"travel==3"}, {{false, {4, 2}, {4, 2}}}),
-            "No design meets travel==3: the nearest are 2 and 4\n");
+            "No design meets travel==3: the nearest are 2 and 4 mm/mm\n");
   EXPECT_EQ(unmet_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
             "No design meets sheaths==9: the nearest is 4\n");
+}
+
+TEST(UnmetLines, RoundAwayFromTheBoundAndHaveAUnit) {
+  const auto one = [](const char* constraint, const Nearest& nearest) {
+    const std::string text = unmet_text({constraint}, {{false, nearest, nearest}});
+    return text.substr(text.find(": ") + 2);
+  };
+  EXPECT_EQ(one("motor_force<=20", {37.65413219, std::nullopt}), "the least is 37.66 N\n");
+  EXPECT_EQ(one("uniformity>=0.994", {std::nullopt, 0.9906194961}), "the greatest is 0.9906\n");
+  EXPECT_EQ(one("uniformity>=0.994", {std::nullopt, 0.9906994961}), "the greatest is 0.9906\n");
+  EXPECT_EQ(one("stroke==60", {61.23456, 58.76543}), "the nearest are 58.76 and 61.24 mm\n");
+  EXPECT_EQ(one("motor_force<=20", {12345.6, std::nullopt}), "the least is 12346 N\n");
 }
 
 TEST(UnmetLines, SayWhatGivesWayWhereOnlyAllTogetherAreTooMuch) {

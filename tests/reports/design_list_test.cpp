@@ -7,6 +7,7 @@
 
 #include "reports/sheet/text_table.hpp"
 #include "reports/uncertainty/band_report.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 namespace reeve {
 namespace {
@@ -111,7 +112,8 @@ TEST(DesignTable, TellsOfBlocksWhereThereAreAny) {
   ListedDesign without = design("");
   without.ranked.design.values[static_cast<std::size_t>(Objective::blocks)] = 0;
   const auto told = [&](const std::vector<ListedDesign>& designs) {
-    return text(design_table(designs, {}, authors_score())).find("blocks") != std::string::npos;
+    return text(design_table(designs, shown_objectives({}, authors_score()))).find("blocks") !=
+           std::string::npos;
   };
   EXPECT_FALSE(told({without}));
   EXPECT_TRUE(told({without, design("")}));

@@ -131,15 +131,33 @@ TEST(FloatingSchematic, ShowsTheRatioOfUnequalArmsOnly) {
 
 TEST(FloatingSchematic, ExplainsOnlyThePartsThatAreThere) {
   const auto explained = [](const std::string& word) {
-    const FloatingParts parts = floating_parts(drawn(word));
-    EXPECT_EQ(parts, floating_parts(expand(parse_routing(word))));
+    const DrawnParts parts = drawn_parts(drawn(word));
     return std::vector<bool>{parts.anchors, parts.blocks, parts.bars};
   };
   EXPECT_EQ(explained("M-1-F"), (std::vector<bool>{false, false, false}));
   EXPECT_EQ(explained("M-1x"), (std::vector<bool>{true, false, false}));
   EXPECT_EQ(explained("M-Y1+F-1-Y1-F"), (std::vector<bool>{false, true, false}));
   EXPECT_EQ(explained("M-W1+1x-W1-2x"), (std::vector<bool>{true, false, true}));
-  EXPECT_EQ(drawn("M-W1+1x-W1-2x").legend.items.size(), drawn("M-1-F").legend.items.size() + 2);
+}
+
+std::string legend_of(const std::string& word, bool slack) {
+  const SchematicLayout drawn =
+      layout(expand(parse_routing(word)), {word, "", {}, true, true, slack});
+  std::string names;
+  for (const LegendItem& item : drawn.legend.items) {
+    constexpr std::array letters{'t', 'b', 's', 'F', 'M', 'x', 'Y', 'W', '>', '0'};
+    names += letters.at(static_cast<std::size_t>(item.symbol));
+  }
+  return names;
+}
+
+TEST(SchematicLegend, ListsWhatIsDrawnAndNothingElse) {
+  EXPECT_EQ(legend_of("M-1-F", false), "tsFM>");
+  EXPECT_EQ(legend_of("M-1-F", true), "tsFM>0");
+  EXPECT_EQ(legend_of("M-1b-M", false), "bsM>");
+  EXPECT_EQ(legend_of("1-P-2-P-1", false), "tbs>");
+  EXPECT_EQ(legend_of("M-W1+1x-W1-2x", false), "sMxW>");
+  EXPECT_EQ(legend_of("M-Y1+1x-Y1-2x", false), "sMxY>");
 }
 
 TEST(FloatingSvg, DrawsEverySegmentOnceAndAnArrowForWhatMoves) {

@@ -42,5 +42,15 @@ TEST(ShownObjectives, OfAScoreThatOrdersAreTheScoreAndItsTerms) {
   EXPECT_TRUE(shown_on_demand(Order({Objective::travel}), score).empty());
 }
 
+TEST(ShownObjectives, AreAlsoThoseThatAConstraintNames) {
+  const std::vector<Constraint> constraints{parse_constraint("motor_force<=80"),
+                                            parse_constraint("sheaths<=2")};
+  Objectives expected = shown_objectives(Order(), authors_score());
+  expected.push_back(Objective::motor_force);
+  EXPECT_EQ(shown_objectives(Order(), authors_score(), constraints), expected);
+  EXPECT_TRUE(is_shown(Objective::motor_force, Order(), authors_score(), constraints));
+  EXPECT_FALSE(is_shown(Objective::stroke, Order(), authors_score(), constraints));
+}
+
 }  // namespace
 }  // namespace reeve

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,11 +11,13 @@
 #include "core/notation.hpp"
 #include "search/decide/places.hpp"
 #include "search/judge/evaluation.hpp"
+#include "tests/search/uncertain.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::options_for;
 using testing::published_words;
 
 std::vector<Routing> parsed(const std::vector<std::string>& words) {
@@ -38,19 +39,6 @@ std::vector<Design> evaluated(const std::vector<std::string>& words, const Hardw
     designs.push_back({word, evaluator.evaluate(parse_routing(word))});
   }
   return designs;
-}
-
-UncertaintyOptions options_for(std::size_t draws) {
-  UncertaintyOptions options;
-  options.grasps = single_grasps(2);
-  options.order = {Objective::uniformity_mean, Objective::efficiency_mean};
-  options.draws = draws;
-  options.threads = 1;
-  return options;
-}
-
-std::vector<double> drawn(const Hardware& hardware) {
-  return {hardware.tube.mu, hardware.sheath.mu, hardware.bearing.mu, hardware.sheath.angle_rad};
 }
 
 // Routings whose order depends on the friction, so that ranks vary, the first among them.
@@ -105,87 +93,30 @@ void expect_equal(const std::vector<RankDistribution>& a, const std::vector<Rank
   }
 }
 
-TEST(DrawHardware, StaysWithinItsRangesAndFillsThem) {
-  UncertaintyOptions options = options_for(1);
-  options.nominal.hardware.bearing.mu = 0.002;
-  const double angle = options.nominal.hardware.sheath.angle_rad;
-  const std::vector<double> low{0.05, 0.05, 0.001, 0.8 * angle};
-  const std::vector<double> high{0.20, 0.20, 0.003, 1.2 * angle};
-  std::vector<double> least = high;
-  std::vector<double> most = low;
-  for (std::uint64_t draw = 0; draw < 2000; ++draw) {
-    const std::vector<double> quantities = drawn(draw_model(options, draw).hardware);
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
-      EXPECT_GE(quantities[q], low[q] * (1 - 1e-12));
-      EXPECT_LE(quantities[q], high[q] * (1 + 1e-12));
-      least[q] = std::min(least[q], quantities[q]);
-      most[q] = std::max(most[q], quantities[q]);
+// Draw by draw: each design evaluated alone, each constraint compared here.
+TEST(DrawnDesigns, MeetAllConstraintsInThisShareOfTheDraws) {
+  UncertaintyOptions options = varying(60);
+  EXPECT_TRUE(drawn_designs(parsed(close_rivals()), options).value().constraints_met.empty());
+  options.constraints = {parse_constraint("efficiency>=0.15"), parse_constraint("uniformity<0.4")};
+  const std::vector<double> met =
+      drawn_designs(parsed(close_rivals()), options).value().constraints_met;
+  ASSERT_EQ(met.size(), close_rivals().size());
+  std::vector<double> count(met.size(), 0);
+  for (std::uint64_t draw = 0; draw < options.draws; ++draw) {
+    const auto designs =
+        evaluated(close_rivals(), draw_model(options, draw).hardware, options.grasps);
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      const bool efficient = value(designs[i].values, Objective::efficiency_mean) >= 0.15;
+      const bool uneven = value(designs[i].values, Objective::uniformity_mean) < 0.4;
+      count[i] += efficient && uneven ? 1.0 / 60 : 0;
     }
   }
-  for (std::size_t q = 0; q < low.size(); ++q) {
-    EXPECT_LT(least[q], low[q] + 0.01 * (high[q] - low[q])) << q;
-    EXPECT_GT(most[q], high[q] - 0.01 * (high[q] - low[q])) << q;
+  std::size_t between = 0;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    EXPECT_NEAR(met[i], count[i], 1e-12) << close_rivals()[i];
+    if (met[i] > 0 && met[i] < 1) ++between;
   }
-}
-
-TEST(DrawHardware, DrawsTheQuantitiesIndependentlyOfEachOther) {
-  const UncertaintyOptions options = options_for(1);
-  constexpr int draws = 4000;
-  std::vector<int> above(16, 0);
-  for (std::uint64_t draw = 0; draw < draws; ++draw) {
-    const std::vector<double> quantities = drawn(draw_model(options, draw).hardware);
-    const std::vector<double> middle{0.125, 0.125, options.nominal.hardware.bearing.mu,
-                                     options.nominal.hardware.sheath.angle_rad};
-    std::size_t corner = 0;
-    for (std::size_t q = 0; q < 4; ++q) corner = 2 * corner + (quantities[q] > middle[q] ? 1 : 0);
-    ++above[corner];
-  }
-  // 250 in each of the 16 corners, give or take five standard deviations.
-  for (const int count : above) EXPECT_NEAR(count, draws / 16, 80);
-}
-
-TEST(DrawHardware, IsAFunctionOfSeedAndNumberAlone) {
-  const UncertaintyOptions options = options_for(10);
-  UncertaintyOptions others = options_for(5000);
-  others.threads = 8;
-  others.order = {Objective::sheaths};
-  others.grasps = paper_grasps();
-  for (const std::uint64_t draw : {9U, 3U, 0U, 3U}) {
-    EXPECT_EQ(drawn(draw_model(options, draw).hardware), drawn(draw_model(others, draw).hardware));
-  }
-}
-
-TEST(DrawHardware, OtherSeedsAndNumbersDrawOtherHardware) {
-  std::set<double> tubes;
-  for (const std::uint64_t seed : {1ULL, 2ULL, 3ULL, 1ULL << 32, (1ULL << 32) + 1}) {
-    UncertaintyOptions options = options_for(1);
-    options.seed = seed;
-    for (const std::uint64_t draw : {0ULL, 1ULL, 2ULL, 1ULL << 32}) {
-      tubes.insert(draw_model(options, draw).hardware.tube.mu);
-    }
-  }
-  EXPECT_EQ(tubes.size(), 20U);
-}
-
-TEST(DrawHardware, LeavesEverythingElseAsItIs) {
-  UncertaintyOptions options = options_for(1);
-  options.nominal.hardware.tube.angle_rad = 3;
-  options.nominal.hardware.strand_mm = 80;
-  options.nominal.hardware.fingers.push_back({1, 0.3, {}, 0.25, 5.0, 90.0, 2});
-  options.nominal.hardware.contacts.push_back({"T1", "T2", 0.4, {}});
-  const Hardware hardware = draw_model(options, 5).hardware;
-  EXPECT_EQ(hardware.tube.angle_rad, 3);
-  EXPECT_EQ(hardware.bearing.angle_rad, options.nominal.hardware.bearing.angle_rad);
-  EXPECT_EQ(hardware.strand_mm, 80);
-  EXPECT_EQ(hardware.motor_side_mm, options.nominal.hardware.motor_side_mm);
-  EXPECT_EQ(hardware.hand_mm, options.nominal.hardware.hand_mm);
-  ASSERT_EQ(hardware.fingers.size(), 1U);
-  EXPECT_EQ(hardware.fingers[0].tip_mu, 0.3);
-  EXPECT_EQ(hardware.fingers[0].sheath_mu, 0.25);
-  EXPECT_EQ(hardware.fingers[0].sheath_angle_rad, 5.0);
-  EXPECT_EQ(hardware.fingers[0].closing, 2);
-  ASSERT_EQ(hardware.contacts.size(), 1U);
-  EXPECT_EQ(hardware.contacts[0].mu, 0.4);
+  EXPECT_GE(between, 3U);
 }
 
 TEST(Uncertainty, AgreesWithCountingRanksDrawByDraw) {

@@ -229,7 +229,9 @@ class FloatingLayouter {
 
   void add_legend() {
     const Box room{margin, out_.height - 2, out_.width - margin, 0};
-    out_.legend = legend(room, frame_.with_tension, floating_parts(out_));
+    DrawnParts parts = drawn_parts(out_);
+    parts.slack = frame_.with_slack;
+    out_.legend = legend(room, frame_.with_tension, parts);
     out_.height = out_.legend.bottom + margin / 2;
   }
 

@@ -1,0 +1,23 @@
+// How many digits numbers need so that those that differ are seen to differ.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
+
+// Significant digits, at least so many and at most 12, at which no two of the values that differ
+// read the same.
+int telling_digits(std::vector<double> values, int at_least = 4);
+
+// Decimals, at least so many and at most 9, at which what spans so much takes as many steps.
+int telling_decimals(double span, std::size_t steps, int at_least);
+
+// Rounded to four significant digits or to the unit, whichever is finer, never to the other side:
+// up or down.
+enum class Rounding { up, down };
+std::string rounded_text(double value, Rounding way);
+
+}  // namespace reeve::reports

@@ -1,0 +1,32 @@
+// Keys that the JSON of several commands has of a design and of what was asked.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/golden/json_keys.hpp"
+
+namespace reeve::testing {
+
+inline const std::string objectives =
+    " uniformity efficiency force_transmission jams sheaths pulleys knots travel "
+    "round_trip_efficiency return_friction adaptability torsional_balance reliability authors_efficiency transmission score "
+    "blocks finger_uniformity parts cost";
+inline const std::string alike = " alike same_as place";
+inline const std::string judged_settings = "objectives score grasps hardware model uncertainty";
+inline const std::string common_settings = judged_settings + " ladder prices sweep";
+
+inline void expect_pair(const Json& json) {
+  EXPECT_EQ(keys(json["uniformity"]), "mean worst");
+  EXPECT_EQ(keys(json["efficiency"]), "mean worst");
+}
+
+inline void expect_settings(const Json& settings) {
+  EXPECT_EQ(keys(settings["grasps"][0]), "held weight");
+  EXPECT_EQ(keys(settings["hardware"]), "tube bearing sheath lengths fingers contacts");
+  EXPECT_EQ(keys(settings["hardware"]["tube"]), "mu angle_rad");
+  EXPECT_EQ(keys(settings["hardware"]["lengths"]), "strand_mm motor_side_mm hand_mm");
+}
+
+}  // namespace reeve::testing
