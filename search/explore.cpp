@@ -10,6 +10,7 @@
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/exploration_part.hpp"
+#include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
 
@@ -20,6 +21,17 @@ namespace {
 // Ctrl-C; a grain is some tenths of a millisecond.
 constexpr std::size_t batch_size = 16384;
 constexpr std::size_t grain = 64;
+
+// All that a routing is kept or left for.
+std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
+  std::vector<Objective> objectives = within_front_objectives(options.order);
+  objectives.push_back(options.ladder.by);
+  for (const Objective objective : options.order.objectives) objectives.push_back(objective);
+  for (const Constraint& constraint : options.constraints) {
+    objectives.push_back(constraint.objective);
+  }
+  return objectives;
+}
 
 // What became of one routing of a batch.
 struct Slot {
@@ -40,13 +52,11 @@ class Exploration {
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        part_(options),
-        deciding_(extent_for(deciding_objectives(options), options.score)) {
+        part_(options) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
+      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
+                               deciding_objectives(options));
     }
-    // What there is none of need not be worked out later.
-    if (!evaluators_[0].has_hand()) deciding_.hand = true;
     DesignEvaluator of_references(options.model, options.grasps, options.score, options.prices);
     for (const Routing& routing : options.references) {
       reference_goodness_.push_back(
@@ -54,7 +64,6 @@ class Exploration {
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
-    unconverged_.assign(workers_.count(), 0);
     slots_.resize(batch_size);
     part_.total = range_.end - range_.begin;
   }
@@ -100,18 +109,12 @@ class Exploration {
   }
 
   void evaluate(Slot& slot, std::size_t worker) {
-    DesignEvaluator& evaluator = evaluators_[worker];
-    const std::size_t before = evaluator.unconverged();
-    slot.values = evaluator.evaluate(slot.routing, deciding_);
-    unconverged_[worker] += evaluator.unconverged() - before;
+    slot.values = evaluators_[worker].evaluate(slot.routing);
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
-    // What decides nothing here only what is kept needs.
-    const bool kept = slot.may_rank || slot.may_be_rung;
-    if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
   }
@@ -172,7 +175,7 @@ class Exploration {
   void add_up() {
     part_.generated = generated_;
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      part_.unconverged += unconverged_[w];
+      part_.unconverged += evaluators_[w].unconverged();
       part_.reaches.add(reaches_[w]);
       for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
         part_.references[r].dominated_by += static_cast<std::uint64_t>(dominators_[w][r]);
@@ -180,27 +183,16 @@ class Exploration {
     }
   }
 
-  static std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
-    std::vector<Objective> objectives = options.order.objectives;
-    if (options.order.by_score) objectives.push_back(Objective::score);
-    for (const Constraint& constraint : options.constraints) {
-      objectives.push_back(constraint.objective);
-    }
-    return objectives;
-  }
-
   const ExploreOptions& options_;
   RoutingGenerator generator_;
   ShardRange range_;
   Workers workers_;
   ExplorationPart part_;
-  Extent deciding_;
   const std::atomic<bool>* stop_ = nullptr;
-  std::vector<DesignEvaluator> evaluators_;
+  std::vector<DecidingEvaluator> evaluators_;
   std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]
-  std::vector<std::uint64_t> unconverged_;             // of each worker
   std::vector<Slot> slots_;
   std::uint64_t generated_ = 0;
 };
