@@ -28,8 +28,7 @@ class Evaluators {
   void complete(const std::vector<Design*>& designs) {
     workers_.for_each_block(designs.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
-        designs[i]->values =
-            evaluators_[block.worker].evaluate(parse_routing(designs[i]->word));
+        designs[i]->values = evaluators_[block.worker].evaluate(parse_routing(designs[i]->word));
       }
     });
   }

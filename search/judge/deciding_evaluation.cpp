@@ -21,9 +21,10 @@ bool routings_share_states(const Model& model) {
 
 // A single grasp is solved as quickly as the states of a tree.
 bool hold_one_finger_at_most(const GraspSet& grasps) {
-  return grasps.size() > 1 && std::all_of(grasps.begin(), grasps.end(), [](const WeightedGrasp& grasp) {
-    return std::popcount(grasp.grasp.held) <= 1;
-  });
+  return grasps.size() > 1 &&
+         std::all_of(grasps.begin(), grasps.end(), [](const WeightedGrasp& grasp) {
+           return std::popcount(grasp.grasp.held) <= 1;
+         });
 }
 
 bool are_of_strands(const Extent& extent) { return extent == Extent{false, false, false}; }
@@ -57,6 +58,8 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
       prices_(prices),
       extent_(extent_for(wanted_, score)),
       scored_(contains(wanted_, Objective::score)),
+      compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
+                        contains(wanted_, Objective::finger_uniformity_worst)),
       grasps_(grasps),
       whole_(model, grasps, score, prices) {
   if (!whole_.has_hand()) extent_.hand = false;
@@ -75,25 +78,32 @@ double DecidingEvaluator::scale(bool jams) const {
   return motor;
 }
 
-// Strand by strand, as core/performance does.
-Performance DecidingEvaluator::performance_at(double motor, bool jams) const {
-  StrandTally tally;
+FingerPulls DecidingEvaluator::finger_pulls_at(double motor, bool jams) const {
   FingerPulls pulls{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t t = 0; t < states_.size(); ++t) {
     const TreeState& state = states_[t];
-    const bool slack = jams && !state.jams;
     FingerArray pull{};
-    for (std::size_t i = 0; i < state.strand.size(); ++i) {
-      const double tension = slack ? 0 : state.strand[i] / motor;
-      tally.add(tension, state.closing[i]);
-      pull[(*trees_)[t]->strand_finger[i]] += tension;
+    for (std::size_t i = 0; i < state.strand.size() && !(jams && !state.jams); ++i) {
+      pull[(*trees_)[t]->strand_finger[i]] += state.strand[i] / motor;
     }
     for (int f = 0; f < spans_[t].fingers; ++f) {
       pulls.least = std::min(pulls.least, pull[static_cast<std::size_t>(f)]);
       pulls.greatest = std::max(pulls.greatest, pull[static_cast<std::size_t>(f)]);
     }
   }
-  return performance(tally, pulls);
+  return pulls;
+}
+
+// Strand by strand, as core/performance does.
+Performance DecidingEvaluator::performance_at(double motor, bool jams) const {
+  StrandTally tally;
+  for (const TreeState& state : states_) {
+    const bool slack = jams && !state.jams;
+    for (std::size_t i = 0; i < state.strand.size(); ++i) {
+      tally.add(slack ? 0 : state.strand[i] / motor, state.closing[i]);
+    }
+  }
+  return performance(tally, compares_fingers_ ? finger_pulls_at(motor, jams) : FingerPulls{});
 }
 
 bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcome) {

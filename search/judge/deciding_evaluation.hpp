@@ -38,6 +38,7 @@ class DecidingEvaluator {
   bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
   double scale(bool jams) const;
   Performance performance_at(double motor, bool jams) const;
+  FingerPulls finger_pulls_at(double motor, bool jams) const;
   double travel() const;
   void add_parts();
   double tendon_length() const;
@@ -47,6 +48,7 @@ class DecidingEvaluator {
   std::optional<PartPrices> prices_;
   Extent extent_;
   bool scored_ = false;
+  bool compares_fingers_ = false;
   GraspSet grasps_;
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;

@@ -106,8 +106,9 @@ bool Staircase::proves_dominators(const Goodness& candidate) const {
   const double b = at(candidate, second_);
   const double c = at(candidate, third_);
   // The largest layer, of all rows that are no worse on the third axis.
-  const auto behind = std::upper_bound(layers_.begin(), layers_.end(), c,
-                                       [](double value, const Layer& l) { return l.least < value; });
+  const auto behind =
+      std::upper_bound(layers_.begin(), layers_.end(), c,
+                       [](double value, const Layer& l) { return l.least < value; });
   if (behind == layers_.begin()) return false;
   const auto layer = behind - 1;
   const auto before = [](const Step& step, double value) { return step.first > value; };
