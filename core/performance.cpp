@@ -44,32 +44,30 @@ FingerPulls finger_pulls(const Network& network, const TensionState& state) {
   return network.fingers == 0 ? FingerPulls{} : FingerPulls{*least, *greatest};
 }
 
-Performance performance(const Network& network, const TensionState& state, Direction direction) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
+Performance performance(const StrandTally& tally, const FingerPulls& pulls) {
   Performance result;
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::strand) continue;
-    const double tension = state.tension[i];
-    least = std::min(least, tension);
-    most = std::max(most, tension);
-    result.force_transmission += tension;
-    result.efficiency += tension * state.closing[static_cast<std::size_t>(segment.finger - 1)];
-  }
-  if (direction == Direction::release && result.efficiency > 0) {
-    result.efficiency = 1 / result.efficiency;
-  }
-  result.efficiency = without_gain(result.efficiency);
-  const bool has_strands = least <= most;
+  result.force_transmission = tally.sum;
+  result.efficiency = without_gain(tally.work);
+  const bool has_strands = tally.least <= tally.most;
   if (!has_strands) {
     result.uniformity = std::numeric_limits<double>::quiet_NaN();
     result.finger_uniformity = result.uniformity;
-  } else if (most > 0) {
-    result.uniformity = least / most;
-    result.finger_uniformity = least_over_greatest(finger_pulls(network, state));
+  } else if (tally.most > 0) {
+    result.uniformity = tally.least / tally.most;
+    result.finger_uniformity = least_over_greatest(pulls);
   }
   return result;
+}
+
+Performance performance(const Network& network, const TensionState& state, Direction direction) {
+  StrandTally tally;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind != SegmentKind::strand) continue;
+    tally.add(state.tension[i], state.closing[static_cast<std::size_t>(segment.finger - 1)]);
+  }
+  if (direction == Direction::release && tally.work > 0) tally.work = 1 / tally.work;
+  return performance(tally, finger_pulls(network, state));
 }
 
 double round_trip_efficiency(const Performance& pull, const Performance& release) {
@@ -101,6 +99,21 @@ int untied_ends(const Network& network) {
 }
 
 }  // namespace
+
+PartCount& PartCount::operator+=(const PartCount& other) {
+  sheaths += other.sheaths;
+  pulleys += other.pulleys;
+  knots += other.knots;
+  blocks += other.blocks;
+  bars += other.bars;
+  anchors += other.anchors;
+  tip_bearings += other.tip_bearings;
+  fixed_pulleys += other.fixed_pulleys;
+  movable_pulleys += other.movable_pulleys;
+  tubes += other.tubes;
+  fixed_ends += other.fixed_ends;
+  return *this;
+}
 
 PartCount parts(const Network& network) {
   PartCount count;

@@ -13,7 +13,9 @@
 // bench) has none (NaN).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
@@ -44,6 +46,24 @@ FingerPulls finger_pulls(const Network& network, const TensionState& state);
 Performance performance(const Network& network, const TensionState& state,
                         Direction direction = Direction::pull);
 
+// What performance is made of, strand by strand.
+struct StrandTally {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  double sum = 0;
+  double work = 0;  // per unit of carriage travel
+
+  void add(double tension, double closing) {
+    least = std::min(least, tension);
+    most = std::max(most, tension);
+    sum += tension;
+    work += tension * closing;
+  }
+};
+
+// … in a pull, `pulls` those of the same strands.
+Performance performance(const StrandTally& tally, const FingerPulls& pulls);
+
 // Motor tension while the fingers draw the tendon out over motor tension while the motor draws it
 // in, at equal work of the strands: the product of both efficiencies. 1 without friction, 0 where
 // the grasp jams.
@@ -66,6 +86,8 @@ struct PartCount {
   int fixed_ends = 0;       // F
 
   int total() const { return sheaths + pulleys + knots + blocks + bars + anchors; }
+
+  PartCount& operator+=(const PartCount& other);
 };
 
 PartCount parts(const Network& network);

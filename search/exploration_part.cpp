@@ -24,6 +24,15 @@ class Evaluators {
     }
   }
 
+  // All values of designs of which there are those by which they were kept.
+  void complete(const std::vector<Design*>& designs) {
+    workers_.for_each_block(designs.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        designs[i]->values = evaluators_[block.worker].evaluate(parse_routing(designs[i]->word));
+      }
+    });
+  }
+
   std::vector<Design> evaluate(const std::vector<Routing>& routings) {
     std::vector<Design> designs(routings.size());
     workers_.for_each_block(routings.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
@@ -34,7 +43,6 @@ class Evaluators {
     return designs;
   }
 
-  bool may_not_converge() const { return evaluators_.front().may_not_converge(); }
   std::uint64_t unconverged() const {
     std::uint64_t sum = 0;
     for (const DesignEvaluator& evaluator : evaluators_) sum += evaluator.unconverged();
@@ -87,6 +95,24 @@ std::vector<Rejection> rejections(const ExplorationPart& part) {
 std::vector<ConstraintReach> unmet(const ExplorationPart& part) {
   const bool is_whole = part.generated == part.total;
   return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
+}
+
+// Beyond these nothing of the ranking is shown.
+void complete_listed(Archive::Content& content, const ExploreOptions& options,
+                     Evaluators& evaluators) {
+  std::vector<Design*> listed;
+  for (RankedDesign& ranked : content.ranked) {
+    if (ranked.front == 1 || ranked.rank <= options.top) listed.push_back(&ranked.design);
+  }
+  evaluators.complete(listed);
+}
+
+// These were evaluated before, as far as they count among the solves.
+void complete_ladder(Ladder& ladder, const ExploreOptions& options) {
+  std::vector<Design*> designs;
+  for (Rung& rung : ladder.rungs) designs.push_back(&rung.design);
+  if (ladder.affordable) designs.push_back(&*ladder.affordable);
+  Evaluators(options).complete(designs);
 }
 
 void place_kept(ExploreResult& result, const Archive::Content& content,
@@ -196,24 +222,23 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   result.evaluated = part.evaluated;
   result.seconds = part.seconds;
   result.rejected = rejections(part);
-  const Archive::Content content = part.archive.content();
+  Archive::Content content = part.archive.content();
+  Evaluators evaluators(options);
+  complete_listed(content, options, evaluators);
   place_kept(result, content, options);
   if (content.ranked.empty()) {
     result.unmet = unmet(part);
   } else {
     result.ladder = ladder(part.ladder.candidates(), content.ranked.front().design, options.order,
                            options.ladder);
+    complete_ladder(result.ladder, options);
   }
-  Evaluators evaluators(options);
   std::vector<Design> known = evaluators.evaluate(options.references);
   for (std::size_t r = 0; r < known.size(); ++r) {
     result.references.push_back(
         standing(std::move(known[r]), part.references[r], content.ranked, options.top));
   }
   result.sample = evaluators.evaluate(part.sample.routings());
-  // What decides need not be all that is shown of the listed designs. How often these were
-  // evaluated on the way depends on the cut.
-  if (evaluators.may_not_converge()) evaluators.evaluate(result.routings);
   result.unconverged = part.unconverged + evaluators.unconverged();
   if (options.keeps_record) result.record = record_of(part);
   return result;

@@ -29,6 +29,7 @@ struct ExplorationPart {
   std::vector<std::uint64_t> constraint_failures;  // parallel to the constraints
   ConstraintReaches reaches;
   std::vector<ReferenceCount> references;  // parallel to those of the options
+  // Designs in archive and ladder need have no values but those by which they are kept.
   Archive archive;
   LadderArchive ladder;
   DesignSample sample;

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/exploration_part.hpp"
+#include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
 
@@ -18,12 +21,24 @@ namespace {
 
 // Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
 // Ctrl-C; a grain is some tenths of a millisecond.
-constexpr std::size_t batch_size = 16384;
+constexpr std::size_t batch_size = 8192;
 constexpr std::size_t grain = 64;
+
+// All that a routing is kept or left for.
+std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
+  std::vector<Objective> objectives = within_front_objectives(options.order);
+  objectives.push_back(options.ladder.by);
+  for (const Objective objective : options.order.objectives) objectives.push_back(objective);
+  for (const Constraint& constraint : options.constraints) {
+    objectives.push_back(constraint.objective);
+  }
+  return objectives;
+}
 
 // What became of one routing of a batch.
 struct Slot {
   Routing routing;
+  std::string word;         // if it may be kept
   std::uint64_t place = 0;  // in the whole enumeration
   ObjectiveValues values{};
   std::size_t failed_constraint = 0;  // its number, from 1; 0: none
@@ -33,6 +48,12 @@ struct Slot {
   bool done = false;
 };
 
+struct Batch {
+  std::vector<Slot> slots;
+  std::size_t actuated = 0;     // of the slots, those in use
+  std::uint64_t generated = 0;  // routings up to its last one
+};
+
 class Exploration {
  public:
   explicit Exploration(const ExploreOptions& options)
@@ -40,13 +61,11 @@ class Exploration {
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        part_(options),
-        deciding_(extent_for(deciding_objectives(options), options.score)) {
+        part_(options) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
+      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
+                               deciding_objectives(options));
     }
-    // What there is none of need not be worked out later.
-    if (!evaluators_[0].has_hand()) deciding_.hand = true;
     DesignEvaluator of_references(options.model, options.grasps, options.score, options.prices);
     for (const Routing& routing : options.references) {
       reference_goodness_.push_back(
@@ -54,21 +73,22 @@ class Exploration {
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
-    unconverged_.assign(workers_.count(), 0);
-    slots_.resize(batch_size);
+    batch_.slots.resize(batch_size);
+    next_.slots.resize(batch_size);
     part_.total = range_.end - range_.begin;
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
     generator_.seek(range_.begin);
+    fill(next_);
     bool stopped = false;
     while (generated_ < part_.total && !stopped) {
-      const std::size_t actuated = fill_batch();
-      workers_.for_each_block(actuated, grain,
-                              [this](const IndexBlock& block) { evaluate(block); });
-      const std::size_t done = first_not_done(actuated);
-      if (done < actuated) withdraw_from(done, actuated);
+      std::swap(batch_, next_);
+      evaluate_and_fill_next();
+      generated_ = batch_.generated;
+      const std::size_t done = first_not_done();
+      if (done < batch_.actuated) withdraw_from(done);
       collect(done);
       if (supervision.report) supervision.report({generated_, part_.total});
       stopped = must_stop();
@@ -80,54 +100,56 @@ class Exploration {
  private:
   bool must_stop() const { return stop_ != nullptr && stop_->load(); }
 
-  std::size_t fill_batch() {
-    std::size_t filled = 0;
-    while (filled < batch_size && generated_ < part_.total) {
-      Slot& slot = slots_[filled];
+  void fill(Batch& batch) {
+    batch.actuated = 0;
+    while (batch.actuated < batch_size && filled_ < part_.total) {
+      Slot& slot = batch.slots[batch.actuated];
       generator_.next(slot.routing);
-      slot.place = range_.begin + generated_;
+      slot.place = range_.begin + filled_;
       slot.done = false;
-      ++generated_;
-      if (is_actuated(slot.routing)) ++filled;
+      ++filled_;
+      if (is_actuated(slot.routing)) ++batch.actuated;
     }
-    return filled;
+    batch.generated = filled_;
   }
 
-  // One who waits for the end does not wait for the batch.
-  void evaluate(const IndexBlock& block) {
-    if (must_stop() && block.begin > 0) return;
-    for (std::size_t i = block.begin; i < block.end; ++i) evaluate(slots_[i], block.worker);
+  // Generating is a task among those of evaluating, the first: it is in series with itself alone.
+  void evaluate_and_fill_next() {
+    workers_.for_each_block(batch_.actuated + grain, grain, [this](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        if (i == 0) fill(next_);
+        if (i >= grain && may_go_on(i)) evaluate(batch_.slots[i - grain], block.worker);
+      }
+    });
   }
+
+  // One who waits for the end does not wait for the batch, but for a design at least.
+  bool may_go_on(std::size_t i) const { return i < 2 * grain || !must_stop(); }
 
   void evaluate(Slot& slot, std::size_t worker) {
-    DesignEvaluator& evaluator = evaluators_[worker];
-    const std::size_t before = evaluator.unconverged();
-    slot.values = evaluator.evaluate(slot.routing, deciding_);
-    unconverged_[worker] += evaluator.unconverged() - before;
+    slot.values = evaluators_[worker].evaluate(slot.routing);
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
-    // What decides nothing here only what is kept needs.
-    const bool kept = slot.may_rank || slot.may_be_rung;
-    if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
+    if (slot.may_rank || slot.may_be_rung) slot.word = to_word(slot.routing);
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
   }
 
-  std::size_t first_not_done(std::size_t filled) const {
+  std::size_t first_not_done() const {
     std::size_t done = 0;
-    while (done < filled && slots_[done].done) ++done;
+    while (done < batch_.actuated && batch_.slots[done].done) ++done;
     return done;
   }
 
   // Blocks are not worked off in their order: what was done behind the first that was not does not
   // count.
-  void withdraw_from(std::size_t first, std::size_t filled) {
-    generated_ = slots_[first].place - range_.begin;
-    for (std::size_t i = first; i < filled; ++i) {
-      if (slots_[i].done) compare_with_references(slots_[i], dominators_[0], -1);
+  void withdraw_from(std::size_t first) {
+    generated_ = batch_.slots[first].place - range_.begin;
+    for (std::size_t i = first; i < batch_.actuated; ++i) {
+      if (batch_.slots[i].done) compare_with_references(batch_.slots[i], dominators_[0], -1);
     }
   }
 
@@ -158,13 +180,13 @@ class Exploration {
     }
   }
 
-  void collect(std::size_t filled) {
-    part_.evaluated += filled;
-    for (std::size_t i = 0; i < filled; ++i) {
-      const Slot& slot = slots_[i];
+  void collect(std::size_t done) {
+    part_.evaluated += done;
+    for (std::size_t i = 0; i < done; ++i) {
+      const Slot& slot = batch_.slots[i];
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
-      if (slot.may_rank) part_.archive.add({to_word(slot.routing), slot.values});
-      if (slot.may_be_rung) part_.ladder.add({to_word(slot.routing), slot.values});
+      if (slot.may_rank) part_.archive.add({slot.word, slot.values});
+      if (slot.may_be_rung) part_.ladder.add({slot.word, slot.values});
       if (slot.sampled) part_.sample.add(slot.place, slot.routing);
     }
   }
@@ -172,7 +194,7 @@ class Exploration {
   void add_up() {
     part_.generated = generated_;
     for (std::size_t w = 0; w < workers_.count(); ++w) {
-      part_.unconverged += unconverged_[w];
+      part_.unconverged += evaluators_[w].unconverged();
       part_.reaches.add(reaches_[w]);
       for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
         part_.references[r].dominated_by += static_cast<std::uint64_t>(dominators_[w][r]);
@@ -180,29 +202,20 @@ class Exploration {
     }
   }
 
-  static std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
-    std::vector<Objective> objectives = options.order.objectives;
-    if (options.order.by_score) objectives.push_back(Objective::score);
-    for (const Constraint& constraint : options.constraints) {
-      objectives.push_back(constraint.objective);
-    }
-    return objectives;
-  }
-
   const ExploreOptions& options_;
   RoutingGenerator generator_;
   ShardRange range_;
   Workers workers_;
   ExplorationPart part_;
-  Extent deciding_;
   const std::atomic<bool>* stop_ = nullptr;
-  std::vector<DesignEvaluator> evaluators_;
+  std::vector<DecidingEvaluator> evaluators_;
   std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]
-  std::vector<std::uint64_t> unconverged_;             // of each worker
-  std::vector<Slot> slots_;
-  std::uint64_t generated_ = 0;
+  Batch batch_;                                        // that is evaluated
+  Batch next_;                                         // that is generated meanwhile
+  std::uint64_t filled_ = 0;                           // routings generated
+  std::uint64_t generated_ = 0;                        // … up to the last that was evaluated
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ bool TensionSolver::begins_tree(const Network& network, std::size_t tendon) cons
   return true;
 }
 
-bool TensionSolver::solve_tendons(const Network& network, const Mechanics& mechanics,
+void TensionSolver::solve_tendons(const Network& network, const Mechanics& mechanics,
                                   TensionState& state) {
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
@@ -104,22 +104,27 @@ bool TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
       solve_tree(network, mechanics, tendon.tree, state);
     }
   }
-  return scale_to_unit_motor_tension(network, state.tension);
 }
 
-void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                          Direction direction, TensionState& state) {
+void TensionSolver::solve_relative(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                   Direction direction, TensionState& state) {
   kinematics_.solve(network, mechanics, grasp, direction, motion_);
   state.tension.resize(network.segments.size());
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
   state.in_range = mechanics.in_range && !motion_.undetermined;
-  state.in_range &= solve_tendons(network, mechanics, state);
-  if (!state.in_range) {
-    std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
-  }
+  solve_tendons(network, mechanics, state);
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
   state.block_travel.swap(motion_.block_travel);
+}
+
+void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                          Direction direction, TensionState& state) {
+  solve_relative(network, mechanics, grasp, direction, state);
+  state.in_range &= scale_to_unit_motor_tension(network, state.tension);
+  if (!state.in_range) {
+    std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 const TensionState& require_in_range(const TensionState& state) {

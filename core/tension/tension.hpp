@@ -49,8 +49,13 @@ class TensionSolver {
   void solve(const Network& network, const Mechanics& mechanics, Grasp grasp, Direction direction,
              TensionState& state);
 
+  // The same before the motor-side tensions are made to add up to 1: what several tendons on one
+  // carriage, or trees of them, share is the scale alone, and which of them jam.
+  void solve_relative(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                      Direction direction, TensionState& state);
+
  private:
-  bool solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
+  void solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
   void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
                   TensionState& state);

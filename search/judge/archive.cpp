@@ -10,10 +10,6 @@ namespace {
 // Thinning out costs more than filling, so it waits until a good part is new.
 constexpr std::size_t least_backlog = 4096;
 
-// Beyond that many rows, letting a design in costs less than proving that it cannot rank, provided
-// that thinning out is quick.
-constexpr Eigen::Index quick_proof = 8192;
-
 bool equal(const Goodness& a, const Goodness& b) { return (a == b).all(); }
 
 bool greater(const Goodness& a, const Goodness& b) {
@@ -26,8 +22,8 @@ Archive::Archive(Order order, std::size_t keep) : order_(std::move(order)), keep
 
 bool Archive::may_rank(const ObjectiveValues& values) const {
   const Goodness candidate = goodness(values, order_.objectives);
+  if (climbs_) return !staircase_.proves_dominators(candidate);
   if (corner_.size() > 0 && (candidate < corner_).all()) return false;
-  if (sweeps() && guards_.rows() > quick_proof) return true;
   return !has_enough_dominators(guards_.rows(), candidate, 0);
 }
 
@@ -53,12 +49,24 @@ SweepCounter Archive::counter() const {
   return SweepCounter(std::move(values));
 }
 
-void Archive::compact() {
-  SweepCounter better = counter();
-  std::sort(entries_.begin(), entries_.end(), [this](const Entry& a, const Entry& b) {
-    if (!equal(a.goodness, b.goodness)) return greater(a.goodness, b.goodness);
-    return precedes_within_front(a.design, b.design, order_);
+// By their places, since an entry is many times as large.
+void Archive::sort_entries() {
+  std::vector<Entry*> order;
+  for (Entry& entry : entries_) order.push_back(&entry);
+  std::sort(order.begin(), order.end(), [this](const Entry* a, const Entry* b) {
+    if (!equal(a->goodness, b->goodness)) return greater(a->goodness, b->goodness);
+    return precedes_within_front(a->design, b->design, order_);
   });
+  std::vector<Entry> sorted;
+  sorted.reserve(entries_.size());
+  for (Entry* entry : order) sorted.push_back(std::move(*entry));
+  entries_ = std::move(sorted);
+}
+
+void Archive::compact() {
+  if (compacted_ == entries_.size()) return;
+  SweepCounter better = counter();
+  sort_entries();
   const auto enough = static_cast<Eigen::Index>(keep_);
   guards_.resize(static_cast<Eigen::Index>(entries_.size()),
                  static_cast<Eigen::Index>(order_.objectives.size()));
@@ -89,8 +97,17 @@ void Archive::compact() {
   place_guards();
 }
 
-// Of all sets of `keep` guards, those that are good in their weakest objective span a deep corner.
 void Archive::place_guards() {
+  climbs_ = Staircase::can_hold(guards_);
+  if (climbs_) {
+    staircase_ = Staircase(guards_, keep_);
+  } else {
+    place_corner();
+  }
+}
+
+// Of all sets of `keep` guards, those that are good in their weakest objective span a deep corner.
+void Archive::place_corner() {
   const auto keep = static_cast<Eigen::Index>(keep_);
   if (guards_.rows() < keep) return;
   const Goodness low = guards_.colwise().minCoeff().transpose();
@@ -122,13 +139,11 @@ Archive::Content Archive::content() {
   compact();
   Content content;
   std::vector<Design> designs;
-  for (const Entry& entry : entries_) {
-    designs.push_back(entry.design);
-    if (count_dominators(guards_, guards_.rows(), entry.goodness, 1) == 0) {
-      content.front_equals_left_out += entry.equals_left_out;
-    }
-  }
+  for (const Entry& entry : entries_) designs.push_back(entry.design);
   content.ranked = rank(std::move(designs), order_);
+  for (const RankedDesign& ranked : content.ranked) {
+    if (ranked.front == 1) content.front_equals_left_out += entries_[ranked.given].equals_left_out;
+  }
   return content;
 }
 

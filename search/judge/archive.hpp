@@ -13,6 +13,7 @@
 
 #include "search/judge/pareto.hpp"
 #include "search/judge/ranking.hpp"
+#include "search/judge/staircase.hpp"
 #include "search/judge/sweep_counter.hpp"
 
 namespace reeve::search {
@@ -56,15 +57,19 @@ class Archive {
                              Eigen::Index beaten) const;
   bool sweeps() const { return order_.objectives.size() <= 2; }
   SweepCounter counter() const;
+  void sort_entries();
   void compact();
   void place_guards();
+  void place_corner();
 
   Order order_;
   std::size_t keep_;
   std::vector<Entry> entries_;  // the first compacted_ are sorted and thinned out
   std::size_t compacted_ = 0;
   GoodnessMatrix guards_;  // of the compacted entries
-  Goodness corner_;        // `keep` guards dominate whatever is worse than this in everything
+  Staircase staircase_;    // of the guards, where it can hold them …
+  bool climbs_ = false;
+  Goodness corner_;  // … otherwise `keep` guards dominate whatever is worse in everything
 };
 
 }  // namespace reeve::search

@@ -194,6 +194,16 @@ void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
   }
 }
 
+void compute_objectives(const DesignOutcome& outcome, const std::vector<Objective>& objectives,
+                        ObjectiveValues& values) {
+  const bool has_hand = outcome.hand.stroke_mm > 0;
+  for (const Objective objective : objectives) {
+    const ObjectiveRow& wanted = row(objective);
+    if (wanted.compute == nullptr || (wanted.of_hand && !has_hand)) continue;
+    values[static_cast<std::size_t>(objective)] = on_grid(wanted.compute(outcome));
+  }
+}
+
 Objective parse_objective(const std::string& name, const std::string& option) {
   if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity" ||
       name == "fingertip_force") {

@@ -124,6 +124,9 @@ double on_grid(double value);
 
 // All objectives on that grid, but the score (score.hpp), which is left at 0.
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values);
+// Only these; the others stay as they are.
+void compute_objectives(const DesignOutcome& outcome, const std::vector<Objective>& objectives,
+                        ObjectiveValues& values);
 
 // Names as in the table; "uniformity" and "efficiency" are short for their means.
 // Throws InputError that names the item and lists the objectives.

@@ -22,6 +22,15 @@ double decisive_value(const ObjectiveValues& values, const Order& order) {
   return order.by_score ? value(values, Objective::score) : uniformity_times_efficiency(values);
 }
 
+std::vector<Objective> within_front_objectives(const Order& order) {
+  const std::vector<Objective> by_score{Objective::score, Objective::sheaths, Objective::pulleys,
+                                        Objective::knots, Objective::blocks};
+  const std::vector<Objective> by_product{Objective::uniformity_mean, Objective::efficiency_mean,
+                                          Objective::sheaths,         Objective::pulleys,
+                                          Objective::knots,           Objective::blocks};
+  return order.by_score ? by_score : by_product;
+}
+
 bool precedes_within_front(const Design& a, const Design& b, const Order& order) {
   const auto key = [&](const Design& design) {
     return std::make_tuple(-decisive_value(design.values, order), part_total(design.values),

@@ -35,6 +35,9 @@ double uniformity_times_efficiency(const ObjectiveValues& values);
 // By what rule 2 orders.
 double decisive_value(const ObjectiveValues& values, const Order& order);
 
+// What rules 2 and 3 are made of.
+std::vector<Objective> within_front_objectives(const Order& order);
+
 // Rules 2 to 4.
 bool precedes_within_front(const Design& a, const Design& b, const Order& order);
 

@@ -1,0 +1,43 @@
+// The trees that a routing is made of, each with a key by which it is known again.
+//
+// Tendons that floating blocks tie together are a tree, and so is a tendon alone. Where no finger
+// differs from another, what a tree does follows from its tokens: its key holds kind and tip of
+// each, the numbers of blocks counted from the least, and nothing of its fingers' numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/routing.hpp"
+
+namespace reeve::search {
+
+// Four bits a token and four more for a block's number.
+struct TreeKey {
+  static constexpr std::size_t words = 4;
+  static constexpr std::size_t capacity = 16 * words;
+
+  std::array<std::uint64_t, words> bits{};
+
+  friend bool operator==(const TreeKey&, const TreeKey&) = default;
+};
+
+std::uint64_t hash(const TreeKey& key);
+
+struct TreeSpan {
+  std::size_t begin = 0;  // of the routing's tendons
+  std::size_t end = 0;
+  int fingers_before = 0;
+  int fingers = 0;
+  TreeKey key;
+};
+
+// False where it has a bar, where the fingers are not numbered in the order of the word, or where
+// a tree is too large for its key. Keeps the memory of `spans`.
+bool split_into_trees(const Routing& routing, std::vector<TreeSpan>& spans);
+
+// The tree by itself: fingers and blocks from 1 on. Keeps the memory of `tree`.
+void copy_tree(const Routing& routing, const TreeSpan& span, Routing& tree);
+
+}  // namespace reeve::search

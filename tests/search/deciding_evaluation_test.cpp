@@ -1,0 +1,194 @@
+#include "search/judge/deciding_evaluation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "search/enumerate/generator.hpp"
+
+namespace reeve {
+namespace {
+
+using Objectives = std::vector<Objective>;
+
+// All that follows from what the strands do, and from the parts.
+const Objectives of_strands{Objective::uniformity_mean,
+                            Objective::uniformity_worst,
+                            Objective::efficiency_mean,
+                            Objective::efficiency_worst,
+                            Objective::force_transmission,
+                            Objective::finger_uniformity_mean,
+                            Objective::finger_uniformity_worst,
+                            Objective::jams,
+                            Objective::travel,
+                            Objective::sheaths,
+                            Objective::pulleys,
+                            Objective::knots,
+                            Objective::blocks,
+                            Objective::parts,
+                            Objective::cost};
+
+PartPrices some_prices() {
+  PartPrices prices;
+  prices.sheath = 3.1;
+  prices.tube = 0.7;
+  prices.tip_bearing = 1.3;
+  prices.fixed_end = 0.17;
+  prices.anchor = 0.4;
+  prices.block = 2.2;
+  prices.tendon_mm = 0.013;
+  return prices;
+}
+
+PartSet with_blocks(int blocks) {
+  PartSet parts = all_parts();
+  parts.blocks = blocks;
+  return parts;
+}
+
+Model uneven_model() {
+  Model model;
+  model.hardware.tube = {0.07, 3.0};
+  model.hardware.sheath = {0.11, 5.5};
+  model.hardware.block = ContactLaw{0.03, 3.1};
+  model.hardware.strand_mm = 83.7;
+  model.hardware.motor_side_mm = 412.3;
+  model.hardware.hand_mm = 21.9;
+  return model;
+}
+
+struct Case {
+  PartSet parts;
+  int fingers;
+  Model model;
+  GraspSet grasps;
+};
+
+std::vector<Case> combined_cases() {
+  return {{full_parts(), 4, {}, single_grasps(4)},
+          {paper_parts(), 5, uneven_model(), single_grasps(5)},
+          {with_blocks(1), 3, uneven_model(), single_grasps(3)},
+          {with_blocks(2), 3, {}, single_grasps(3)},
+          {with_blocks(3), 2, {}, single_grasps(2)},
+          {full_parts(), 3, {}, parse_grasps("none:2/2:0.5/3", 3)}};
+}
+
+void expect_same_values(const Case& c, DecidingEvaluator& fast, const Objectives& wanted) {
+  DesignEvaluator plain(c.model, c.grasps, authors_score(), some_prices());
+  RoutingGenerator generator({c.parts, c.fingers, FingerIdentity::identical, false});
+  for (Routing routing; generator.next(routing);) {
+    if (!is_actuated(routing)) continue;
+    const ObjectiveValues expected = plain.evaluate(routing);
+    const ObjectiveValues seen = fast.evaluate(routing);
+    for (const Objective objective : wanted) {
+      // Not nearly: the same number.
+      ASSERT_EQ(value(seen, objective), value(expected, objective))
+          << to_word(routing) << ": " << row(objective).name;
+    }
+  }
+}
+
+TEST(DecidingEvaluation, CombinesTreesToTheSameNumbers) {
+  for (const Case& c : combined_cases()) {
+    DecidingEvaluator fast(c.model, c.grasps, authors_score(), some_prices(), of_strands);
+    ASSERT_TRUE(fast.combines());
+    expect_same_values(c, fast, of_strands);
+  }
+}
+
+TEST(DecidingEvaluation, SolvesEachTreeOnce) {
+  DecidingEvaluator fast({}, single_grasps(4), authors_score(), std::nullopt, of_strands);
+  RoutingGenerator generator({full_parts(), 4, FingerIdentity::identical, false});
+  std::set<std::string> trees;
+  for (Routing routing; generator.next(routing);) {
+    if (!is_actuated(routing)) continue;
+    fast.evaluate(routing);
+    for (const Tendon& tendon : routing.tendons) {
+      trees.insert(to_word(canonical(Routing{{tendon}}, FingerIdentity::identical)));
+    }
+  }
+  EXPECT_EQ(fast.trees_solved(), trees.size());
+}
+
+struct WholeCase {
+  const char* what;
+  Model model;
+  GraspSet grasps;
+  Objectives wanted;
+};
+
+Model with_one_smooth_finger() {
+  Model model;
+  FingerHardware finger;
+  finger.finger = 2;
+  finger.tip_mu = 0.02;
+  model.hardware.fingers.push_back(finger);
+  return model;
+}
+
+Model with_one_smooth_contact() {
+  Model model;
+  model.hardware.contacts.push_back({"T1", "T2", 0.01, std::nullopt});
+  return model;
+}
+
+// Where fingers differ, or a grasp holds two of them, or objectives need more than the strands.
+TEST(DecidingEvaluation, SolvesWholeRoutingsWhereTreesDoNotShareStates) {
+  const Objectives strands{Objective::uniformity_mean, Objective::efficiency_worst};
+  const std::vector<WholeCase> cases{
+      {"finger", with_one_smooth_finger(), single_grasps(3), strands},
+      {"contact", with_one_smooth_contact(), single_grasps(3), strands},
+      {"grasps", {}, all_grasps(3), strands},
+      {"indicators", {}, single_grasps(3), {Objective::reliability, Objective::uniformity_mean}},
+      {"release", {}, single_grasps(3), {Objective::round_trip_efficiency}},
+      {"score", {}, single_grasps(3), {Objective::score}}};
+  for (const WholeCase& c : cases) {
+    SCOPED_TRACE(c.what);
+    DecidingEvaluator fast(c.model, c.grasps, authors_score(), some_prices(), c.wanted);
+    EXPECT_FALSE(fast.combines());
+    expect_same_values({full_parts(), 3, c.model, c.grasps}, fast, c.wanted);
+  }
+}
+
+TEST(DecidingEvaluation, TakesRoutingsThatAreNotNumberedInOrder) {
+  DecidingEvaluator fast({}, single_grasps(3), authors_score(), std::nullopt, of_strands);
+  DesignEvaluator plain(Model{}, single_grasps(3));
+  for (const char* word : {"M-2-P-1-F+M-3-F", "M-1-W1-2-F+W1-3-M", "M-Y1+3x-Y1-1x+M-2-M"}) {
+    const Routing routing = parse_routing(word);
+    const ObjectiveValues expected = plain.evaluate(routing);
+    const ObjectiveValues seen = fast.evaluate(routing);
+    EXPECT_EQ(value(seen, Objective::uniformity_mean), value(expected, Objective::uniformity_mean));
+    EXPECT_EQ(value(seen, Objective::travel), value(expected, Objective::travel));
+  }
+}
+
+// With a table of four places trees go and come again, and some routings find no place at all.
+TEST(KnownTrees, SolvesAgainWhatWentAndSaysWhenThereIsNoPlace) {
+  const Hardware hardware;
+  KnownTrees small(hardware, 1);
+  KnownTrees large(hardware);
+  RoutingGenerator generator({full_parts(), 6, FingerIdentity::identical, false});
+  std::size_t without_place = 0;
+  std::vector<TreeSpan> spans;
+  generator.seek(generator.total() - 5000);
+  for (Routing routing; generator.next(routing);) {
+    ASSERT_TRUE(split_into_trees(routing, spans));
+    const auto& seen = small.states(routing, spans);
+    const auto& expected = large.states(routing, spans);
+    ASSERT_EQ(expected.size(), spans.size());
+    if (seen.empty()) ++without_place;
+    for (std::size_t t = 0; t < seen.size(); ++t) {
+      const TreeState a = seen[t]->in_state(1);
+      const TreeState b = expected[t]->in_state(1);
+      ASSERT_TRUE(std::equal(a.strand.begin(), a.strand.end(), b.strand.begin(), b.strand.end()))
+          << to_word(routing);
+    }
+  }
+  EXPECT_GT(without_place, 0U);
+  EXPECT_GT(small.solved(), large.solved());
+}
+
+}  // namespace
+}  // namespace reeve
