@@ -19,6 +19,8 @@ namespace {
 // Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
 // Ctrl-C; a grain is some tenths of a millisecond.
 constexpr std::size_t batch_size = 16384;
+// Where a kill costs what is in flight.
+constexpr std::size_t kept_batch_size = 2048;
 constexpr std::size_t grain = 64;
 
 // What became of one routing of a batch.
@@ -31,16 +33,18 @@ struct Slot {
   bool may_be_rung = false;
   bool sampled = false;
   bool done = false;
+  std::uint64_t unconverged = 0;
 };
 
 class Exploration {
  public:
-  explicit Exploration(const ExploreOptions& options)
+  Exploration(const ExploreOptions& options, const Keeping& keeping)
       : options_(options),
+        keeping_(keeping),
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        part_(options),
+        part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)),
         deciding_(extent_for(deciding_objectives(options), options.score)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
@@ -54,14 +58,15 @@ class Exploration {
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
-    unconverged_.assign(workers_.count(), 0);
-    slots_.resize(batch_size);
+    slots_.resize(keeping.save ? kept_batch_size : batch_size);
     part_.total = range_.end - range_.begin;
+    go_on();
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
-    generator_.seek(range_.begin);
+    generator_.seek(range_.begin + generated_);
+    const std::uint64_t before = generated_;
     bool stopped = false;
     while (generated_ < part_.total && !stopped) {
       const std::size_t actuated = fill_batch();
@@ -70,19 +75,36 @@ class Exploration {
       const std::size_t done = first_not_done(actuated);
       if (done < actuated) withdraw_from(done, actuated);
       collect(done);
-      if (supervision.report) supervision.report({generated_, part_.total});
+      if (supervision.report) supervision.report({generated_, part_.total, before});
       stopped = must_stop();
+      if (keeping_.save && !stopped && keeping_.is_due()) save();
     }
     add_up();
+    if (keeping_.save && generated_ > before) keeping_.save(part_);
     return std::move(part_);
   }
 
  private:
+  // What was counted before is the first worker's.
+  void go_on() {
+    generated_ = part_.generated;
+    seconds_before_ = part_.seconds;
+    reaches_.front() = part_.reaches;
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+      dominators_.front()[r] = static_cast<std::int64_t>(part_.references[r].dominated_by);
+    }
+  }
+
+  void save() {
+    add_up();
+    keeping_.save(part_);
+  }
+
   bool must_stop() const { return stop_ != nullptr && stop_->load(); }
 
   std::size_t fill_batch() {
     std::size_t filled = 0;
-    while (filled < batch_size && generated_ < part_.total) {
+    while (filled < slots_.size() && generated_ < part_.total) {
       Slot& slot = slots_[filled];
       generator_.next(slot.routing);
       slot.place = range_.begin + generated_;
@@ -103,14 +125,14 @@ class Exploration {
     DesignEvaluator& evaluator = evaluators_[worker];
     const std::size_t before = evaluator.unconverged();
     slot.values = evaluator.evaluate(slot.routing, deciding_);
-    unconverged_[worker] += evaluator.unconverged() - before;
+    slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
     // What decides nothing here only what is kept needs.
-    const bool kept = slot.may_rank || slot.may_be_rung;
+    const bool kept = slot.may_rank || slot.may_be_rung || keeping_.design;
     if (kept && deciding_ != Extent{}) slot.values = evaluator.evaluate(slot.routing);
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
@@ -162,6 +184,8 @@ class Exploration {
     part_.evaluated += filled;
     for (std::size_t i = 0; i < filled; ++i) {
       const Slot& slot = slots_[i];
+      part_.unconverged += slot.unconverged;
+      if (keeping_.design) keeping_.design({slot.place, to_word(slot.routing), slot.values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       if (slot.may_rank) part_.archive.add({to_word(slot.routing), slot.values});
       if (slot.may_be_rung) part_.ladder.add({to_word(slot.routing), slot.values});
@@ -169,14 +193,17 @@ class Exploration {
     }
   }
 
+  // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
-    for (std::size_t w = 0; w < workers_.count(); ++w) {
-      part_.unconverged += unconverged_[w];
-      part_.reaches.add(reaches_[w]);
-      for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
-        part_.references[r].dominated_by += static_cast<std::uint64_t>(dominators_[w][r]);
-      }
+    const auto elapsed = std::chrono::steady_clock::now() - start_;
+    part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
+    part_.reaches = ConstraintReaches(options_.constraints.size());
+    for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+      std::int64_t sum = 0;
+      for (const std::vector<std::int64_t>& dominators : dominators_) sum += dominators[r];
+      part_.references[r].dominated_by = static_cast<std::uint64_t>(sum);
     }
   }
 
@@ -190,6 +217,9 @@ class Exploration {
   }
 
   const ExploreOptions& options_;
+  const Keeping& keeping_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_before_ = 0;
   RoutingGenerator generator_;
   ShardRange range_;
   Workers workers_;
@@ -200,7 +230,6 @@ class Exploration {
   std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]
-  std::vector<std::uint64_t> unconverged_;             // of each worker
   std::vector<Slot> slots_;
   std::uint64_t generated_ = 0;
 };
@@ -222,13 +251,15 @@ Shard parse_shard(const std::string& text) {
       {.what = "shard", .value = text, .expected = "i/N with 1 <= i <= N, such as 2/8"});
 }
 
-ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
+ExploreResult explore(const ExploreOptions& options, const Supervision& supervision,
+                      const Keeping& keeping) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
-  ExploreResult result = conclude(Exploration(options).run(supervision), options);
+  ExploreResult result = conclude(Exploration(options, keeping).run(supervision), options);
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();
+  if (keeping.before) result.seconds += keeping.before->seconds;
   if (result.record) result.record->seconds = result.seconds;
   return result;
 }
