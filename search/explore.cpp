@@ -59,6 +59,10 @@ class Exploration {
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
     slots_.resize(keeping.save ? kept_batch_size : batch_size);
+    if (keeping.before && part_.total != range_.end - range_.begin) {
+      throw InputError(fmt::format("what was kept is of {} routings, and there are {}", part_.total,
+                                   range_.end - range_.begin));
+    }
     part_.total = range_.end - range_.begin;
     go_on();
   }

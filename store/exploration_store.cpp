@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/notation.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
 #include "store/record_rows.hpp"
@@ -16,6 +17,17 @@ namespace {
 // The log lets others read while this one writes, and survives a power cut.
 constexpr const char* durable_writing =
     "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA journal_size_limit = 16777216";
+
+// What somebody wrote there by hand is said to be of this file.
+void require_routings(const ShardRecord& record, const std::filesystem::path& file) {
+  try {
+    for (const ArchivedWord& kept : record.archive) parse_routing(kept.word);
+    for (const std::string& rung : record.rungs) parse_routing(rung);
+    for (const SampledWord& sampled : record.sample) parse_routing(sampled.word);
+  } catch (const InputError& error) {
+    throw error.at(file.string());
+  }
+}
 
 }  // namespace
 
@@ -98,17 +110,17 @@ void ExplorationStore::require_same(std::optional<Keep> keep) {
 }
 
 std::optional<ShardRecord> ExplorationStore::record() const {
-  return in_database(file_, [&] {
-    std::optional<ShardRecord> record = read_record(connection_->database(), shard_.index);
-    if (!record) return record;
-    const bool fits = record->references.size() == asked_.known.size() &&
-                      record->constraint_failures.size() == asked_.limits.size() &&
-                      record->generated <= record->total;
-    if (fits) return record;
-    throw InputError({.where = file_.string(),
-                      .what = "its counts are not those of its settings",
-                      .form = InputForm::unknown});
-  });
+  std::optional<ShardRecord> record =
+      in_database(file_, [&] { return read_record(connection_->database(), shard_.index); });
+  if (!record) return record;
+  require_routings(*record, file_);
+  const bool fits = record->references.size() == asked_.known.size() &&
+                    record->constraint_failures.size() == asked_.limits.size() &&
+                    record->generated <= record->total;
+  if (fits) return record;
+  throw InputError({.where = file_.string(),
+                    .what = "its counts are not those of its settings",
+                    .form = InputForm::unknown});
 }
 
 void ExplorationStore::add(const EvaluatedDesign& design) {

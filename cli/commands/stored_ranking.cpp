@@ -150,7 +150,9 @@ int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const Tab
   const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
   const ListColumns columns = tables.read_columns(format, list_column_names(with));
   tables.require_width(format);
-  const StoredRanking ranking = stored_ranking(reader, stored, asked, catalogue);
+  // Words that are no routings, for whatever reason.
+  const StoredRanking ranking =
+      for_option(flags.store, [&] { return stored_ranking(reader, stored, asked, catalogue); });
   std::cout << printed(ranking, columns, tables, format);
   return ranking.report.top.empty() ? answer_is_no : done;
 }

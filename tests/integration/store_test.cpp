@@ -184,6 +184,21 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
              "--store: no/s.db: it cannot be opened (unable to open database file)");
 }
 
+TEST_F(Stored, RefusesWhatSomebodyChanged) {
+  EXPECT_EQ(explore({}).exit_code, 0);
+  execute(store(), "UPDATE shards SET total = 1000");
+  expect_bad(explore({}), "what was kept is of 1000 routings, and there are 126");
+  execute(store(), "UPDATE shards SET total = 1");
+  expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
+  execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
+  for (const ProcessResult& result : {explore({}), run({"rank", "--store", "s.db"})}) {
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("s.db: routing '1-Q', column 3: unknown token 'Q'"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
 TEST_F(Stored, RefusesAFileThatWasCutOff) {
   EXPECT_EQ(explore(some_work).exit_code, 0);
   fs::resize_file(store(), fs::file_size(store()) / 2);
