@@ -26,7 +26,9 @@ constexpr std::size_t long_list = 200;
 ExplorationView view(const ExploreReport& report, const CLI::App& command,
                      const Catalogue& catalogue, std::optional<std::size_t> details) {
   const ExploreOptions& options = report.options;
-  return {report, command_line(command, {"--threads", "--format", "--columns", "--text-width"}),
+  return {report,
+          command_line(command, {"--threads", "--format", "--columns", "--text-width", "--store",
+                                 "--store-every", "--keep"}),
           given_options(command, {"--hardware", "--model"}),
           [&](const Routing& routing) {
             return shown_routing(routing, options.model, options.grasps, Direction::pull,
@@ -36,6 +38,11 @@ ExplorationView view(const ExploreReport& report, const CLI::App& command,
 }
 
 }  // namespace
+
+std::vector<std::string> explore_arguments(const CLI::App& command) {
+  return given_arguments(
+      command, {"--shard", "--out", "--threads", "--format", "--store", "--store-every", "--keep"});
+}
 
 void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const Catalogue& catalogue, std::optional<std::size_t> details,
@@ -58,9 +65,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   std::vector<std::pair<std::string, std::string>> others;
   others.emplace_back("index.html", stamped_markup(page.html, id));
   if (report.result.record) {
-    others.emplace_back(
-        "shard.json", shard_json(report, given_arguments(command, {"--shard", "--out", "--threads",
-                                                                   "--format"})));
+    others.emplace_back("shard.json", shard_json(report, explore_arguments(command)));
   }
   others.emplace_back("summary.json", explore_summary_json(report));
   // All is made by now: what runs out of memory leaves no temporary file.

@@ -5,11 +5,17 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "reports/results/explore_report.hpp"
 
 namespace reeve::cli {
+
+// What of a command decides what is found, as it can be given again: not where to, which shard, or
+// how fast.
+std::vector<std::string> explore_arguments(const CLI::App& command);
 
 // Of a report that holds the record of a shard also shard.json. `command` is the subcommand as it
 // was given; `details` as in ExplorationView.

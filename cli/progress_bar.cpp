@@ -24,7 +24,7 @@ std::string bar(double share, std::size_t cells) {
 std::string progress_bar(const std::string& what, const Progress& progress, double seconds,
                          std::size_t width) {
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  const double rate = static_cast<double>(progress.done) / seconds;
+  const double rate = static_cast<double>(progress.done - progress.before) / seconds;
   const double left = static_cast<double>(progress.total - progress.done) / rate;
   const std::string figures =
       fmt::format("{:3.0f} %, {:.0f} a second, {:.0f} s left", 100 * share, rate, left);

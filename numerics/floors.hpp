@@ -16,6 +16,9 @@ using namespace core;
 namespace search {
 using namespace causes;
 }  // namespace search
+namespace store {
+using namespace search;
+}  // namespace store
 namespace catalog {
 using namespace causes;
 }  // namespace catalog
@@ -23,7 +26,7 @@ namespace diagnosis {
 using namespace causes;
 }  // namespace diagnosis
 namespace studies {
-using namespace search;
+using namespace store;
 using namespace catalog;
 using namespace diagnosis;
 }  // namespace studies

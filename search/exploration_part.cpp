@@ -131,30 +131,8 @@ void place_kept(ExploreResult& result, const Archive::Content& content,
   }
 }
 
-ShardRecord record_of(ExplorationPart& part) {
-  ShardRecord record{part.total,
-                     part.generated,
-                     part.evaluated,
-                     part.unconverged,
-                     part.seconds,
-                     part.constraint_failures,
-                     part.reaches.list(),
-                     part.references,
-                     {},
-                     {},
-                     {}};
-  for (ArchivedDesign& member : part.archive.members()) {
-    record.archive.push_back({std::move(member.design.word), member.equals_left_out});
-  }
-  for (Design& design : part.ladder.candidates()) record.rungs.push_back(std::move(design.word));
-  for (const SampledRouting& sampled : part.sample.members()) {
-    record.sample.push_back({sampled.place, to_word(sampled.routing)});
-  }
-  return record;
-}
-
-ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options,
-                        Evaluators& evaluators) {
+ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& options,
+                               Evaluators& evaluators) {
   ExplorationPart part(options);
   part.total = record.total;
   part.generated = record.generated;
@@ -214,6 +192,33 @@ void ExplorationPart::absorb(ExplorationPart other) {
   }
 }
 
+ShardRecord record_of(ExplorationPart& part) {
+  ShardRecord record{part.total,
+                     part.generated,
+                     part.evaluated,
+                     part.unconverged,
+                     part.seconds,
+                     part.constraint_failures,
+                     part.reaches.list(),
+                     part.references,
+                     {},
+                     {},
+                     {}};
+  for (ArchivedDesign& member : part.archive.members()) {
+    record.archive.push_back({std::move(member.design.word), member.equals_left_out});
+  }
+  for (Design& design : part.ladder.candidates()) record.rungs.push_back(std::move(design.word));
+  for (const SampledRouting& sampled : part.sample.members()) {
+    record.sample.push_back({sampled.place, to_word(sampled.routing)});
+  }
+  return record;
+}
+
+ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options) {
+  Evaluators evaluators(options);
+  return evaluated_part(record, options, evaluators);
+}
+
 ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   ExploreResult result;
   result.total = part.total;
@@ -247,7 +252,7 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
 ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options) {
   Evaluators evaluators(options);
   ExplorationPart whole(options);
-  for (const ShardRecord& shard : shards) whole.absorb(part_of(shard, options, evaluators));
+  for (const ShardRecord& shard : shards) whole.absorb(evaluated_part(shard, options, evaluators));
   return conclude(std::move(whole), options);
 }
 

@@ -38,6 +38,10 @@ struct ExplorationPart {
   void absorb(ExplorationPart other);
 };
 
+// As words, and back. Throws InputError on a word that is no routing of this exploration.
+ShardRecord record_of(ExplorationPart& part);
+ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options);
+
 // Ranks what was kept, evaluates what is shown besides.
 ExploreResult conclude(ExplorationPart part, const ExploreOptions& options);
 

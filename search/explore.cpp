@@ -22,6 +22,8 @@ namespace {
 // Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
 // Ctrl-C; a grain is some tenths of a millisecond.
 constexpr std::size_t batch_size = 8192;
+// Where a kill costs what is in flight.
+constexpr std::size_t kept_batch_size = 2048;
 constexpr std::size_t grain = 64;
 
 // All that a routing is kept or left for.
@@ -38,14 +40,16 @@ std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
 // What became of one routing of a batch.
 struct Slot {
   Routing routing;
-  std::string word;         // if it may be kept
-  std::uint64_t place = 0;  // in the whole enumeration
-  ObjectiveValues values{};
+  std::string word;                   // if it may be kept
+  std::uint64_t place = 0;            // in the whole enumeration
+  ObjectiveValues values{};           // of the objectives that decide
+  ObjectiveValues all_values{};       // if every design is kept
   std::size_t failed_constraint = 0;  // its number, from 1; 0: none
   bool may_rank = false;
   bool may_be_rung = false;
   bool sampled = false;
   bool done = false;
+  std::uint64_t unconverged = 0;
 };
 
 struct Batch {
@@ -56,12 +60,13 @@ struct Batch {
 
 class Exploration {
  public:
-  explicit Exploration(const ExploreOptions& options)
+  Exploration(const ExploreOptions& options, const Keeping& keeping)
       : options_(options),
+        keeping_(keeping),
         generator_(options.generator),
         range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        part_(options) {
+        part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
                                deciding_objectives(options));
@@ -73,14 +78,26 @@ class Exploration {
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
-    batch_.slots.resize(batch_size);
-    next_.slots.resize(batch_size);
+    if (keeping.design) {
+      for (std::size_t w = 0; w < workers_.count(); ++w) {
+        whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
+      }
+    }
+    batch_.slots.resize(keeping.save ? kept_batch_size : batch_size);
+    next_.slots.resize(batch_.slots.size());
+    if (keeping.before && part_.total != range_.end - range_.begin) {
+      throw InputError(fmt::format("what was kept is of {} routings, and there are {}", part_.total,
+                                   range_.end - range_.begin));
+    }
     part_.total = range_.end - range_.begin;
+    go_on();
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
-    generator_.seek(range_.begin);
+    generator_.seek(range_.begin + generated_);
+    filled_ = generated_;
+    const std::uint64_t before = generated_;
     fill(next_);
     bool stopped = false;
     while (generated_ < part_.total && !stopped) {
@@ -90,19 +107,36 @@ class Exploration {
       const std::size_t done = first_not_done();
       if (done < batch_.actuated) withdraw_from(done);
       collect(done);
-      if (supervision.report) supervision.report({generated_, part_.total});
+      if (supervision.report) supervision.report({generated_, part_.total, before});
       stopped = must_stop();
+      if (keeping_.save && !stopped && keeping_.is_due()) save();
     }
     add_up();
+    if (keeping_.save && generated_ > before) keeping_.save(part_);
     return std::move(part_);
   }
 
  private:
+  // What was counted before is the first worker's.
+  void go_on() {
+    generated_ = part_.generated;
+    seconds_before_ = part_.seconds;
+    reaches_.front() = part_.reaches;
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+      dominators_.front()[r] = static_cast<std::int64_t>(part_.references[r].dominated_by);
+    }
+  }
+
+  void save() {
+    add_up();
+    keeping_.save(part_);
+  }
+
   bool must_stop() const { return stop_ != nullptr && stop_->load(); }
 
   void fill(Batch& batch) {
     batch.actuated = 0;
-    while (batch.actuated < batch_size && filled_ < part_.total) {
+    while (batch.actuated < batch.slots.size() && filled_ < part_.total) {
       Slot& slot = batch.slots[batch.actuated];
       generator_.next(slot.routing);
       slot.place = range_.begin + filled_;
@@ -127,13 +161,17 @@ class Exploration {
   bool may_go_on(std::size_t i) const { return i < 2 * grain || !must_stop(); }
 
   void evaluate(Slot& slot, std::size_t worker) {
-    slot.values = evaluators_[worker].evaluate(slot.routing);
+    DecidingEvaluator& evaluator = evaluators_[worker];
+    const std::size_t before = evaluator.unconverged();
+    slot.values = evaluator.evaluate(slot.routing);
+    slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
-    if (slot.may_rank || slot.may_be_rung) slot.word = to_word(slot.routing);
+    if (slot.may_rank || slot.may_be_rung || keeping_.design) slot.word = to_word(slot.routing);
+    if (keeping_.design) slot.all_values = whole_[worker].evaluate(slot.routing);
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
   }
@@ -184,6 +222,8 @@ class Exploration {
     part_.evaluated += done;
     for (std::size_t i = 0; i < done; ++i) {
       const Slot& slot = batch_.slots[i];
+      part_.unconverged += slot.unconverged;
+      if (keeping_.design) keeping_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       if (slot.may_rank) part_.archive.add({slot.word, slot.values});
       if (slot.may_be_rung) part_.ladder.add({slot.word, slot.values});
@@ -191,24 +231,31 @@ class Exploration {
     }
   }
 
+  // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
-    for (std::size_t w = 0; w < workers_.count(); ++w) {
-      part_.unconverged += evaluators_[w].unconverged();
-      part_.reaches.add(reaches_[w]);
-      for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
-        part_.references[r].dominated_by += static_cast<std::uint64_t>(dominators_[w][r]);
-      }
+    const auto elapsed = std::chrono::steady_clock::now() - start_;
+    part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
+    part_.reaches = ConstraintReaches(options_.constraints.size());
+    for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
+    for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
+      std::int64_t sum = 0;
+      for (const std::vector<std::int64_t>& dominators : dominators_) sum += dominators[r];
+      part_.references[r].dominated_by = static_cast<std::uint64_t>(sum);
     }
   }
 
   const ExploreOptions& options_;
+  const Keeping& keeping_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_before_ = 0;
   RoutingGenerator generator_;
   ShardRange range_;
   Workers workers_;
   ExplorationPart part_;
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
+  std::vector<DesignEvaluator> whole_;      // where every design is kept
   std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]
@@ -235,13 +282,15 @@ Shard parse_shard(const std::string& text) {
       {.what = "shard", .value = text, .expected = "i/N with 1 <= i <= N, such as 2/8"});
 }
 
-ExploreResult explore(const ExploreOptions& options, const Supervision& supervision) {
+ExploreResult explore(const ExploreOptions& options, const Supervision& supervision,
+                      const Keeping& keeping) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
-  ExploreResult result = conclude(Exploration(options).run(supervision), options);
+  ExploreResult result = conclude(Exploration(options, keeping).run(supervision), options);
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();
+  if (keeping.before) result.seconds += keeping.before->seconds;
   if (result.record) result.record->seconds = result.seconds;
   return result;
 }

@@ -20,6 +20,7 @@
 #include "search/enumerate/generator.hpp"
 #include "search/judge/ranking.hpp"
 #include "search/judge/score.hpp"
+#include "search/keeping.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {
@@ -52,6 +53,7 @@ struct ExploreOptions {
 struct Progress {
   std::uint64_t done = 0;  // routings generated
   std::uint64_t total = 0;
+  std::uint64_t before = 0;  // of those done, by an earlier run
 };
 
 // How long exploring may run, and who wants to know. All may be empty.
@@ -95,6 +97,8 @@ struct ExploreResult {
   std::optional<ShardRecord> record;   // if it was asked for
 };
 
-ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {});
+// Goes on where what is kept ends, to the same result as if it had not been stopped there.
+ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {},
+                      const Keeping& keeping = {});
 
 }  // namespace reeve::search

@@ -112,9 +112,10 @@ ExploreReport planned_report(const ExploreOptions& options,
 
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
-                                const Catalogue& catalogue, const StudySupervision& supervision) {
-  return with_distributions(options, explore(options, supervision.during("exploring")), uncertainty,
-                            catalogue, supervision);
+                                const Catalogue& catalogue, const StudySupervision& supervision,
+                                const Keeping& keeping) {
+  return with_distributions(options, explore(options, supervision.during("exploring"), keeping),
+                            uncertainty, catalogue, supervision);
 }
 
 ExploreReport merged_study(const ExploreOptions& options,

@@ -41,7 +41,8 @@ std::vector<Routing> known_routings(const GeneratorOptions& options, const Catal
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,
-                                const StudySupervision& supervision = {});
+                                const StudySupervision& supervision = {},
+                                const Keeping& keeping = {});
 
 // The same of shards that were explored elsewhere, all of them. Throws InputError on words that are
 // no routings of this exploration.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/commands.hpp"
@@ -13,6 +14,7 @@
 #include "core/input/input_file.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/exploration/shard_file.hpp"
+#include "reports/exploration/stored_shards.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -41,6 +43,18 @@ ShardFile read_shard(const std::filesystem::path& folder) {
   return shard;
 }
 
+// A store may hold several.
+void add_shards(const std::filesystem::path& place, std::vector<ShardFile>& shards) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(place, ignored)) {
+    shards.push_back(read_shard(place));
+    return;
+  }
+  for (ShardFile& shard : shard_files(StoreReader(place), place.string())) {
+    shards.push_back(std::move(shard));
+  }
+}
+
 // Its own files would be written over, and with them what it can be merged from.
 void require_not_a_shard(const MergeFlags& flags) {
   for (const std::string& folder : flags.folders) {
@@ -55,7 +69,7 @@ void require_not_a_shard(const MergeFlags& flags) {
 int run(const MergeFlags& flags) {
   require_not_a_shard(flags);
   std::vector<ShardFile> shards;
-  for (const std::string& folder : flags.folders) shards.push_back(read_shard(folder));
+  for (const std::string& place : flags.folders) add_shards(place, shards);
   require_all_shards(shards);
   return explore_merged(shards, {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
                                  "--format=" + flags.format.format});
@@ -68,8 +82,9 @@ void add_merge(CLI::App& program, int& exit_code) {
       "merge", "The shards of an exploration, put together to what the whole would have written");
   auto flags = std::make_shared<MergeFlags>();
   command
-      ->add_option("folders", flags->folders,
-                   "The folders that explore --shard i/N --out wrote, all N in any order")
+      ->add_option(
+          "folders", flags->folders,
+          "The folders that explore --shard i/N --out wrote, or the stores of --store, all N in any order")
       ->required();
   command->add_option("--out", flags->out, "Folder for the files of the whole exploration")
       ->required();

@@ -12,6 +12,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/stored_ranking.hpp"
 #include "cli/flags/ladder_flags.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/flags/sweep_flags.hpp"
@@ -41,6 +42,7 @@ namespace reeve::cli {
 namespace {
 
 struct RankFlags {
+  StoredRankingFlags stored;
   std::vector<std::string> routings;
   bool catalog = false;
   int fingers = 2;
@@ -112,7 +114,7 @@ std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue
   if (result.empty()) {
     throw InputError({.where = "rank",
                       .what = "nothing to rank",
-                      .expected = "routings, or --catalog",
+                      .expected = "routings, --catalog or --store",
                       .form = InputForm::unknown});
   }
   std::set<std::string> words;
@@ -216,6 +218,9 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 }
 
 int run(const RankFlags& flags, const CLI::App& command) {
+  if (flags.stored.is_given()) {
+    return rank_stored(command, flags.stored, flags.tables, flags.format);
+  }
   const RankInputs inputs = read(flags);
   const RankRequest asked = request(flags, inputs);
   const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value(),
@@ -293,6 +298,7 @@ void add_rank(CLI::App& program, int& exit_code) {
           "tension distributions are drawn; 'model': as the hardware and the model have them")
       ->needs(out)
       ->capture_default_str();
+  flags->stored.add_to(*command);
   flags->ranking.add_to(*command);
   flags->ladder.add_to(*command);
   flags->sweep.add_to(*command, "the designs");

@@ -204,7 +204,7 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
 
 TEST(BadRank, IsNamedWithTheRoutings) {
   expect_all_bad({
-      {{"rank"}, "rank: nothing to rank; expected routings, or --catalog", {}},
+      {{"rank"}, "rank: nothing to rank; expected routings, --catalog or --store", {}},
       {{"rank", "--catalog", "--family", "toys"},
        "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles",
        {}},

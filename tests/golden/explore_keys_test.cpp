@@ -66,6 +66,18 @@ TEST(KeysOfAShard, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]), keys(summary()["settings"]));
 }
 
+TEST(KeysOfAStoreRankedAgain, AreThePromisedOnes) {
+  const TemporaryFolder folder;
+  const std::string store = (folder.path() / "s.db").string();
+  reeve({"explore", "--store", store, "--out", folder.path().string()});
+  const Json json = json_of({"rank", "--store", store, "--objectives", "travel"});
+  EXPECT_EQ(keys(json),
+            "exact inexact_because partial total generated evaluated kept failed_constraints "
+            "front_equals_left_out front top ladder settings version");
+  EXPECT_EQ(json["inexact_because"].size(), 1U);
+  EXPECT_EQ(keys(json["top"][0]), keys(summary()["top"][0]));
+}
+
 TEST(KeysOfTheLadder, AreThePromisedOnes) {
   const std::string prices = (std::filesystem::path(REEVE_CATALOG_DIR) / "prices/example.toml");
   const Json json = summary({"--cost", prices, "--within", "5%"});

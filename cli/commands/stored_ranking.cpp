@@ -1,0 +1,160 @@
+#include "cli/commands/stored_ranking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/flags/explore_flags.hpp"
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+#include "core/hand/hand.hpp"
+#include "reports/exploration/store_description.hpp"
+#include "reports/exploration/stored_ranking_report.hpp"
+#include "reports/exploration/stored_shards.hpp"
+#include "reports/results/design_list.hpp"
+#include "studies/stored/stored_ranking.hpp"
+
+namespace reeve::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+// What can be asked otherwise than the store was made with.
+const Arguments askable{"--objectives", "--score", "--constraint", "--top"};
+// Decides how it is shown, or how fast.
+const Arguments showing{"--columns", "--text-width", "--threads", "--format"};
+
+bool names(const Arguments& list, const CLI::Option& option) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const std::string& name) { return option.check_name(name); });
+}
+
+bool sets(const std::string& argument, const std::string& option) {
+  return argument == option || argument.starts_with(option + "=");
+}
+
+// The options of `explore`, and the parser that they belong to.
+struct ParsedExplore {
+  explicit ParsedExplore(Arguments arguments, const std::string& store) {
+    flags.add_to(command);
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+    try {
+      command.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+      throw InputError({.where = store, .what = error.what()});
+    }
+  }
+
+  CLI::App command{"", "explore"};
+  ExploreFlags flags;
+};
+
+void require_nothing_else(const CLI::App& rank) {
+  for (const CLI::Option* option : rank.get_options()) {
+    if (option->count() == 0 || option->check_name("--store")) continue;
+    if (names(askable, *option) || names(showing, *option)) continue;
+    throw InputError({.where = option->get_name(),
+                      .what = "a store has been evaluated already",
+                      .expected =
+                          "with --store only --objectives, --score, --constraint, --top and "
+                          "how it is shown",
+                      .form = InputForm::unknown});
+  }
+}
+
+// Hardware and prices are read again, and must say the same.
+ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& store,
+                              const std::string& name, const Catalogue& catalogue) {
+  const ModelFile file = explore.flags.model.read();
+  const ExploreOptions options = explore.flags.read(file.model, catalogue);
+  const auto uncertainty = explore.flags.ranking.uncertainty
+                               ? std::optional(explore.flags.read_uncertainty(file, options))
+                               : std::nullopt;
+  ExploreReport planned = planned_report(options, uncertainty, catalogue);
+  planned.sweep_over = explore.flags.sweep.read();
+  if (const auto differs = difference(store.description(), store_description(planned, {}))) {
+    throw InputError({.where = name,
+                      .what = fmt::format("it was made by {}", *differs),
+                      .expected = "what its exploration was made with",
+                      .form = InputForm::unknown});
+  }
+  return options;
+}
+
+// Those of the exploration, but for what is asked otherwise.
+Arguments as_asked(const Arguments& stored, const Arguments& asked) {
+  Arguments arguments = asked;
+  for (const std::string& argument : stored) {
+    const bool is_asked =
+        std::any_of(askable.begin(), askable.end(), [&](const std::string& option) {
+          return sets(argument, option) &&
+                 std::any_of(asked.begin(), asked.end(),
+                             [&](const std::string& other) { return sets(other, option); });
+        });
+    if (!is_asked) arguments.push_back(argument);
+  }
+  return arguments;
+}
+
+// Of the options of `rank` those that are asked for.
+Arguments asked_arguments(const CLI::App& rank) {
+  Arguments arguments;
+  for (const std::string& argument : given_arguments(rank, showing)) {
+    const bool is_asked =
+        std::any_of(askable.begin(), askable.end(),
+                    [&](const std::string& option) { return sets(argument, option); });
+    if (is_asked) arguments.push_back(argument);
+  }
+  return arguments;
+}
+
+std::string printed(const StoredRanking& ranking, const ListColumns& columns,
+                    const TableFlags& tables, const FormatOption& format) {
+  if (format.is("json")) return stored_ranking_json(ranking);
+  if (format.is("csv")) return stored_ranking_csv(ranking);
+  return tables.printed(stored_ranking_sheet(ranking, columns), format);
+}
+
+}  // namespace
+
+void StoredRankingFlags::add_to(CLI::App& rank) {
+  given_ = rank.add_option(
+      "--store", store,
+      "What explore --store keeps in this file, ranked without evaluating it again: by the "
+      "--objectives, --score, --constraint and --top given here, else as it was explored");
+  rank.add_option("--constraint", constraints,
+                  "Of a store: only designs with, such as 'sheaths<=2'; may be given several times")
+      ->allow_extra_args(false)
+      ->needs(given_);
+  rank.add_option("--top", top, "Of a store: how many of the best designs")->needs(given_);
+}
+
+int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,
+                const FormatOption& format) {
+  require_nothing_else(rank);
+  const StoreReader reader{std::filesystem::path(flags.store)};
+  const Arguments arguments = stored_arguments(reader.description(), flags.store);
+  const Catalogue catalogue = shipped_catalogue();
+  const ParsedExplore then(arguments, flags.store);
+  const ExploreOptions stored = stored_options(then, reader, flags.store, catalogue);
+  const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), flags.store);
+  const ExploreOptions asked = now.flags.read(stored.model, catalogue);
+  const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
+  const ListColumns columns = tables.read_columns(format, list_column_names(with));
+  tables.require_width(format);
+  // Words that are no routings, for whatever reason.
+  const StoredRanking ranking =
+      for_option(flags.store, [&] { return stored_ranking(reader, stored, asked, catalogue); });
+  std::cout << printed(ranking, columns, tables, format);
+  return ranking.report.top.empty() ? answer_is_no : done;
+}
+
+}  // namespace reeve::cli

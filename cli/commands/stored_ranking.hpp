@@ -1,0 +1,30 @@
+// `rank` of what a store keeps.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "cli/flags/table_flags.hpp"
+#include "cli/inputs.hpp"
+
+namespace reeve::cli {
+
+struct StoredRankingFlags {
+  std::string store;
+  std::vector<std::string> constraints;
+  std::size_t top = 0;
+
+  void add_to(CLI::App& rank);
+  bool is_given() const { return given_->count() > 0; }
+
+ private:
+  CLI::Option* given_ = nullptr;
+};
+
+// `rank` is the command as it was given, with a store; how it is shown is its own.
+int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,
+                const FormatOption& format);
+
+}  // namespace reeve::cli

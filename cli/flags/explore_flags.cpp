@@ -1,0 +1,104 @@
+#include "cli/flags/explore_flags.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/hand_inputs.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "studies/exploration_study.hpp"
+
+namespace reeve::cli {
+namespace {
+
+// Which contacts the routings will have is not known yet; which strands, is.
+void require_fingers(const Hardware& hardware, int fingers) {
+  for (const ContactHardware& contact : hardware.contacts) {
+    if (highest_finger(contact) <= fingers) continue;
+    throw InputError({.where = "hardware",
+                      .what = "contact",
+                      .value = fmt::format("{}-{}", contact.segment, contact.other_segment),
+                      .expected = fmt::format("strands of fingers 1 to {}", fingers)});
+  }
+}
+
+}  // namespace
+
+ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue) const {
+  ExploreOptions options;
+  options.generator = generator.read();
+  // Says early, before anything is written, if there are too many to count.
+  for_option(fmt::format("--fingers {}", generator.fingers),
+             [&] { return RoutingGenerator(options.generator).total(); });
+  require_fingers(with.hardware, options.generator.fingers);
+  require_known_fingers(with.hardware, options.generator.fingers);
+  options.shard = for_name("--", [&] { return parse_shard(shard); });
+  options.keeps_record = shard_given->count() > 0;
+  options.model = with;
+  options.grasps = ranking.read_grasps(options.generator.fingers);
+  options.order = ranking.read_order();
+  options.score = ranking.read_score();
+  require_hand_for("--objectives", options.order.objectives, with.hardware);
+  require_hand_for("--score", options.score, with.hardware);
+  for (const std::string& text : constraints) {
+    const Constraint constraint = for_name("--", [&] { return parse_constraint(text); });
+    require_hand_for(fmt::format("--constraint '{}'", text), {constraint.objective}, with.hardware);
+    for (const Constraint& other : options.constraints) {
+      if (other.text != constraint.text) continue;
+      throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));
+    }
+    options.constraints.push_back(constraint);
+  }
+  options.prices = ladder.read_prices();
+  options.ladder = ladder.read();
+  ladder.require_prices(options.order, options.score, options.constraints);
+  options.top = top;
+  options.threads = ranking.threads;
+  options.references = known_routings(options.generator, catalogue);
+  return options;
+}
+
+UncertaintyOptions ExploreFlags::read_uncertainty(const ModelFile& file,
+                                                  const ExploreOptions& options) const {
+  UncertaintyOptions drawn{file.model,      file.uncertainty, options.grasps,
+                           options.order,   ranking.draws,    ranking.seed,
+                           ranking.threads, options.score,    options.prices};
+  drawn.constraints = options.constraints;
+  return drawn;
+}
+
+void ExploreFlags::add_to(CLI::App& command) {
+  generator.add_to(command, true);
+  ranking.add_to(command);
+  ladder.add_to(command);
+  store.add_to(command);
+  sweep.add_to(command, "the first design, those of the ladder and the front (up to 8)");
+  command
+      .add_option("--constraint", constraints,
+                  "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+      ->allow_extra_args(false);
+  shard_given =
+      command
+          .add_option("--shard", shard,
+                      "i/N: only the i-th of N parts of the whole; reeve merge puts them together")
+          ->capture_default_str();
+  command
+      .add_option("--top", top, "How many of the best designs to keep; the front is always kept")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  command
+      .add_option("--details", details,
+                  "Of how many of the best designs the page holds schematics and tensions, besides "
+                  "the known routings; by default as many as 170 schematics show in all grasps")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
+  command
+      .add_option(
+          "--out", out,
+          "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
+          "figures, and sweep.csv of --sweep")
+      ->capture_default_str();
+  model.add_to(command);
+  tables.add_to(command, "the list of the best");
+  format.add_to(command, with_tables({"json"}));
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,114 @@
+#include "reports/exploration/stored_ranking_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "reports/decision/decision_words.hpp"
+#include "reports/decision/ladder_report.hpp"
+#include "reports/json.hpp"
+#include "reports/results/design_list.hpp"
+#include "reports/results/explore_report.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t most_lines = 10;
+
+std::string gap_text(Gap gap) {
+  switch (gap) {
+    case Gap::other_order:
+      return "other objectives, or another score that decides, than the store was made with";
+    case Gap::constraint_dropped:
+      return "a constraint of the store is not asked for, and what it left out was not kept";
+    case Gap::constraint_elsewhere:
+      return "a further constraint on what is not ranked by, or on its better side";
+    case Gap::more_than_kept:
+      return "more designs than the store keeps";
+  }
+  return "";
+}
+
+std::vector<std::string> gap_texts(const StoredRanking& ranking) {
+  std::vector<std::string> texts;
+  for (const Gap gap : ranking.gaps) texts.push_back(gap_text(gap));
+  return texts;
+}
+
+std::string inexact_note(const StoredRanking& ranking) {
+  std::string text;
+  for (const std::string& gap : gap_texts(ranking)) text += (text.empty() ? "" : "; ") + gap;
+  if (text.empty()) return "";
+  return fmt::format(
+      "not exact: {}. These are the best of what was kept; designs that were not may belong before "
+      "or among them. An exploration with --keep all, or with these settings, has all",
+      text);
+}
+
+std::string partial_text(const StoredRanking& ranking) {
+  if (!ranking.partial) return "";
+  const ExploreResult& result = ranking.report.result;
+  return fmt::format("{} of {} routings of {} of {} shards were generated so far", result.generated,
+                     result.total, ranking.shards, ranking.of_shards);
+}
+
+std::vector<SheetLine> opening(const StoredRanking& ranking) {
+  const ExploreResult& result = ranking.report.result;
+  std::vector<SheetLine> lines{
+      {fmt::format("{} designs kept of {} evaluated, {} of them do not meet the constraints",
+                   ranking.kept, result.evaluated, ranking.failed)}};
+  if (ranking.partial) lines.push_back({"PARTIAL: " + partial_text(ranking), true});
+  const std::string note = inexact_note(ranking);
+  if (!note.empty()) lines.push_back({"Note: " + note, true});
+  lines.push_back({order_text(ranking.report.options.order, ranking.report.options.score)});
+  return lines;
+}
+
+}  // namespace
+
+Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& columns) {
+  const ExploreReport& report = ranking.report;
+  std::vector<ListedDesign> lines = one_of_each(report.top);
+  if (lines.size() > most_lines) lines.resize(most_lines);
+  Sheet sheet{{{"", std::nullopt, opening(ranking)}}};
+  if (lines.empty()) {
+    sheet.add({"", std::nullopt, {{"No design that was kept meets the constraints"}}});
+    return sheet;
+  }
+  sheet.add({"", std::nullopt, answer_lines(report.top, report.ladder)});
+  sheet.add({fmt::format("Top {}", lines.size()),
+             design_table(lines, report.options.order, report.options.score, columns),
+             alike_lines(lines)});
+  if (columns.chosen.empty()) sheet.add(ladder_section(report.ladder));
+  return sheet;
+}
+
+std::string stored_ranking_json(const StoredRanking& ranking) {
+  const ExploreResult& result = ranking.report.result;
+  Json json{{"exact", ranking.gaps.empty()},
+            {"inexact_because", gap_texts(ranking)},
+            {"partial", ranking.partial},
+            {"total", result.total},
+            {"generated", result.generated},
+            {"evaluated", result.evaluated},
+            {"kept", ranking.kept},
+            {"failed_constraints", ranking.failed},
+            {"front_equals_left_out", result.front_equals_left_out}};
+  json["front"] = to_json(ranking.report.front);
+  json["top"] = to_json(ranking.report.top);
+  json["ladder"] = ladder_json(ranking.report.ladder);
+  json["settings"] = explore_settings(ranking.report);
+  json["version"] = version_json();
+  return print(json);
+}
+
+std::string stored_ranking_csv(const StoredRanking& ranking) {
+  std::string note = partial_text(ranking);
+  if (!note.empty()) note = "partial: " + note;
+  const std::string inexact = inexact_note(ranking);
+  if (!inexact.empty()) note += (note.empty() ? "" : "; ") + inexact;
+  return design_csv(ranking.report.top, note);
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,16 @@
+// What a store keeps, ranked again: as a table, as JSON and as CSV.
+#pragma once
+
+#include <string>
+
+#include "reports/sheet/chosen_columns.hpp"
+#include "reports/sheet/sheet.hpp"
+#include "studies/stored/stored_ranking.hpp"
+
+namespace reeve::reports {
+
+Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& columns = {});
+std::string stored_ranking_json(const StoredRanking& ranking);
+std::string stored_ranking_csv(const StoredRanking& ranking);
+
+}  // namespace reeve::reports

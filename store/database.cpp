@@ -1,0 +1,98 @@
+#include "store/database.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "store/schema.hpp"
+
+namespace reeve::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 1000;  // a reader that just closes holds a lock for a moment
+
+std::string reason(const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      return "it is no SQLite database";
+    case SQLITE_CORRUPT:
+      return "it is damaged or cut off";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another process is using it";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return "it cannot be written";
+    case SQLITE_CANTOPEN:
+      return "it cannot be opened";
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      return "it cannot be written further; it holds what was stored before";
+    default:
+      return "SQLite cannot use it";
+  }
+}
+
+int flags(Access access) {
+  return access == Access::read ? SQLite::OPEN_READONLY
+                                : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+}
+
+int pragma(const SQLite::Database& database, const char* name) {
+  SQLite::Statement query(database, fmt::format("PRAGMA {}", name));
+  return query.executeStep() ? query.getColumn(0).getInt() : 0;
+}
+
+bool is_empty(const SQLite::Database& database) {
+  SQLite::Statement query(database, "SELECT count(*) FROM sqlite_master");
+  return query.executeStep() && query.getColumn(0).getInt() == 0;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what,
+                         const std::string& expected) {
+  throw InputError(
+      {.where = file.string(), .what = what, .expected = expected, .form = InputForm::unknown});
+}
+
+}  // namespace
+
+void fail(const fs::path& file, const SQLite::Exception& error) {
+  throw InputError(
+      {.where = file.string(), .what = fmt::format("{} ({})", reason(error), error.getErrorStr())});
+}
+
+OpenedStore open_store(const fs::path& file, Access access) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    refuse(file, "it is a folder", "the file of a store");
+  }
+  return in_database(file, [&] {
+    // Names such as ":memory:" mean something to SQLite, absolute ones do not.
+    OpenedStore opened{SQLite::Database(fs::absolute(file).string(), flags(access), patience_ms)};
+    const int application = pragma(opened.database, "application_id");
+    const int version = pragma(opened.database, "user_version");
+    opened.is_new = application == 0 && version == 0 && is_empty(opened.database);
+    if (opened.is_new && access == Access::write) return opened;
+    if (application != application_id) {
+      refuse(file, "it is a database, but no store of an exploration", "what reeve explore stored");
+    }
+    if (version != schema_version) {
+      refuse(file, fmt::format("it is a store of version {}", version),
+             fmt::format("version {}, which this program reads", schema_version));
+    }
+    return opened;
+  });
+}
+
+std::int64_t whole_number(std::uint64_t number) {
+  if (number <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+    return static_cast<std::int64_t>(number);
+  }
+  throw InputError(fmt::format("{} routings are more than a store can number", number));
+}
+
+}  // namespace reeve::store

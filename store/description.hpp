@@ -1,0 +1,32 @@
+// Of which exploration a store is: what has to be the same for a run to go on in it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::store {
+
+struct Setting {
+  std::string key;
+  std::string value;  // JSON
+
+  friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+struct Description {
+  std::string exploration;            // its id, as in all its files
+  std::string version;                // of the program
+  std::string arguments;              // of the command, a JSON list
+  std::vector<Setting> settings;      // by key
+  std::vector<std::string> known{};   // names of the known routings
+  std::vector<std::string> limits{};  // the constraints
+};
+
+// "top (1000, and not 500), constraints ([], and not ["jams<=1"])": what differs. Where no setting
+// does, the version or the catalogue; nothing if they are of one exploration.
+std::optional<std::string> difference(const Description& there, const Description& asked);
+
+}  // namespace reeve::store

@@ -1,0 +1,152 @@
+#include "store/exploration_store.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "store/about_rows.hpp"
+#include "store/database.hpp"
+#include "store/record_rows.hpp"
+#include "store/schema.hpp"
+
+namespace reeve::store {
+namespace {
+
+// The log lets others read while this one writes, and survives a power cut.
+constexpr const char* durable_writing =
+    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA journal_size_limit = 16777216";
+
+// What somebody wrote there by hand is said to be of this file.
+void require_routings(const ShardRecord& record, const std::filesystem::path& file) {
+  try {
+    for (const ArchivedWord& kept : record.archive) parse_routing(kept.word);
+    for (const std::string& rung : record.rungs) parse_routing(rung);
+    for (const SampledWord& sampled : record.sample) parse_routing(sampled.word);
+  } catch (const InputError& error) {
+    throw error.at(file.string());
+  }
+}
+
+}  // namespace
+
+struct ExplorationStore::Connection {
+  explicit Connection(const std::filesystem::path& file)
+      : opened(open_store(file, Access::write)) {}
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  // What was not saved goes, and one plain file is left, which can be read where nothing can be
+  // written. Where that fails the next one who opens it finds the log.
+  ~Connection() {
+    insert.reset();
+    if (!is_writing) return;
+    database().tryExec("ROLLBACK");
+    database().tryExec("PRAGMA journal_mode = DELETE");
+  }
+
+  SQLite::Database& database() { return opened.database; }
+
+  // Until the end: who else writes waits in vain.
+  void begin() {
+    database().exec(durable_writing);
+    database().exec("BEGIN IMMEDIATE");
+    is_writing = true;
+  }
+
+  void commit() {
+    database().exec("COMMIT");
+    database().exec("BEGIN IMMEDIATE");
+  }
+
+  OpenedStore opened;
+  bool is_writing = false;
+  std::optional<SQLite::Statement> insert;
+};
+
+ExplorationStore::ExplorationStore(std::filesystem::path file, Description asked, Shard shard,
+                                   std::optional<Keep> keep)
+    : file_(std::move(file)), asked_(std::move(asked)), shard_(shard) {
+  in_database(file_, [&] {
+    connection_ = std::make_unique<Connection>(file_);
+    // What is refused stays byte for byte as it is.
+    if (!connection_->opened.is_new) require_same(keep);
+    connection_->begin();
+    // Another process may have made it meanwhile.
+    if (stored_version(connection_->database()) != 0) {
+      require_same(keep);
+      return;
+    }
+    keep_ = keep.value_or(Keep::best);
+    create_tables(connection_->database());
+    write_about(connection_->database(), asked_, keep_);
+    connection_->commit();
+  });
+}
+
+ExplorationStore::~ExplorationStore() = default;
+
+void ExplorationStore::require_same(std::optional<Keep> keep) {
+  SQLite::Database& database = connection_->database();
+  if (const auto differs = difference(read_description(database), asked_)) {
+    throw InputError({.where = file_.string(),
+                      .what = fmt::format("it is of an exploration with {}", *differs),
+                      .expected = "the same, or another file",
+                      .form = InputForm::unknown});
+  }
+  for (const Shard& there : stored_shards(database)) {
+    if (there.count == shard_.count) continue;
+    throw InputError({.where = file_.string(),
+                      .what = fmt::format("it has shard {}/{}", there.index, there.count),
+                      .expected = fmt::format("shards of {}, or another file", shard_.count),
+                      .form = InputForm::unknown});
+  }
+  keep_ = read_keep(database);
+  if (keep.value_or(keep_) == keep_) return;
+  throw InputError({.where = file_.string(),
+                    .what = keep_ == Keep::all ? "it keeps all designs" : "it keeps the best alone",
+                    .expected = "to go on keeping these, or another file",
+                    .form = InputForm::unknown});
+}
+
+std::optional<ShardRecord> ExplorationStore::record() const {
+  std::optional<ShardRecord> record =
+      in_database(file_, [&] { return read_record(connection_->database(), shard_.index); });
+  if (!record) return record;
+  require_routings(*record, file_);
+  const bool fits = record->references.size() == asked_.known.size() &&
+                    record->constraint_failures.size() == asked_.limits.size() &&
+                    record->generated <= record->total;
+  if (fits) return record;
+  throw InputError({.where = file_.string(),
+                    .what = "its counts are not those of its settings",
+                    .form = InputForm::unknown});
+}
+
+void ExplorationStore::add(const EvaluatedDesign& design) {
+  in_database(file_, [&] {
+    std::optional<SQLite::Statement>& insert = connection_->insert;
+    if (!insert) {
+      insert.emplace(connection_->database(),
+                     fmt::format("INSERT INTO designs VALUES (?, ?{})", objective_marks()));
+    }
+    insert->reset();
+    insert->bind(1, whole_number(design.place));
+    insert->bind(2, design.word);
+    bind_objectives(*insert, 3, design.values);
+    insert->exec();
+  });
+  ++added_since_save_;
+}
+
+void ExplorationStore::save(ExplorationPart& so_far) {
+  in_database(file_, [&] {
+    // It would hold a commit up.
+    connection_->insert.reset();
+    write_record(connection_->database(), shard_, so_far, asked_);
+    connection_->commit();
+  });
+  added_since_save_ = 0;
+}
+
+}  // namespace reeve::store

@@ -1,0 +1,54 @@
+// A store: one exploration in an SQLite file, as far as it came.
+//
+// All that changes between two saves is one transaction, so that whatever ends the process (a kill,
+// a power cut, a full disk) leaves what the last save left. A write-ahead log lets others read
+// meanwhile; a second writer is refused, since the next transaction begins where the last one ends.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "search/exploration_part.hpp"
+#include "search/explore.hpp"
+#include "store/description.hpp"
+
+namespace reeve::store {
+
+enum class Keep : std::uint8_t { best, all };
+
+class ExplorationStore {
+ public:
+  // Made where there is none. Throws InputError if it is of another exploration, of other numbers
+  // of shards, or keeps otherwise than asked for.
+  ExplorationStore(std::filesystem::path file, Description asked, Shard shard,
+                   std::optional<Keep> keep);
+  ~ExplorationStore();
+  ExplorationStore(const ExplorationStore&) = delete;
+  ExplorationStore& operator=(const ExplorationStore&) = delete;
+
+  Keep keep() const { return keep_; }
+  // How far this shard came before; nothing if it has not begun.
+  std::optional<ShardRecord> record() const;
+
+  // In the file with the next save. Both throw InputError if the file cannot be written.
+  void add(const EvaluatedDesign& design);
+  void save(ExplorationPart& so_far);
+
+  std::uint64_t added_since_save() const { return added_since_save_; }
+
+ private:
+  struct Connection;
+
+  void require_same(std::optional<Keep> keep);
+
+  std::filesystem::path file_;
+  Description asked_;
+  Shard shard_;
+  Keep keep_ = Keep::best;
+  std::uint64_t added_since_save_ = 0;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace reeve::store

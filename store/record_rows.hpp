@@ -1,0 +1,26 @@
+// What a shard has kept, as rows. The routings of a record are what counts: whoever reads them
+// evaluates them again. The objectives beside them are for people.
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <optional>
+#include <vector>
+
+#include "search/exploration_part.hpp"
+#include "search/explore.hpp"
+#include "store/description.hpp"
+
+namespace reeve::store {
+
+// In place of what was there of the shard.
+void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
+                  const Description& description);
+
+// Nothing if the shard has not begun.
+std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard);
+
+// Those that have begun, by number.
+std::vector<Shard> stored_shards(SQLite::Database& database);
+
+}  // namespace reeve::store

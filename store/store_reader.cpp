@@ -1,0 +1,71 @@
+#include "store/store_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "store/about_rows.hpp"
+#include "store/database.hpp"
+#include "store/record_rows.hpp"
+#include "store/schema.hpp"
+
+namespace reeve::store {
+
+struct StoreReader::Connection {
+  OpenedStore opened;
+};
+
+StoreReader::StoreReader(std::filesystem::path file)
+    : file_(std::move(file)),
+      connection_(std::make_unique<Connection>(Connection{open_store(file_, Access::read)})) {
+  in_database(file_, [&] {
+    SQLite::Database& database = connection_->opened.database;
+    // All that is read is of one moment.
+    database.exec("BEGIN");
+    description_ = read_description(database);
+    keep_ = read_keep(database);
+  });
+}
+
+StoreReader::~StoreReader() = default;
+
+std::vector<StoredShard> StoreReader::shards() const {
+  return in_database(file_, [&] {
+    SQLite::Database& database = connection_->opened.database;
+    std::vector<StoredShard> shards;
+    for (const Shard& shard : stored_shards(database)) {
+      shards.push_back({shard, read_record(database, shard.index).value()});
+    }
+    return shards;
+  });
+}
+
+void StoreReader::for_each_design(const std::function<void(const EvaluatedDesign&)>& visit) const {
+  in_database(file_, [&] {
+    SQLite::Statement query(
+        connection_->opened.database,
+        fmt::format("SELECT place, routing{} FROM designs ORDER BY place", objective_columns()));
+    while (query.executeStep()) {
+      visit({static_cast<std::uint64_t>(query.getColumn(0).getInt64()),
+             query.getColumn(1).getString(), objectives_of(query, 2)});
+    }
+  });
+}
+
+void StoreReader::for_each_of_the_best(
+    const std::function<void(const ArchivedDesign&)>& visit) const {
+  in_database(file_, [&] {
+    for (const char* source : {"equals_left_out{} FROM archive", "0{} FROM ladder"}) {
+      SQLite::Statement query(connection_->opened.database,
+                              "SELECT routing, " +
+                                  fmt::format(fmt::runtime(source), objective_columns()) +
+                                  " ORDER BY shard, number");
+      while (query.executeStep()) {
+        visit({{query.getColumn(0).getString(), objectives_of(query, 2)},
+               static_cast<std::uint64_t>(query.getColumn(1).getInt64())});
+      }
+    }
+  });
+}
+
+}  // namespace reeve::store

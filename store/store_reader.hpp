@@ -1,0 +1,47 @@
+// A store, read: by those that rank or merge what it keeps. It may be written meanwhile, and is
+// then as it was at the last save before it was opened.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "search/explore.hpp"
+#include "store/description.hpp"
+#include "store/exploration_store.hpp"
+
+namespace reeve::store {
+
+struct StoredShard {
+  Shard shard;
+  ShardRecord record;
+};
+
+class StoreReader {
+ public:
+  // Throws InputError if it is no store.
+  explicit StoreReader(std::filesystem::path file);
+  ~StoreReader();
+  StoreReader(const StoreReader&) = delete;
+  StoreReader& operator=(const StoreReader&) = delete;
+
+  const Description& description() const { return description_; }
+  Keep keep() const { return keep_; }
+  // Those that have begun. These throw InputError if the file is damaged.
+  std::vector<StoredShard> shards() const;
+  // Every design that was kept with its objectives, in the order of the places.
+  void for_each_design(const std::function<void(const EvaluatedDesign&)>& visit) const;
+  // Every design of the archives, then those of the ladders, of which some are in both.
+  void for_each_of_the_best(const std::function<void(const ArchivedDesign&)>& visit) const;
+
+ private:
+  struct Connection;
+
+  std::filesystem::path file_;
+  std::unique_ptr<Connection> connection_;
+  Description description_;
+  Keep keep_ = Keep::best;
+};
+
+}  // namespace reeve::store

@@ -1,0 +1,259 @@
+// An exploration in a store ends in the bytes of one that nothing disturbed, whatever ended its
+// earlier runs; what is no store of it is refused.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+
+#include "tests/integration/stored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+// A dozen batches.
+const Arguments some_work{"--fingers", "5", "--parts", "full", "--top", "50"};
+// Hours.
+const Arguments long_work{"--fingers", "9", "--parts", "full", "--top", "50", "--threads", "2"};
+
+ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
+  ProcessOptions options;
+  options.disturbance = Disturbance{signal, std::move(when)};
+  return options;
+}
+
+void execute(const fs::path& file, const std::string& sql) {
+  const ProcessResult result = run_process({"sqlite3", file.string(), sql});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST_F(Stored, GoesOnAfterKillsToTheBytesOfTheWhole) {
+  const Explored whole(some_work);
+  std::vector<std::uint64_t> steps;
+  for (int kills = 0; kills < 5; ++kills) {
+    const std::uint64_t before = generated();
+    const ProcessResult killed = explore(
+        some_work, disturbed(SIGKILL, [&](const RunningProcess&) { return generated() > before; }),
+        {"--threads", std::to_string(1 + kills % 2)});
+    if (killed.signal != SIGKILL) break;
+    EXPECT_GE(generated(), before);
+    EXPECT_TRUE(!fs::exists(folder_.path() / "out/designs.csv"));
+    steps.push_back(generated());
+  }
+  EXPECT_GE(steps.size(), 2U);
+  const ProcessResult last = explore(some_work, {}, {"--threads", "3"});
+  EXPECT_EQ(last.exit_code, 0) << last.err;
+  expect_same_below(folder_.path() / "out", whole.out());
+}
+
+// The kernel kills it within a write to the file or its log.
+TEST_F(Stored, GoesOnAfterAKillInTheMiddleOfAWrite) {
+  const Explored whole(some_work);
+  for (const rlim_t limit : {20000, 90000, 200000, 333333}) {
+    SCOPED_TRACE(limit);
+    ProcessOptions options;
+    options.file_size_limit = limit;
+    EXPECT_EQ(explore(some_work, options).signal, SIGXFSZ);
+  }
+  EXPECT_EQ(explore(some_work).exit_code, 0);
+  expect_same_below(folder_.path() / "out", whole.out());
+}
+
+TEST_F(Stored, SaysThatTheDiskIsFullAndGoesOnLater) {
+  const Explored whole(some_work);
+  ProcessOptions options;
+  options.file_size_limit = 250000;
+  options.ignore_file_size_signal = true;
+  const ProcessResult full = explore(some_work, options);
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_NE(full.err.find("reeve: s.db: it cannot be written further; it holds what was stored "
+                          "before ("),
+            std::string::npos)
+      << full.err;
+  EXPECT_EQ(explore(some_work).exit_code, 0);
+  expect_same_below(folder_.path() / "out", whole.out());
+}
+
+TEST_F(Stored, GoesOnAfterCtrlC) {
+  const Explored whole(some_work);
+  const ProcessResult stopped =
+      explore(some_work, disturbed(SIGINT, [&](const RunningProcess&) { return generated() > 0; }),
+              {"--threads", "1"});
+  EXPECT_EQ(stopped.exit_code, 3) << stopped.err;
+  const Json partial = Json::parse(read_text(folder_.path() / "out/summary.json"));
+  EXPECT_TRUE(partial["partial"]);
+  // Nothing that was evaluated is lost.
+  EXPECT_EQ(partial["generated"], generated());
+  EXPECT_EQ(explore(some_work, {}, {"--threads", "2"}).exit_code, 0);
+  expect_same_below(folder_.path() / "out", whole.out());
+  // Nothing is left to do, and a plain file of it.
+  EXPECT_EQ(explore(some_work).exit_code, 0);
+  expect_same_below(folder_.path() / "out", whole.out());
+  EXPECT_FALSE(fs::exists(folder_.path() / "s.db-wal"));
+}
+
+struct KeptCase {
+  const char* name;
+  Arguments arguments;
+};
+
+class StoredCase : public Stored, public ::testing::WithParamInterface<KeptCase> {};
+
+TEST_P(StoredCase, GoesOnToTheBytesOfTheWhole) {
+  const Explored whole(GetParam().arguments);
+  explore(GetParam().arguments,
+          disturbed(SIGKILL, [&](const RunningProcess&) { return generated() > 0; }));
+  EXPECT_GT(generated(), 0U);
+  const ProcessResult last = explore(GetParam().arguments);
+  EXPECT_EQ(last.exit_code, whole.result.exit_code) << last.err;
+  expect_same_below(folder_.path() / "out", whole.out());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, StoredCase,
+    ::testing::Values(
+        KeptCase{"AShard", {"--fingers", "5", "--shard", "2/3", "--top", "20"}},
+        KeptCase{"Blocks",
+                 {"--fingers", "3", "--blocks", "1", "--top", "20", "--objectives",
+                  "uniformity,sheaths,travel", "--keep", "all"}},
+        KeptCase{"NothingMeetsThem",
+                 {"--fingers", "4", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
+        KeptCase{"Prices",
+                 {"--fingers", "4", "--cost", REEVE_CATALOG_DIR "/prices/example.toml", "--top",
+                  "30", "--uncertainty", "--draws", "5"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Stored, RefusesOtherSettingsByNamingThem) {
+  EXPECT_EQ(explore({"--fingers", "3"}).exit_code, 0);
+  const std::string bytes = read_text(store());
+  const std::string other = "; expected the same, or another file";
+  expect_bad(explore({"--fingers", "3", "--top", "20", "--constraint", "jams<=1"}),
+             "--store: s.db: it is of an exploration with other settings: constraints ([], and not "
+             "[\"jams<=1\"]), top (1000, and not 20)" +
+                 other);
+  expect_bad(explore({"--fingers", "3", "--hardware", REEVE_CATALOG_DIR "/hardware/example.toml"}),
+             "--store: s.db: it is of an exploration with other settings: hardware" + other);
+  expect_bad(explore({"--fingers", "3", "--shard", "1/2"}),
+             "--store: s.db: it has shard 1/1; expected shards of 2, or another file");
+  expect_bad(explore({"--fingers", "3", "--keep", "all"}),
+             "--store: s.db: it keeps the best alone; expected to go on keeping these, or another "
+             "file");
+  EXPECT_TRUE(read_text(store()) == bytes);
+}
+
+TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
+  EXPECT_EQ(explore({}).exit_code, 0);
+  execute(store(),
+          "UPDATE about SET value = '0.0.1' WHERE key = 'version';"
+          "UPDATE about SET value = 'x' WHERE key = 'exploration'");
+  const ProcessResult result = explore({});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("with another version of reeve: 0.0.1, and not "), std::string::npos)
+      << result.err;
+  const ProcessResult ranked = run({"rank", "--store", "s.db"});
+  EXPECT_EQ(ranked.exit_code, 2);
+  EXPECT_NE(ranked.err.find("s.db: it was made by another version of reeve"), std::string::npos)
+      << ranked.err;
+}
+
+TEST_F(Stored, RefusesWhatIsNoStore) {
+  folder_.write("s.db", "rank,front,routing\n1,1,M-1-T-2-F\n");
+  const std::string start = "--store: s.db: ";
+  expect_bad(explore({}), start + "it is no SQLite database (file is not a database)");
+  EXPECT_EQ(read_text(store()), "rank,front,routing\n1,1,M-1-T-2-F\n");
+  fs::remove(store());
+  execute(store(), "CREATE TABLE cats (name TEXT)");
+  const std::string cats = read_text(store());
+  expect_bad(explore({}), start +
+                              "it is a database, but no store of an exploration; expected what "
+                              "reeve explore stored");
+  EXPECT_TRUE(read_text(store()) == cats);
+  fs::remove(store());
+  fs::create_directory(store());
+  expect_bad(explore({}), start + "it is a folder; expected the file of a store");
+  fs::remove(store());
+  EXPECT_EQ(explore({}).exit_code, 0);
+  execute(store(), "PRAGMA user_version = 7");
+  expect_bad(explore({}), start +
+                              "it is a store of version 7; expected version 1, which this "
+                              "program reads");
+  expect_bad(run({"explore", "--store", "no/s.db"}),
+             "--store: no/s.db: it cannot be opened (unable to open database file)");
+}
+
+TEST_F(Stored, RefusesWhatSomebodyChanged) {
+  EXPECT_EQ(explore({}).exit_code, 0);
+  execute(store(), "UPDATE shards SET total = 1000");
+  expect_bad(explore({}), "what was kept is of 1000 routings, and there are 126");
+  execute(store(), "UPDATE shards SET total = 1");
+  expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
+  execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
+  for (const ProcessResult& result : {explore({}), run({"rank", "--store", "s.db"})}) {
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("s.db: routing '1-Q', column 3: unknown token 'Q'"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
+TEST_F(Stored, RefusesAFileThatWasCutOff) {
+  EXPECT_EQ(explore(some_work).exit_code, 0);
+  fs::resize_file(store(), fs::file_size(store()) / 2);
+  for (const Arguments& command :
+       {Arguments{"explore", "--store", "s.db"}, Arguments{"rank", "--store", "s.db"},
+        Arguments{"merge", "s.db", "--out", "m"}}) {
+    const ProcessResult result = run(command);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("s.db: it is damaged or cut off ("), std::string::npos) << result.err;
+  }
+}
+
+// As somebody whom the permissions of files bind, which they do not root.
+ProcessResult as_nobody(const Arguments& arguments, const fs::path& directory) {
+  ProcessOptions options;
+  options.directory = directory;
+  Arguments command;
+  if (::geteuid() == 0) command = {"setpriv", "--reuid=65534", "--clear-groups"};
+  command.emplace_back(REEVE_EXECUTABLE);
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_process(command, options);
+}
+
+TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
+  EXPECT_EQ(explore({"--fingers", "4"}).exit_code, 0);
+  fs::permissions(store(), fs::perms(0444));
+  fs::permissions(folder_.path() / "out", fs::perms(0777));
+  fs::permissions(folder_.path(), fs::perms(0555));
+  const auto as_usual = [&](const Arguments& arguments) {
+    return as_nobody(arguments, folder_.path());
+  };
+  if (as_usual({"--version"}).exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
+  const ProcessResult result =
+      as_usual({"explore", "--fingers", "4", "--out", "out", "--store", "s.db"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--store: s.db: it cannot be written ("), std::string::npos)
+      << result.err;
+  const ProcessResult ranked = as_usual({"rank", "--store", "s.db"});
+  EXPECT_EQ(ranked.exit_code, 0) << ranked.err;
+  fs::permissions(folder_.path(), fs::perms(0755));
+}
+
+TEST_F(Stored, RefusesASecondWriterAndLetsOthersRead) {
+  ProcessResult second;
+  ProcessResult reader;
+  explore(long_work, disturbed(SIGINT, [&](const RunningProcess&) {
+            if (generated() == 0) return false;
+            second = explore(long_work);
+            reader = run({"rank", "--store", "s.db", "--format", "json"});
+            return true;
+          }));
+  expect_bad(second, "--store: s.db: another process is using it (database is locked)");
+  EXPECT_EQ(reader.exit_code, 0) << reader.err;
+  EXPECT_TRUE(Json::parse(reader.out)["partial"]);
+}
+
+}  // namespace
+}  // namespace reeve::testing

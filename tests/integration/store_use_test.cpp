@@ -1,0 +1,216 @@
+// What a store keeps, put together, ranked again, and read by other programs.
+#include <gtest/gtest.h>
+
+#include "tests/integration/stored.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// Without the last column, the exploration's id, which a ranking does not have.
+std::string without_id(const std::string& csv) {
+  std::string result;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    result += line.substr(0, line.rfind(',')) + '\n';
+  }
+  return result;
+}
+
+struct AskedCase {
+  const char* name;
+  Arguments asked;
+};
+
+const Arguments kept{"--fingers", "4", "--top", "40", "--constraint", "sheaths<=6"};
+
+class RankedStore : public Stored, public ::testing::WithParamInterface<AskedCase> {
+ protected:
+  ProcessResult ranked(const std::string& format) const {
+    Arguments command{"rank", "--store", "s.db", "--format", format};
+    command.insert(command.end(), GetParam().asked.begin(), GetParam().asked.end());
+    return run(command);
+  }
+
+  std::string explored() const {
+    Arguments arguments{"--fingers", "4"};
+    for (const std::string& argument : GetParam().asked) arguments.push_back(argument);
+    for (const char* option : {"--top", "--constraint"}) {
+      const auto given = std::find(arguments.begin(), arguments.end(), option);
+      if (given != arguments.end()) continue;
+      const auto at = std::find(kept.begin(), kept.end(), option);
+      arguments.insert(arguments.end(), at, at + 2);
+    }
+    return without_id(Explored(arguments).file("designs.csv"));
+  }
+};
+
+class RankedWhole : public RankedStore {};
+
+TEST_P(RankedWhole, IsTheExplorationWithTheseObjectives) {
+  ASSERT_EQ(explore(kept, {}, {"--keep", "all"}).exit_code, 0);
+  const ProcessResult result = ranked("csv");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(result.out == explored()) << result.out.substr(0, 1000);
+  EXPECT_TRUE(Json::parse(ranked("json").out)["exact"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, RankedWhole,
+    ::testing::Values(AskedCase{"AsItWas", {}},
+                      AskedCase{"Objectives", {"--objectives", "uniformity_worst,sheaths,travel"}},
+                      AskedCase{"Score", {"--score", "uniformity=2,sheaths=0.1", "--top", "2000"}},
+                      AskedCase{"Constraints",
+                                {"--constraint", "pulleys<=1", "--constraint", "jams<=0"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+class RankedBest : public RankedStore {};
+
+TEST_P(RankedBest, IsExactWhereItSaysSo) {
+  ASSERT_EQ(explore(kept).exit_code, 0);
+  const ProcessResult result = ranked("csv");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(result.out == explored()) << result.out.substr(0, 1000);
+  EXPECT_TRUE(Json::parse(ranked("json").out)["exact"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, RankedBest,
+    ::testing::Values(AskedCase{"AsItWas", {}}, AskedCase{"Fewer", {"--top", "7"}},
+                      AskedCase{"OnTheWorseSide",
+                                {"--constraint", "sheaths<=6", "--constraint", "uniformity>=0.8"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+class RankedGap : public RankedStore {};
+
+TEST_P(RankedGap, SaysThatDesignsMayBeMissing) {
+  ASSERT_EQ(explore(kept).exit_code, 0);
+  const Json json = Json::parse(ranked("json").out);
+  EXPECT_FALSE(json["exact"]);
+  EXPECT_EQ(json["inexact_because"].size(), 1U);
+  EXPECT_NE(ranked("table").out.find("Note: not exact: "), std::string::npos);
+  const std::string csv = ranked("csv").out;
+  EXPECT_TRUE(csv.starts_with("# not exact: ")) << csv;
+  // It has reason to.
+  EXPECT_NE(csv.substr(csv.find('\n') + 1), explored());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, RankedGap,
+    ::testing::Values(AskedCase{"Objectives", {"--objectives", "travel,round_trip_efficiency"}},
+                      AskedCase{"More", {"--top", "2000"}},
+                      AskedCase{"Dropped", {"--constraint", "uniformity>=0.1"}},
+                      AskedCase{"Elsewhere",
+                                {"--constraint", "sheaths<=6", "--constraint", "pulleys<=0"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Stored, IsRankedByItsOwnHardwareAlone) {
+  ASSERT_EQ(explore({}).exit_code, 0);
+  const ProcessResult result = run({"rank", "--store", "s.db", "--grasps", "none"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--grasps: a store has been evaluated already; expected with --store"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(run({"rank", "TR1", "--top", "3"}).exit_code, 2);
+}
+
+TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
+  const Arguments arguments{"--fingers", "4", "--top", "25"};
+  const Explored whole(arguments);
+  const auto shard = [&](const std::string& index, const std::string& file) {
+    Arguments command{"explore", "--out", "o" + index, "--shard", index + "/3", "--store", file};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    ASSERT_EQ(run(command).exit_code, 0);
+  };
+  shard("1", "a.db");
+  shard("2", "b.db");
+  shard("3", "a.db");
+  const ProcessResult missing = run({"merge", "a.db", "--out", "out"});
+  expect_bad(missing, "shard 2/3 is missing");
+  expect_bad(run({"merge", "b.db", "o2", "a.db", "--out", "out"}),
+             "o2/shard.json: shard 2/3 is there twice, also as b.db");
+  // A folder will do as well.
+  for (const char* second : {"b.db", "o2"}) {
+    EXPECT_EQ(run({"merge", second, "a.db", "--out", "out"}).exit_code, 0);
+    expect_same_below(folder_.path() / "out", whole.out());
+  }
+}
+
+// The blocks of docs/store.md in a language, as they stand there.
+std::vector<std::string> blocks_in(const std::string& language) {
+  const std::string document =
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "store.md");
+  const std::string opening = "\n```" + language + "\n";
+  std::vector<std::string> blocks;
+  for (std::size_t at = document.find(opening); at != std::string::npos;
+       at = document.find(opening, at)) {
+    at += opening.size();
+    blocks.push_back(document.substr(at, document.find("```", at) - at));
+  }
+  return blocks;
+}
+
+class StoreLines : public Stored {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run({"explore", "--fingers", "3", "--out", "out", "--store", "five.db"}).exit_code,
+              0);
+    summary_ = Json::parse(read_text(folder_.path() / "out/summary.json"));
+  }
+
+  ProcessResult run_in(const Arguments& command) const {
+    ProcessOptions options;
+    options.directory = folder_.path();
+    options.environment = {{"PYTHONWARNINGS", "ignore"}};
+    return run_process(command, options);
+  }
+
+  Json summary_;
+};
+
+TEST_F(StoreLines, ReadItInTheShell) {
+  const std::vector<std::string> blocks = blocks_in("sh");
+  ASSERT_EQ(blocks.size(), 1U);
+  const ProcessResult result = run_in({"bash", "-ec", blocks.front()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string line;
+  std::getline(lines, line);
+  const std::string total = summary_["total"].dump();
+  EXPECT_EQ(line, "1|" + total + "|" + total + "|100.0");
+  std::getline(lines, line);
+  EXPECT_EQ(line.substr(0, 31), "routing,uniformity_mean,sheaths");
+  // More uniform than any is none.
+  double most = 0;
+  for (const Json& design : summary_["front"]) {
+    most = std::max(most, design["uniformity"]["mean"].get<double>());
+  }
+  std::getline(lines, line);
+  EXPECT_EQ(std::stod(line.substr(line.find(',') + 1)), most);
+}
+
+TEST_F(StoreLines, ReadItInPython) {
+  const std::vector<std::string> blocks = blocks_in("python");
+  ASSERT_EQ(blocks.size(), 1U);
+  std::string python;
+  for (const char* candidate : {"python3", "/usr/bin/python3"}) {
+    if (run_in({candidate, "-c", "import pandas"}).exit_code == 0) python = candidate;
+  }
+  ASSERT_FALSE(python.empty()) << "this needs python3-pandas, which ./run test installs";
+  const ProcessResult result = run_in(
+      {python, "-c",
+       blocks.front() + "import json\nprint(json.dumps([int(shards['evaluated'][0]), "
+                        "len(archive), float(fewest.max()), int(archive['cost'].count())]))\n"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json read = Json::parse(result.out);
+  EXPECT_EQ(read[0], summary_["evaluated"]);
+  EXPECT_GE(read[1], summary_["top"].size());
+  double most = 0;
+  for (const Json& design : summary_["front"]) {
+    most = std::max(most, design["uniformity"]["mean"].get<double>());
+  }
+  EXPECT_EQ(read[2], most);
+  EXPECT_EQ(read[3], 0);  // nobody said what parts cost
+}
+
+}  // namespace
+}  // namespace reeve::testing

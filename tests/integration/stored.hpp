@@ -1,0 +1,76 @@
+// Explorations that are kept in a store, and what their tests share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "store/store_reader.hpp"
+#include "tests/integration/explored.hpp"
+
+namespace reeve::testing {
+
+// Every file below, but for the seconds that it took.
+inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string text = read_text(entry.path());
+    const bool is_timed =
+        entry.path().filename() == "summary.json" || entry.path().filename() == "shard.json";
+    files[std::filesystem::relative(entry.path(), folder)] = is_timed ? without_times(text) : text;
+  }
+  return files;
+}
+
+inline void expect_same_below(const std::filesystem::path& actual,
+                              const std::filesystem::path& expected) {
+  const auto a = files_below(actual);
+  const auto e = files_below(expected);
+  EXPECT_EQ(a.size(), e.size());
+  for (const auto& [name, text] : e) {
+    ASSERT_TRUE(a.contains(name)) << name;
+    EXPECT_TRUE(a.at(name) == text) << name << "\n" << a.at(name).substr(0, 2000);
+  }
+}
+
+class Stored : public ::testing::Test {
+ protected:
+  std::filesystem::path store() const { return folder_.path() / "s.db"; }
+
+  ProcessResult run(Arguments arguments, ProcessOptions options = {}) const {
+    options.directory = folder_.path();
+    return reeve(arguments, options);
+  }
+
+  // Into the store, which is written after every batch.
+  ProcessResult explore(const Arguments& arguments, ProcessOptions options = {},
+                        const Arguments& besides = {}) const {
+    Arguments command{"explore", "--out", "out", "--store", "s.db", "--store-every", "0"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    command.insert(command.end(), besides.begin(), besides.end());
+    return run(command, std::move(options));
+  }
+
+  // Of its first shard; 0 if nothing has been saved.
+  std::uint64_t generated() const {
+    try {
+      const std::vector<StoredShard> shards = StoreReader(store()).shards();
+      return shards.empty() ? 0 : shards.front().record.generated;
+    } catch (const InputError&) {
+      return 0;  // just being made
+    }
+  }
+
+  void expect_bad(const ProcessResult& result, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "reeve: " + message + "\n");
+    EXPECT_EQ(result.out, "");
+  }
+
+  TemporaryFolder folder_;
+};
+
+}  // namespace reeve::testing
