@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   add_diagnose(program, exit_code);
   add_size(program, exit_code);
   add_merge(program, exit_code);
+  add_export(program, exit_code);
   refuse_leading_zeros(program);
   core::set_waiting_notice(say_what_is_waited_for);
   program.footer(

@@ -3,15 +3,15 @@
 # them.
 PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlopt-dev
   libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev zlib1g-dev
+  libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev libtinyxml2-dev zlib1g-dev
   libsqlitecpp-dev libsqlite3-dev)
 # npm comes with the node of some machines, as part of it.
 command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
 # python3-pandas for the lines of docs/tables.md and docs/store.md, sqlite3
 # for those of the latter. Chromium alone brings no font, and a page without
 # letters fits everywhere.
-PACKAGES_TEST=(libgtest-dev librapidcheck-dev python3 python3-pandas sqlite3 chromium
-  fonts-liberation fonts-dejavu-core)
+PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 python3-pandas sqlite3
+  chromium fonts-liberation fonts-dejavu-core)
 PACKAGES_CI=(clang-format clang-tidy)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
 # installs these unasked.

@@ -28,5 +28,6 @@ void add_simulate(CLI::App& program, int& exit_code);
 void add_diagnose(CLI::App& program, int& exit_code);
 void add_size(CLI::App& program, int& exit_code);
 void add_merge(CLI::App& program, int& exit_code);
+void add_export(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

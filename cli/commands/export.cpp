@@ -1,0 +1,65 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands/commands.hpp"
+#include "cli/hand_inputs.hpp"
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+#include "reports/files.hpp"
+#include "reports/mujoco/mjcf.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct ExportFlags {
+  std::string routing;
+  std::string format = "mjcf";
+  std::string out;
+  CLI::Option* out_given = nullptr;
+  HardwareOption hardware;
+};
+
+std::string exported(const ExportFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  const Routing routing = read_actuated_routing(flags.routing, catalogue);
+  const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
+  const bool own = mechanism != nullptr && mechanism->hardware && !flags.hardware.is_given();
+  const Hardware hardware = own ? *mechanism->hardware : flags.hardware.read().hardware;
+  require_contacts_to_match(hardware, {routing});
+  require_known_fingers(hardware, finger_count(routing));
+  return mjcf(routing, hardware);
+}
+
+void run(const ExportFlags& flags) {
+  const bool to_file = flags.out_given->count() > 0;
+  if (to_file && flags.out.empty()) {
+    throw InputError({.what = "-o", .value = "", .expected = "a file"});
+  }
+  const std::string text = exported(flags);
+  if (to_file) {
+    write_file(flags.out, text);
+  } else {
+    std::cout << text;
+  }
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "export",
+      "One routing as a model for another program: a planar hand for MuJoCo, without the friction "
+      "that its tendons cannot carry");
+  auto flags = std::make_shared<ExportFlags>();
+  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
+  command->add_option("--format", flags->format, "mjcf: the XML of MuJoCo")
+      ->check(CLI::IsMember({"mjcf"}))
+      ->capture_default_str();
+  flags->out_given =
+      command->add_option("-o,--output", flags->out, "File (default: standard output)");
+  flags->hardware.add_to(*command);
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace reeve::cli

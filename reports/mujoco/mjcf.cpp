@@ -1,0 +1,121 @@
+#include "reports/mujoco/mjcf.hpp"
+
+#include <fmt/format.h>
+
+#include "core/mechanics.hpp"
+#include "core/notation.hpp"
+#include "core/version.hpp"
+#include "reports/mujoco/mjcf_rig.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr double default_pull_N = 10;
+// MuJoCo's constraints give way in proportion to 1 − the first two numbers of `hard`: a tendon
+// under load should keep its length to some micrometres.
+constexpr const char* quick = "0.004 1";
+constexpr const char* hard = "0.9999 0.9999 0.001";
+
+bool has_joints(const MjcfRig& rig) {
+  return !rig.layout.fingers.empty() && !rig.layout.fingers.front().joints.empty();
+}
+
+std::string explanation(const std::string& word, const MjcfRig& rig) {
+  return fmt::format(
+      " The routing {} without friction, by reeve {}.\n"
+      "Metres, kilograms, newtons, radians.\n"
+      "MuJoCo's tendons have no capstan friction: the friction exponents of the contacts stand below\n"
+      "as data (contact_..., friction_exponents) that nothing acts on, and the tensions are those of\n"
+      "a routing whose contacts do not rub.\n"
+      "{}\n"
+      "Masses and damping are not the hardware's: they bring the rig to rest.\n"
+      "Activate the constraints hold_... to hold a finger. ",
+      word, version().number,
+      has_joints(rig)
+          ? "What a finger's joints give up, their arms times their angles, is what its runner "
+            "travels."
+          : "The hardware has no joints: each finger is a slider on a spring that is not the "
+            "hardware's.");
+}
+
+std::string contact_name(const Network& network, const ContactEnds& ends) {
+  return fmt::format("contact_{}_{}", segment_name(network.segments[ends.left]),
+                     segment_name(network.segments[ends.right]));
+}
+
+void write_friction(const MjcfRig& rig, const MechanicsBuilder& mechanics, MjcfText& out) {
+  std::string exponents;
+  for (const TendonSpan& span : rig.network.tendons) {
+    for (std::size_t k = 0; k < span.contacts; ++k) {
+      const ContactLaw law = mechanics.law_at(rig.network, span, k);
+      const Contact& contact = rig.network.contacts[span.first_contact + k];
+      out.leaf("text",
+               {{"name", contact_name(rig.network, ends_of(span, k))},
+                {"data",
+                 fmt::format("{}: mu {}, angle {} rad, exponent {}",
+                             contact_kind_name(contact.kind), MjcfText::number(law.mu),
+                             MjcfText::number(law.angle_rad), MjcfText::number(law.exponent()))}});
+      exponents += (exponents.empty() ? "" : " ") + MjcfText::number(law.exponent());
+    }
+  }
+  if (exponents.empty()) return;
+  out.leaf("numeric", {{"name", "friction_exponents"}, {"data", exponents}});
+}
+
+void write_segments(const MjcfRig& rig, MjcfText& out) {
+  for (std::size_t r = 0; r < rig.plan.ropes.size(); ++r) {
+    std::string names;
+    for (const std::size_t segment : rig.plan.ropes[r].segments) {
+      names += (names.empty() ? "" : " ") + segment_name(rig.network.segments[segment]);
+    }
+    out.leaf("text", {{"name", "segments_of_" + rope_name(r)}, {"data", names}});
+  }
+}
+
+void write_settings(MjcfText& out) {
+  out.leaf("compiler", {{"angle", "radian"}, {"autolimits", "true"}});
+  out.open("option", {{"timestep", "0.001"}, {"gravity", "0 0 0"}});
+  out.leaf("flag", {{"contact", "disable"}});
+  out.close();
+  out.open("default");
+  out.leaf("equality", {{"solref", quick}, {"solimp", hard}});
+  out.leaf("joint", {{"solreflimit", quick}, {"solimplimit", hard}});
+  out.close();
+}
+
+void write_motor(double pull_N, MjcfText& out) {
+  const std::string pull = MjcfText::number(pull_N);
+  out.open("actuator");
+  out.leaf("motor", {{"name", "motor"}, {"joint", "carriage"}, {"ctrlrange", "0 " + pull}});
+  out.close();
+  out.open("keyframe");
+  out.leaf("key", {{"name", "pull"}, {"ctrl", pull}});
+  out.close();
+}
+
+}  // namespace
+
+std::string mjcf(const Routing& routing, const Hardware& hardware) {
+  const MechanicsBuilder mechanics(hardware);
+  Network network = expand(routing);
+  RopePlan plan = rope_plan(routing, network);
+  RigLayout layout = rig_layout(network, hardware);
+  const MjcfRig rig{std::move(network), std::move(plan), std::move(layout)};
+  const std::string word = to_word(routing);
+  MjcfText out;
+  out.open("mujoco", {{"model", word}});
+  out.comment(explanation(word, rig));
+  write_settings(out);
+  out.open("custom");
+  write_friction(rig, mechanics, out);
+  write_segments(rig, out);
+  out.close();
+  write_world(rig, out);
+  write_tendons(rig, out);
+  write_equalities(rig, out);
+  write_motor(hardware.motor.force_N.value_or(default_pull_N), out);
+  out.close();
+  return out.text();
+}
+
+}  // namespace reeve::reports

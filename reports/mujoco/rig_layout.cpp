@@ -1,0 +1,135 @@
+#include "reports/mujoco/rig_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/mechanics.hpp"
+#include "core/tension/tension.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr double m_per_mm = 1e-3;
+constexpr double finger_pitch_m = 0.03;
+constexpr double strand_gap_m = 0.008;
+constexpr double lane_pitch_m = 0.012;
+constexpr double margin_m = 0.02;
+// Of a finger without joints: its strands give up half of their length at most, against a spring
+// that a pull of 10 N stretches by a fifth of the usual 100 mm.
+constexpr double slider_share = 0.5;
+constexpr double slider_spring_N_m = 500;
+
+double strand_mm(const Hardware& hardware, int finger) {
+  for (const FingerHardware& own : hardware.fingers) {
+    if (own.finger == finger && own.strand_mm) return *own.strand_mm;
+  }
+  return hardware.strand_mm;
+}
+
+RigFinger slider(double length_m, double weight) {
+  RigFinger finger;
+  finger.closing_m = slider_share * length_m;
+  finger.spring_N_m = slider_spring_N_m / weight;
+  finger.reach_m = length_m;
+  return finger;
+}
+
+RigFinger jointed(const HandFinger& hand, double length_m) {
+  RigFinger finger;
+  finger.joints = hand.joints;
+  finger.closing_m = hand.excursion_mm * m_per_mm;
+  finger.reach_m = std::max(length_m, finger.closing_m + margin_m);
+  return finger;
+}
+
+std::vector<RigFinger> rig_fingers(const Network& network, const Hardware& hardware,
+                                   const Mechanics& mechanics) {
+  const std::optional<Hand> known = hand(hardware);
+  std::vector<RigFinger> fingers;
+  for (int f = 1; f <= network.fingers; ++f) {
+    const double length_m = strand_mm(hardware, f) * m_per_mm;
+    fingers.push_back(known ? jointed(known->finger(f), length_m)
+                            : slider(length_m, mechanics.closing[static_cast<std::size_t>(f) - 1]));
+    fingers.back().y_m = finger_pitch_m * (f - 1);
+  }
+  return fingers;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+// Of each block: travel for each millimetre that fingers close.
+std::vector<double> travel_per_closing(const Network& network, const Mechanics& mechanics) {
+  std::vector<double> greatest(network.blocks.size(), 0);
+  for (const WeightedGrasp& grasp : single_grasps(network.fingers)) {
+    const TensionState state = tensions(network, mechanics, grasp.grasp);
+    const double closing = sum(state.closing);
+    if (!(closing > 0)) continue;
+    for (std::size_t b = 0; b < greatest.size(); ++b) {
+      greatest[b] = std::max(greatest[b], std::abs(state.block_travel[b]) / closing);
+    }
+  }
+  return greatest;
+}
+
+// The lane of a leg among those of its mover, from 0.
+std::size_t lane_of(const RopePlan& plan, std::size_t leg) {
+  std::size_t lane = 0;
+  for (std::size_t k = 0; k < leg; ++k) {
+    const bool on_block = plan.legs[leg].mover >= Mover::block;
+    if ((on_block ? plan.legs[k].mover >= Mover::block
+                  : plan.legs[k].mover == plan.legs[leg].mover) &&
+        plan.legs[k].owner == plan.legs[leg].owner) {
+      ++lane;
+    }
+  }
+  return lane;
+}
+
+}  // namespace
+
+RigLayout rig_layout(const Network& network, const Hardware& hardware) {
+  const Mechanics numbers = mechanics(network, hardware);
+  RigLayout layout;
+  layout.fingers = rig_fingers(network, hardware, numbers);
+  double all_closing_m = 0;
+  for (const RigFinger& finger : layout.fingers) all_closing_m += finger.closing_m;
+  double y_m = finger_pitch_m * network.fingers;
+  for (const double travel : travel_per_closing(network, numbers)) {
+    layout.blocks.push_back({travel * all_closing_m + margin_m, y_m});
+    y_m += finger_pitch_m;
+  }
+  return layout;
+}
+
+Place mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
+  const Leg& what = plan.legs[leg];
+  const double lane = static_cast<double>(lane_of(plan, leg));
+  if (what.mover == Mover::runner) {
+    const RigFinger& finger = layout.fingers[what.owner - 1];
+    return {finger.reach_m, finger.y_m + (lane - 0.5) * strand_gap_m};
+  }
+  if (what.mover == Mover::carriage) return {carriage_x_m, lane * lane_pitch_m};
+  const RigBlock& block = layout.blocks[what.owner];
+  return {carriage_x_m / 2, block.y_m + lane * strand_gap_m};
+}
+
+Place eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
+  const Leg& what = plan.legs[leg];
+  Place place = mover_place(layout, plan, leg);
+  if (what.mover == Mover::runner) {
+    place.x_m = 0;
+  } else if (what.mover == Mover::carriage) {
+    place.x_m += margin_m;
+  } else {
+    const double reach = layout.blocks[what.owner].reach_m;
+    place.x_m += what.is_tail ? -reach : reach;
+  }
+  return place;
+}
+
+}  // namespace reeve::reports

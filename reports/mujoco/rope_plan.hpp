@@ -1,0 +1,57 @@
+// A routing as ropes that have one tension each, since nothing rubs.
+//
+// A rope is a tendon, or where bars part it, a piece of a tendon. On its way it meets *legs*:
+// straight stretches between an eyelet that is fixed at the hand and a point on something that
+// moves, all parallel to the way of what moves, so that a leg is as much longer or shorter as that
+// has moved:
+//   strand               to the runner of its finger, which gives up what the finger closes
+//   motor-side segment   to the carriage
+//   pass, becket, arm    to the block, on the side from which it goes away as it moves to its tails
+//   tail                 to the block, on the other side
+// Between its legs a rope runs from eyelet to eyelet at constant length.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/network.hpp"
+#include "core/routing.hpp"
+
+namespace reeve::reports {
+
+enum class Mover : std::uint8_t { runner, carriage, block, left_arm, right_arm };
+
+struct Leg {
+  Mover mover = Mover::runner;
+  std::size_t owner = 0;  // finger from 1; index of the block; 0 of the carriage
+  std::string name;       // T1, a, Y1_1
+  bool is_tail = false;
+};
+
+enum class PointKind : std::uint8_t {
+  eyelet,  // of a leg
+  mover,   // the other end of the leg
+  fixed,   // where a tendon ends at the hand, or is joined there
+};
+
+struct RopePoint {
+  PointKind kind = PointKind::eyelet;
+  std::size_t index = 0;  // of the leg; of fixed points, their number
+};
+
+struct Rope {
+  std::vector<RopePoint> points;
+  std::vector<std::size_t> segments;  // of the network
+};
+
+struct RopePlan {
+  std::vector<Leg> legs;
+  std::vector<Rope> ropes;
+  std::size_t fixed_points = 0;
+};
+
+RopePlan rope_plan(const Routing& routing, const Network& network);
+
+}  // namespace reeve::reports
