@@ -64,7 +64,9 @@ TEST(JsonHardware, NamesOnlyWhatIsSetForAFingerOrAContact) {
   contact.mu = 0.2;
   hardware.contacts.push_back(contact);
   const Json json = to_json(hardware);
-  EXPECT_EQ(json["fingers"].dump(), R"([{"finger":2,"tip_mu":0.09,"closing":1.0}])");
+  EXPECT_EQ(json["fingers"].dump(), R"([{"finger":2,"tip_mu":0.09}])");
+  hardware.fingers[0].closing = 0.5;
+  EXPECT_EQ(to_json(hardware)["fingers"].dump(), R"([{"finger":2,"tip_mu":0.09,"closing":0.5}])");
   EXPECT_EQ(json["contacts"].dump(), R"([{"between":["a","T1"],"mu":0.2}])");
 }
 

@@ -49,7 +49,9 @@ TEST(ChosenColumns, ThatAreNotThereAreNamedWithWhatIs) {
   EXPECT_EQ(fault_of("rank,way"),
             "columns 'rank,way': there is no column 'way'; expected any of rank, routing");
   EXPECT_EQ(fault_of("rank,rank"), "columns 'rank,rank': 'rank' is there twice");
-  EXPECT_EQ(fault_of(""), "columns '': there is no column ''; expected any of rank, routing");
+  EXPECT_EQ(fault_of("rank,"),
+            "columns 'rank,': nothing stands before or behind a comma; expected a name of a column "
+            "there, or no comma");
 }
 
 TEST(LatexTables, HaveDecimalMarksBelowEachOther) {
