@@ -10,9 +10,9 @@ namespace reeve::store {
 namespace {
 
 void write_pairs(SQLite::Database& database, const std::string& table,
-                 const std::vector<Setting>& pairs) {
+                 const std::vector<StoredSetting>& pairs) {
   SQLite::Statement insert(database, fmt::format("INSERT INTO {} VALUES (?, ?)", table));
-  for (const Setting& pair : pairs) {
+  for (const StoredSetting& pair : pairs) {
     insert.reset();
     insert.bind(1, pair.key);
     insert.bind(2, pair.value);

@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::size_t longest_shown = 60;  // of a value; a hardware is longer than anybody reads
 
-std::string shown(const Setting& there, const Setting& asked) {
+std::string shown(const StoredSetting& there, const StoredSetting& asked) {
   if (there.value.size() > longest_shown || asked.value.size() > longest_shown) return there.key;
   return fmt::format("{} ({}, and not {})", there.key, there.value, asked.value);
 }
 
-Setting setting(const Description& description, const std::string& key) {
+StoredSetting setting(const Description& description, const std::string& key) {
   const auto found = std::find_if(description.settings.begin(), description.settings.end(),
-                                  [&](const Setting& setting) { return setting.key == key; });
-  return found == description.settings.end() ? Setting{key, "nothing"} : *found;
+                                  [&](const StoredSetting& setting) { return setting.key == key; });
+  return found == description.settings.end() ? StoredSetting{key, "nothing"} : *found;
 }
 
 }  // namespace
@@ -25,13 +25,13 @@ Setting setting(const Description& description, const std::string& key) {
 std::optional<std::string> difference(const Description& there, const Description& asked) {
   if (there.exploration == asked.exploration) return std::nullopt;
   std::string keys;
-  const auto add = [&](const Setting& old, const Setting& now) {
+  const auto add = [&](const StoredSetting& old, const StoredSetting& now) {
     if (old == now) return;
     keys += (keys.empty() ? "" : ", ") + shown(old, now);
   };
-  for (const Setting& old : there.settings) add(old, setting(asked, old.key));
-  for (const Setting& now : asked.settings) {
-    const Setting old = setting(there, now.key);
+  for (const StoredSetting& old : there.settings) add(old, setting(asked, old.key));
+  for (const StoredSetting& now : asked.settings) {
+    const StoredSetting old = setting(there, now.key);
     if (old.value == "nothing") add(old, now);
   }
   if (!keys.empty()) return "other settings: " + keys;

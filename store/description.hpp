@@ -9,20 +9,20 @@
 
 namespace reeve::store {
 
-struct Setting {
+struct StoredSetting {
   std::string key;
   std::string value;  // JSON
 
-  friend bool operator==(const Setting&, const Setting&) = default;
+  friend bool operator==(const StoredSetting&, const StoredSetting&) = default;
 };
 
 struct Description {
-  std::string exploration;            // its id, as in all its files
-  std::string version;                // of the program
-  std::string arguments;              // of the command, a JSON list
-  std::vector<Setting> settings;      // by key
-  std::vector<std::string> known{};   // names of the known routings
-  std::vector<std::string> limits{};  // the constraints
+  std::string exploration;              // its id, as in all its files
+  std::string version;                  // of the program
+  std::string arguments;                // of the command, a JSON list
+  std::vector<StoredSetting> settings;  // by key
+  std::vector<std::string> known{};     // names of the known routings
+  std::vector<std::string> limits{};    // the constraints
 };
 
 // "top (1000, and not 500), constraints ([], and not ["jams<=1"])": what differs. Where no setting

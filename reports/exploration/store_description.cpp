@@ -20,7 +20,7 @@ Description store_description(const ExploreReport& planned,
         {key, value.dump(-1, ' ', false, Json::error_handler_t::replace)});
   }
   std::sort(description.settings.begin(), description.settings.end(),
-            [](const Setting& a, const Setting& b) { return a.key < b.key; });
+            [](const StoredSetting& a, const StoredSetting& b) { return a.key < b.key; });
   description.known = planned.reference_names;
   for (const Constraint& constraint : planned.options.constraints) {
     description.limits.push_back(constraint.text);

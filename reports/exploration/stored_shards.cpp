@@ -33,7 +33,7 @@ std::vector<ShardFile> shard_files(const StoreReader& store, const std::string& 
   of_all.whole = description.exploration;
   of_all.version = description.version;
   of_all.arguments = stored_arguments(description, name);
-  for (const Setting& setting : description.settings) {
+  for (const StoredSetting& setting : description.settings) {
     of_all.settings[setting.key] = parsed(setting.value, name, setting.key);
   }
   std::vector<ShardFile> files;
