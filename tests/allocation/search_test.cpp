@@ -5,6 +5,7 @@
 
 #include "causes/library.hpp"
 #include "search/enumerate/generator.hpp"
+#include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "tests/allocation/allocations.hpp"
 #include "tests/support/example_hand.hpp"
@@ -48,6 +49,22 @@ TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
   const std::vector<Routing> routings = actuated();
   ASSERT_GT(routings.size(), 20000U);
   expect_no_allocation_once_warm(Model{}, routings);
+}
+
+TEST_F(Allocation, HappensNotWhenDesignsAreCombinedFromTreesThatAreKnown) {
+  const std::vector<Routing> routings = actuated();
+  DecidingEvaluator evaluator({}, single_grasps(5), authors_score(), std::nullopt,
+                              {Objective::uniformity_mean, Objective::efficiency_mean});
+  ASSERT_TRUE(evaluator.combines());
+  double sum = 0;
+  const auto pass = [&] {
+    for (const Routing& routing : routings) {
+      sum += value(evaluator.evaluate(routing), Objective::uniformity_mean);
+    }
+  };
+  pass();
+  EXPECT_EQ(allocations_in(pass), 0U);
+  EXPECT_GT(sum, 0);
 }
 
 TEST_F(Allocation, HappensInNoEvaluationOfAHandEither) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "core/notation.hpp"
@@ -162,6 +164,27 @@ TEST(DecidingEvaluation, TakesRoutingsThatAreNotNumberedInOrder) {
     EXPECT_EQ(value(seen, Objective::uniformity_mean), value(expected, Objective::uniformity_mean));
     EXPECT_EQ(value(seen, Objective::travel), value(expected, Objective::travel));
   }
+}
+
+TreeKey only_key(const std::string& word) {
+  std::vector<TreeSpan> spans;
+  EXPECT_TRUE(split_into_trees(parse_routing(word), spans)) << word;
+  EXPECT_EQ(spans.size(), 1U) << word;
+  return spans.front().key;
+}
+
+// Of the same tokens, with other blocks passed.
+TEST(TreeSpans, KeysTellWhichBlockATendonPasses) {
+  EXPECT_NE(only_key("M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x"),
+            only_key("M-Y1+Y2-Y1-Y3+1x-Y3-2x+3x-Y2-4x"));
+}
+
+TEST(TreeSpans, KeysKnowNothingOfTheNumbersOfFingersAndBlocks) {
+  std::vector<TreeSpan> spans;
+  ASSERT_TRUE(split_into_trees(parse_routing("M-Y1+1x-Y1-2x+M-Y2+3x-Y2-4x"), spans));
+  ASSERT_EQ(spans.size(), 2U);
+  EXPECT_EQ(spans[0].key, spans[1].key);
+  EXPECT_EQ(spans[1].fingers_before, 2);
 }
 
 // With a table of four places trees go and come again, and some routings find no place at all.

@@ -27,6 +27,7 @@ class KeyWriter {
 constexpr unsigned bearing_tip = 13;
 constexpr unsigned open_end = 14;
 constexpr unsigned closed_end = 15;
+static_assert(static_cast<unsigned>(TokenKind::movable_pulley) + 1 < bearing_tip);
 
 unsigned digit(const Token& token) {
   const bool bearing = token.kind == TokenKind::finger && token.tip == TipKind::bearing;
