@@ -53,6 +53,7 @@ class Diagnosis {
       if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
+      if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
     describe_causes();
@@ -275,6 +276,20 @@ class Diagnosis {
     }
     std::sort(readings.begin(), readings.end());
     return readings;
+  }
+
+  // Also where nothing is named: what groups have in common may be as the hardware says. One model
+  // of all groups explains none that differs from the others.
+  void compare_groups() {
+    const Model& model = found_.model.effects.empty() ? found_.base : found_.model;
+    result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
+                                          found_.mounting_degrees(), options_.alpha, workers_);
+    for (const EstimatesByGroup& of : result_.by_group) {
+      const double p_value = resolved(of.p_value);
+      if (p_value >= structure_share_of_alpha * options_.alpha) continue;
+      if (result_.unexplained && result_.unexplained->p_value < p_value) continue;
+      result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
+    }
   }
 
   // After every decision: it says what each run contributed to it.

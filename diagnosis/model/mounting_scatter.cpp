@@ -109,11 +109,12 @@ class Comparison {
     residuals_ = own_residuals(problem, at);
     conditions_ = without_scales(condition_columns(problem, modes));
     loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N);
-    std::map<std::size_t, std::vector<Mounting>> by_routing;
+    // What differs between groups of rows is no scatter of mountings.
+    std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<Mounting>> comparable;
     for (Mounting& mounting : mountings(*problem.dataset)) {
-      by_routing[mounting.routing].push_back(std::move(mounting));
+      comparable[{mounting.routing, group_of(mounting)}].push_back(std::move(mounting));
     }
-    for (const auto& [routing, all] : by_routing) {
+    for (const auto& [key, all] : comparable) {
       if (all.size() > 1) add(chosen(all));
     }
   }
@@ -160,6 +161,13 @@ class Comparison {
     VectorXd residuals;
     MatrixXd square;
   };
+
+  // That of its first reading.
+  std::optional<std::size_t> group_of(const Mounting& mounting) const {
+    const Dataset& dataset = *problem_.dataset;
+    const auto first = static_cast<std::size_t>(mounting.cells.front());
+    return dataset.data->readings[dataset.cells[first].reading].group;
+  }
 
   static std::vector<Mounting> chosen(const std::vector<Mounting>& all) {
     const std::size_t count = std::min(all.size(), most_mountings);
