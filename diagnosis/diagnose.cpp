@@ -40,19 +40,20 @@ class Diagnosis {
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
-      found_ = nothing_explained(sample_.training, nominal_, explanation_options());
+      found_ = nothing_explained(sample_.training, nominal_, explanation_options(), workers_);
       take_over_found();
     } else {
       if (!find_causes()) return std::nullopt;
       // The held-out runs are opened here.
       const Withdrawal withdrawal =
-          withdraw_what_may_lose(found_, sample_.held_out, nominal_, options_.seed);
+          withdraw_what_may_lose(found_, sample_.held_out, nominal_, options_.seed, workers_);
       result_.withdrawn = withdrawal.names;
       result_.withdrawn_held_out = withdrawal.held_out;
       take_over_found();
       if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
+      if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
     describe_causes();
@@ -63,12 +64,12 @@ class Diagnosis {
     plan_measurements();
     if (stopped("leaving out one run after the other")) return std::nullopt;
     leave_out_runs();
-    result_.cells =
-        compared_cells(sample_, nominal_, result_.model, found_.scatter, result_.left_out);
+    result_.cells = compared_cells(sample_, nominal_, result_.model, found_.scatter,
+                                   result_.left_out, workers_);
     result_.share_errors = share_errors(data_, result_.cells);
     result_.losses = losses(data_, result_.model, result_.cells);
-    result_.without_apart =
-        without_apart(data_, result_.model, found_.scatter, result_.cells, result_.losses);
+    result_.without_apart = without_apart(data_, result_.model, found_.scatter, result_.cells,
+                                          result_.losses, workers_);
     return std::move(result_);
   }
 
@@ -178,7 +179,7 @@ class Diagnosis {
       result_.weighed.push_back({model.causes, model.gain, std::nullopt});
     }
     if (sample_.held_out.cells.empty()) return;
-    const Problem unseen = problem(sample_.held_out, found_.scatter, result_.model);
+    const Problem unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       NamedCause& cause = result_.causes[c];
       const Fit before =
@@ -208,13 +209,16 @@ class Diagnosis {
       const NullModel null_model(found_.problem, projection, at,
                                  streams::seed_of_what_is_left(options_.seed), options_.replicates,
                                  mounted);
-      return find_structure(found_.problem, tests, left, null_model, workers_);
+      return find_structure(found_.problem, tests, left, null_model, workers_,
+                            [this] { return stopped("checking what is left"); });
     };
     StructureResult found = find(nullptr);
     // Is it anything but what mountings do that are no straight lines?
+    if (stop_) return;
     if (found.p_value < options_.alpha && !found_.problem.shared.empty()) {
       const MountedDraws mounted(sample_.training, result_.model, found_.scatter.mounting);
       found = find(&mounted);
+      if (stop_) return;
     }
     result_.structure = found.findings;
     result_.structure_p_value = found.p_value;
@@ -265,13 +269,32 @@ class Diagnosis {
     }
   }
 
-  // After every decision: it says what each run contributed to it.
-  void leave_out_runs() {
+  std::vector<std::size_t> readings_used() const {
     std::vector<std::size_t> readings;
     for (const Dataset* part : {&sample_.training, &sample_.held_out}) {
       for (const DatasetRow& row : part->rows) readings.push_back(row.reading);
     }
     std::sort(readings.begin(), readings.end());
+    return readings;
+  }
+
+  // Also where nothing is named: what groups have in common may be as the hardware says. One model
+  // of all groups explains none that differs from the others.
+  void compare_groups() {
+    const Model& model = found_.model.effects.empty() ? found_.base : found_.model;
+    result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
+                                          found_.mounting_degrees(), options_.alpha, workers_);
+    for (const EstimatesByGroup& of : result_.by_group) {
+      const double p_value = resolved(of.p_value);
+      if (p_value >= structure_share_of_alpha * options_.alpha) continue;
+      if (result_.unexplained && result_.unexplained->p_value < p_value) continue;
+      result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
+    }
+  }
+
+  // After every decision: it says what each run contributed to it.
+  void leave_out_runs() {
+    const std::vector<std::size_t> readings = readings_used();
     result_.left_out = left_out_runs(data_, readings, result_.model, found_.scatter, workers_);
   }
 

@@ -27,6 +27,7 @@
 #include "diagnosis/model/scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "diagnosis/verdict/group_estimates.hpp"
 #include "diagnosis/verdict/held_out.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 #include "diagnosis/verdict/losses.hpp"
@@ -130,9 +131,10 @@ struct DiagnosisResult {
   std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;         // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
-  double p_value = 1;                     // that chance alone gives what the best cause gains
-  std::optional<RowScatter> row_scatter;  // by the training runs, beside the model
-  double structure_p_value = 1;           // that it gives the strongest of `structure`, family-wise
+  double p_value = 1;                      // that chance alone gives what the best cause gains
+  std::vector<EstimatesByGroup> by_group;  // coefficients and causes, fitted to each by itself
+  std::optional<RowScatter> row_scatter;   // by the training runs, beside the model
+  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
   Noise noise;
   MountingScatter mounting;
   Model model;  // the extended one

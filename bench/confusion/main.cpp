@@ -76,7 +76,7 @@ int run_main(int argc, char** argv) {
   app.add_option("--seed", options.seed)->capture_default_str();
   app.add_option("--part", options.part,
                  "single, null, pairs, unknown, alias, coverage, leakage, mounting, "
-                 "few_mountings, heavy, negative, rig or all")
+                 "few_mountings, heavy, negative, rig, dirty or all")
       ->capture_default_str();
   app.add_option("--visible", options.visible,
                  "least log-likelihood ratio of the truth that counts as visible")

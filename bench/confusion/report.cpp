@@ -165,7 +165,7 @@ bool resolves(const Outcome& outcome) {
   return outcome.with_more && names_all(outcome, *outcome.with_more);
 }
 
-bool same_as_without_copies(const Outcome& outcome) {
+bool same_without_dirt(const Outcome& outcome) {
   return outcome.with_more && outcome.with_more->verdict == outcome.finding.verdict &&
          outcome.with_more->named == outcome.finding.named;
 }
@@ -219,11 +219,13 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
     case Part::heavy:
     case Part::negative:
       return of_hard_readings(seen);
+    case Part::dirty:
+      return at_least("the same verdict and names as of the clean file",
+                      rate(seen, same_without_dirt), 95);
     case Part::leakage:
       return at_least("all copied rows dropped",
                       rate(seen, [](const Outcome& o) { return o.copies_dropped.value(); }), 100) +
-             at_least("the same verdict as without copies", rate(seen, same_as_without_copies),
-                      100);
+             at_least("the same verdict as without copies", rate(seen, same_without_dirt), 100);
   }
   return "";
 }
@@ -258,8 +260,10 @@ bool as_it_should_be(const Outcome& outcome) {
       return finding.verdict == Verdict::unexplained;
     case Part::alias:
       return reports_both(outcome);
+    case Part::dirty:
+      return same_without_dirt(outcome);
     case Part::leakage:
-      return outcome.copies_dropped.value_or(false) && same_as_without_copies(outcome);
+      return outcome.copies_dropped.value_or(false) && same_without_dirt(outcome);
     default:
       return outcome.planted.empty() ? finding.verdict == Verdict::none
                                      : names_all(outcome, finding);

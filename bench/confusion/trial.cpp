@@ -98,6 +98,13 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
       }
       index /= 3;
       break;
+    case Part::dirty:
+      trial.dirt = turn<testing::Dirt>(testing::all_dirt(), index);
+      if (index % 3 != 2) {
+        plan.effects = {testing::Dice(trial.seed).pick(testing::library_effects())};
+      }
+      index /= 3;
+      break;
     case Part::few_mountings:
       plan.runs = turn<int>(std::array{3, 6, 20}, index);
       break;
@@ -218,17 +225,17 @@ std::vector<std::string> said_alike(const Finding& finding, const std::string& n
 }  // namespace
 
 const char* part_name(Part part) {
-  constexpr std::array names{"single",        "null",     "pairs",    "unknown",
-                             "alias",         "coverage", "leakage",  "mounting",
-                             "few_mountings", "heavy",    "negative", "rig"};
+  constexpr std::array names{"single",   "null",    "pairs",    "unknown",       "alias",
+                             "coverage", "leakage", "mounting", "few_mountings", "heavy",
+                             "negative", "rig",     "dirty"};
   return names[static_cast<std::size_t>(part)];
 }
 
 const std::vector<Part>& all_parts() {
-  static const std::vector<Part> parts{Part::single,  Part::null,     Part::pairs,
-                                       Part::unknown, Part::coverage, Part::leakage,
-                                       Part::alias,   Part::mounting, Part::few_mountings,
-                                       Part::heavy,   Part::negative, Part::rig};
+  static const std::vector<Part> parts{
+      Part::single,   Part::null,  Part::pairs,    Part::unknown,       Part::coverage,
+      Part::leakage,  Part::alias, Part::mounting, Part::few_mountings, Part::heavy,
+      Part::negative, Part::rig,   Part::dirty};
   return parts;
 }
 
@@ -244,6 +251,7 @@ std::string Trial::kind() const {
 
 std::string Trial::column() const {
   const std::string noise = plan.noise.relative < 0.02 ? "1 %" : "3 %";
+  if (part == Part::dirty) return testing::dirt_name(dirt);
   const bool sized = !plan.effects.empty();
   std::string text = (sized ? std::string(testing::size_name(plan.size)) + ", " : "") + noise;
   if (plan.noise.mounted_exponent > 0) {
@@ -297,6 +305,10 @@ Outcome run(const Trial& trial, const DiagnoseOptions& options) {
   const Planted planted = testing::plant(trial.plan, trial.seed);
   diagnose_planted(planted, options, outcome);
   if (trial.part == Part::leakage) diagnose_copies(planted, options, outcome);
+  if (trial.part == Part::dirty) {
+    const std::string dirty = testing::dirtied(planted.csv, trial.dirt, trial.seed);
+    outcome.with_more = finding_of(diagnose(parse(dirty), {}, options));
+  }
   return outcome;
 }
 

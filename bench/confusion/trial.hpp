@@ -9,6 +9,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_alias.hpp"
+#include "tests/support/planting_dirt.hpp"
 
 namespace reeve::bench {
 
@@ -24,7 +25,8 @@ enum class Part : std::uint8_t {
   few_mountings,  // the same with 3, 6 and 20 runs, no cause: coefficients and alarms
   heavy,          // Student's t of 3 degrees of freedom; a third without cause
   negative,       // small loads, and sensors that read below 0; a third without cause
-  rig             // a cause of the drive or of a sensor
+  rig,            // a cause of the drive or of a sensor
+  dirty           // a cause or none, in a file as loggers leave it, beside the clean one
 };
 const char* part_name(Part part);
 const std::vector<Part>& all_parts();
@@ -33,6 +35,7 @@ struct Trial {
   Part part = Part::single;
   testing::PlantingPlan plan;
   testing::AliasKind alias = testing::AliasKind::gain_or_offset;  // of part alias
+  testing::Dirt dirt = testing::Dirt::form;                       // of part dirty
   std::uint64_t seed = 0;
 
   std::string kind() const;    // tube_friction, gain_or_offset, nothing
@@ -68,7 +71,7 @@ struct Outcome {
   std::vector<std::string> alike;    // alias: the hidden cause, and the one that looks like it
   double oracle = 0;                 // the least log-likelihood ratio of the hidden causes
   Finding finding;
-  std::optional<Finding> with_more;      // alias: with the separating rows
+  std::optional<Finding> with_more;      // alias: with the separating rows; dirty: of that file
   std::optional<bool> copies_dropped;    // leakage: all copied rows, and nothing else
   std::vector<FoundInterval> intervals;  // of causes named right
   std::optional<FoundGain> gain;         // where the named causes are the hidden ones

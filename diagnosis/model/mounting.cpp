@@ -40,17 +40,41 @@ class OneExponent final : public Cause {
   std::size_t number_;
 };
 
+// The n-th contact of a kind.
+struct NumberedContact {
+  ContactKind kind = ContactKind::sheath;
+  std::size_t number = 0;
+};
+
+// Whether some routing has both: otherwise what they do together is what each does alone.
+bool stand_together(const Dataset& dataset, const NumberedContact& a, const NumberedContact& b) {
+  const auto has = [](const Network& network, const NumberedContact& contact) {
+    const auto count =
+        std::count_if(network.contacts.begin(), network.contacts.end(),
+                      [&](const Contact& other) { return other.kind == contact.kind; });
+    return static_cast<std::size_t>(count) > contact.number;
+  };
+  return std::any_of(dataset.blocks.begin(), dataset.blocks.end(), [&](const Block& block) {
+    const Network& network = dataset.data->routings[block.routing].network;
+    return has(network, a) && has(network, b);
+  });
+}
+
 // The exponents that differ between mountings, with their columns.
 class Exponents {
  public:
-  Exponents(const Dataset& dataset, const Model& model, const VectorXd& at)
-      : dataset_(dataset), model_(model), at_(at) {
+  Exponents(const Dataset& dataset, const Model& model, const VectorXd& at, Workers& workers)
+      : dataset_(dataset), model_(model), at_(at), workers_(workers) {
     for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
       for (std::size_t c = 0; c < contact_kinds; ++c) {
         const auto contact = static_cast<ContactKind>(c);
-        if (mounted_kind(contact) == kind) add(kind, contact);
+        if (mounted_kind(contact) == kind) list(kind, contact);
       }
     }
+    workers_.for_each_block(ones_.size(), 1,
+                            [&](const IndexBlock& block) { move(ones_[block.begin]); });
+    std::erase_if(ones_,
+                  [&](const One& one) { return !(one.change_N.norm() > 1e-9 * at_.norm()); });
   }
 
   void put(MountingModes& modes, std::vector<VectorXd>& columns) const {
@@ -58,8 +82,19 @@ class Exponents {
       modes.kind.push_back(one.kind);
       columns.push_back(one.change_N);
     }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t a = 0; a < ones_.size(); ++a) {
-      for (std::size_t b = 0; b <= a; ++b) put_pair(a, b, modes);
+      for (std::size_t b = 0; b <= a; ++b) {
+        if (stand_together(dataset_, ones_[a].contact, ones_[b].contact)) pairs.emplace_back(a, b);
+      }
+    }
+    std::vector<std::optional<MountingModes::Pair>> moved(pairs.size());
+    workers_.for_each_block(pairs.size(), 1, [&](const IndexBlock& block) {
+      moved[block.begin] =
+          together(ones_[pairs[block.begin].first], ones_[pairs[block.begin].second]);
+    });
+    for (auto& pair : moved) {
+      if (pair) modes.pairs.push_back(std::move(*pair));
     }
   }
 
@@ -69,8 +104,9 @@ class Exponents {
 
   struct One {
     Mounted kind = Mounted::sheath;
+    NumberedContact contact;
     std::unique_ptr<const OneExponent> cause;
-    VectorXd change_N;
+    VectorXd change_N;               // empty if there are no tensions beside it
     std::optional<VectorXd> wide_N;  // after a wide step
   };
 
@@ -82,34 +118,37 @@ class Exponents {
     return std::move(there->reading_N);
   }
 
-  void add(Mounted kind, ContactKind contact) {
+  void list(Mounted kind, ContactKind contact) {
     const std::size_t most = most_of_a_kind(dataset_, contact);
     for (std::size_t number = 0; number < most; ++number) {
-      One one{kind, std::make_unique<OneExponent>(contact, number), {}, {}};
-      const auto above = moved({{one.cause.get(), small}});
-      const auto below = moved({{one.cause.get(), -small}});
-      if (!above || !below) continue;
-      one.change_N = (*above - *below) / (2 * small);
-      if (one.change_N.norm() <= 1e-9 * at_.norm()) continue;
-      one.wide_N = moved({{one.cause.get(), wide}});
-      ones_.push_back(std::move(one));
+      ones_.push_back(
+          {kind, {contact, number}, std::make_unique<OneExponent>(contact, number), {}, {}});
     }
   }
 
-  void put_pair(std::size_t a, std::size_t b, MountingModes& modes) const {
-    const One& first = ones_[a];
-    const One& second = ones_[b];
-    const auto both = a == b ? moved({{first.cause.get(), -wide}})
-                             : moved({{first.cause.get(), wide}, {second.cause.get(), wide}});
-    if (!first.wide_N || !second.wide_N || !both) return;
-    VectorXd change = a == b ? VectorXd((*both + *first.wide_N - 2 * at_) / std::numbers::sqrt2)
-                             : VectorXd(*both - *first.wide_N - *second.wide_N + at_);
-    modes.pairs.push_back({first.kind, second.kind, change / (wide * wide)});
+  void move(One& one) const {
+    const auto above = moved({{one.cause.get(), small}});
+    const auto below = moved({{one.cause.get(), -small}});
+    if (!above || !below) return;
+    one.change_N = (*above - *below) / (2 * small);
+    one.wide_N = moved({{one.cause.get(), wide}});
+  }
+
+  std::optional<MountingModes::Pair> together(const One& first, const One& second) const {
+    const bool alone = &first == &second;
+    const auto both = alone ? moved({{first.cause.get(), -wide}})
+                            : moved({{first.cause.get(), wide}, {second.cause.get(), wide}});
+    if (!first.wide_N || !second.wide_N || !both) return std::nullopt;
+    const VectorXd change = alone
+                                ? VectorXd((*both + *first.wide_N - 2 * at_) / std::numbers::sqrt2)
+                                : VectorXd(*both - *first.wide_N - *second.wide_N + at_);
+    return MountingModes::Pair{first.kind, second.kind, change / (wide * wide)};
   }
 
   const Dataset& dataset_;
   const Model& model_;
   const VectorXd& at_;
+  Workers& workers_;
   std::vector<One> ones_;
 };
 
@@ -183,13 +222,13 @@ std::vector<Mounting> mountings(const Dataset& dataset) {
   return result;
 }
 
-MountingModes mounting_modes(const Dataset& dataset, const Model& model) {
+MountingModes mounting_modes(const Dataset& dataset, const Model& model, Workers& workers) {
   const auto at = try_forecast(dataset, model);
   MountingModes modes;
   modes.by_share_N.resize(static_cast<Index>(dataset.cells.size()), 0);
   if (!at) return modes;
   std::vector<VectorXd> columns;
-  Exponents(dataset, model, at->reading_N).put(modes, columns);
+  Exponents(dataset, model, at->reading_N, workers).put(modes, columns);
   put_gains(dataset, at->reading_N, modes, columns);
   modes.by_share_N.resize(at->reading_N.size(), static_cast<Index>(columns.size()));
   for (std::size_t c = 0; c < columns.size(); ++c) {

@@ -23,6 +23,7 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
+#include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {
 
@@ -65,6 +66,6 @@ struct MountingModes {
 
 // At these tensions of the model; things without effect have no column, and a model without
 // tensions a little beside it none at all.
-MountingModes mounting_modes(const Dataset& dataset, const Model& model);
+MountingModes mounting_modes(const Dataset& dataset, const Model& model, Workers& workers);
 
 }  // namespace reeve::diagnosis

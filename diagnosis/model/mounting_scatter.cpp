@@ -109,11 +109,12 @@ class Comparison {
     residuals_ = own_residuals(problem, at);
     conditions_ = without_scales(condition_columns(problem, modes));
     loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N);
-    std::map<std::size_t, std::vector<Mounting>> by_routing;
+    // What differs between groups of rows is no scatter of mountings.
+    std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<Mounting>> comparable;
     for (Mounting& mounting : mountings(*problem.dataset)) {
-      by_routing[mounting.routing].push_back(std::move(mounting));
+      comparable[{mounting.routing, group_of(mounting)}].push_back(std::move(mounting));
     }
-    for (const auto& [routing, all] : by_routing) {
+    for (const auto& [key, all] : comparable) {
       if (all.size() > 1) add(chosen(all));
     }
   }
@@ -160,6 +161,13 @@ class Comparison {
     VectorXd residuals;
     MatrixXd square;
   };
+
+  // That of its first reading.
+  std::optional<std::size_t> group_of(const Mounting& mounting) const {
+    const Dataset& dataset = *problem_.dataset;
+    const auto first = static_cast<std::size_t>(mounting.cells.front());
+    return dataset.data->readings[dataset.cells[first].reading].group;
+  }
 
   static std::vector<Mounting> chosen(const std::vector<Mounting>& all) {
     const std::size_t count = std::min(all.size(), most_mountings);
@@ -219,30 +227,42 @@ class Comparison {
   std::size_t mounted_again_ = 0;
 };
 
-struct Posterior {
-  double misfit = 0;  // −2 ℓ
-  std::array<double, mounted_kinds> told_by{};
+// I + D^{1/2} A D^{1/2}, factored, and D^{1/2}.
+struct Factored {
+  VectorXd tau;
+  Eigen::LLT<MatrixXd> covariance;
 };
 
-Posterior posterior(const Equations& equations, const MountedScatter& scatter) {
-  Posterior result;
+Factored factored(const Equations& equations, const MountedScatter& scatter) {
   const auto size = static_cast<Index>(equations.kind.size());
-  if (size == 0) return result;
   VectorXd tau(size);
   for (Index i = 0; i < size; ++i) {
     tau[i] = scatter[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])];
   }
   MatrixXd covariance = tau.asDiagonal() * equations.square * tau.asDiagonal();
   covariance.diagonal().array() += 1;
-  const Eigen::LLT<MatrixXd> factor(covariance);
+  return {std::move(tau), Eigen::LLT<MatrixXd>(covariance)};
+}
+
+// −2 ℓ.
+double misfit(const Equations& equations, const MountedScatter& scatter) {
+  const auto [tau, covariance] = factored(equations, scatter);
   const VectorXd along = tau.cwiseProduct(equations.along);
-  result.misfit =
-      2 * factor.matrixLLT().diagonal().array().log().sum() - along.dot(factor.solve(along));
-  // Of each perturbation, 1 − its variance given the readings over that without them.
-  const MatrixXd lower = factor.matrixL().solve(MatrixXd::Identity(size, size));
+  return 2 * covariance.matrixLLT().diagonal().array().log().sum() -
+         along.dot(covariance.solve(along));
+}
+
+// Of each perturbation, 1 − its variance given the readings over that without them; summed by kind.
+std::array<double, mounted_kinds> told_by(const Equations& equations,
+                                          const MountedScatter& scatter) {
+  std::array<double, mounted_kinds> result{};
+  const auto size = static_cast<Index>(equations.kind.size());
+  if (size == 0) return result;
+  const auto [tau, covariance] = factored(equations, scatter);
+  const MatrixXd lower = covariance.matrixL().solve(MatrixXd::Identity(size, size));
   const VectorXd variance = lower.colwise().squaredNorm().transpose();
   for (Index i = 0; i < size; ++i) {
-    result.told_by[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])] +=
+    result[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])] +=
         1 - variance[i];
   }
   return result;
@@ -291,15 +311,15 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
     const Minimum best = refine(
         [&](const std::vector<double>& x) {
           const MountedScatter scatter = at_logarithms(x);
-          double misfit = posterior(equations, scatter).misfit;
-          for (const std::size_t k : free) misfit += penalty(scatter[k], assumed_scatter[k]);
-          return misfit;
+          double surprise = misfit(equations, scatter);
+          for (const std::size_t k : free) surprise += penalty(scatter[k], assumed_scatter[k]);
+          return surprise;
         },
         box, std::vector<double>(free.size(), 0.0),
         evaluations * static_cast<int>(free.size() + 1));
     result.relative = at_logarithms(best.at);
   }
-  result.told_by = posterior(equations, result.relative).told_by;
+  result.told_by = told_by(equations, result.relative);
   return result;
 }
 

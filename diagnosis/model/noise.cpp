@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "numerics/minimise.hpp"
+#include "diagnosis/model/scatter_fit.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -12,88 +13,14 @@ namespace {
 constexpr double enough_noise_degrees = 30;
 // To 18 %: rather that than noise with what differs between mountings in it.
 constexpr double enough_within_runs = 15;
-constexpr double floor_share = 1e-3;  // of the median reading
-constexpr double least_relative = 1e-5;
-
-double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
-
-double degrees(const std::vector<ScatterSample>& samples) {
-  double sum = 0;
-  for (const ScatterSample& sample : samples) sum += sample.kept;
-  return sum;
-}
-
-// Twice the negative restricted log-likelihood, but for a constant; of normal residuals, or of
-// Student's t.
-double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative,
-              double tail) {
-  double sum = 0;
-  for (const ScatterSample& sample : samples) {
-    if (sample.kept <= 0) continue;
-    const double scatter = relative * sample.level_N;
-    const double variance = absolute * absolute + scatter * scatter + sample.motor_variance_N2;
-    const double square = sample.residual_N * sample.residual_N / variance;
-    sum += sample.kept * std::log(variance);
-    sum += tail == 0 ? square : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
-  }
-  return sum;
-}
-
-// Of a density of Student's t over that of a normal one at 0, twice the logarithm.
-double height(double tail) {
-  return 2 * (std::lgamma((tail + 1) / 2) - std::lgamma(tail / 2)) - std::log(tail / 2);
-}
-
-struct ScatterFit {
-  double tail = 0;
-  double misfit = 0;
-  std::vector<double> at;  // logarithms of the absolute and the relative part
-};
-
-ScatterFit fit_with(const Dataset& dataset, const std::vector<ScatterSample>& samples,
-                    double tail) {
-  constexpr int evaluations = 150;
-  const double level = median_reading(dataset);
-  const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
-                                  {std::log(least_relative), std::log(2.0)}};
-  const Minimum best = minimise(
-      [&](const std::vector<double>& x) {
-        return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
-      },
-      box, evaluations);
-  return {tail, best.value - (tail == 0 ? 0 : degrees(samples) * height(tail)), best.at};
-}
-
-// Those of which the estimate leaves most: the others are mixtures of several readings' scatter.
-std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {
-  constexpr double most = 0.5;
-  std::erase_if(samples, [](const ScatterSample& sample) { return sample.kept < most; });
-  return samples;
-}
-
-Noise noise_of(const ScatterFit& best, const std::vector<ScatterSample>& samples,
-               NoiseSource source) {
-  return {std::exp(best.at[1]), std::exp(best.at[0]), source, degrees(samples), best.tail, true};
-}
 
 Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
-  constexpr double heavy_tails[] = {3, 6};
-  // Twice the log-likelihood by which heavier tails have to be the likelier: chance brings that in
-  // 1 of 1000 normal samples (chi-squared of one degree of freedom, on its edge).
-  constexpr double clearly = 9.5;
-  if (samples.empty()) return {0, 0, NoiseSource::known, 0, 0, true};
-  ScatterFit all = fit_with(dataset, samples, 0);
+  if (samples.empty()) return {0, 0, NoiseSource::known, 0, 0, true, {}};
   // Residuals of a model that is wrong are of many sizes, too.
-  if (source == NoiseSource::residuals) return noise_of(all, samples, source);
-  const std::vector<ScatterSample> free = mostly_free(samples);
-  double least = fit_with(dataset, free, 0).misfit - clearly;
-  for (const double tail : heavy_tails) {
-    const double misfit = fit_with(dataset, free, tail).misfit;
-    if (misfit >= least) continue;
-    least = misfit;
-    all = fit_with(dataset, samples, tail);
-  }
-  return noise_of(all, samples, source);
+  ScatterFit found = source == NoiseSource::residuals ? normal_scatter(dataset, samples)
+                                                      : likeliest_scatter(dataset, samples);
+  return {found.relative, found.absolute_N,         source, degrees(samples), found.tail,
+          true,           std::move(found.of_group)};
 }
 
 // Nothing if too few readings tell.
@@ -142,6 +69,10 @@ double Noise::deviation(double tension_N) const {
   return std::hypot(absolute_N, relative * tension_N);
 }
 
+double Noise::scale_of(const Reading& reading) const {
+  return of_group.empty() || !reading.group ? 1 : of_group[*reading.group];
+}
+
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N) {
   // So far out chance brings less than one reading in a million.
@@ -155,13 +86,15 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
       continue;
     }
     const double measured = cell.measured_N;
-    const double at_expected = noise.deviation(expected_N[i]);
+    const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
+    const double at_expected = scale * noise.deviation(expected_N[i]);
     const double z = (measured - expected_N[i]) / at_expected;
     if (noise.tail_degrees > 0) {
       const double tail = noise.tail_degrees;
       result[i] = at_expected * std::sqrt((tail + z * z) / (tail + 1));
     } else {
-      result[i] = std::abs(z) <= far ? at_expected : noise.deviation(std::max(measured, 0.0));
+      result[i] =
+          std::abs(z) <= far ? at_expected : scale * noise.deviation(std::max(measured, 0.0));
     }
     result[i] = std::max(result[i], own_error(dataset, cell));
   }

@@ -20,9 +20,15 @@
 // where that is clearly the likelier (K. L. Lange, R. J. A. Little, J. M. G. Taylor, J. Am. Stat.
 // Assoc. 84, 1989). sd is then the scale of the t, and a reading z scales away from what a model
 // expects weighs as one of the scale sd √((ν + z²) / (ν + 1)).
+//
+// Where somebody names groups of rows (winches, operators), each may have f times the noise of all,
+// if that is clearly the likelier: two noises in one file look like heavy tails.
 #pragma once
 
 #include <Eigen/Core>
+
+#include <optional>
+#include <vector>
 
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/model/forecast.hpp"
@@ -45,10 +51,12 @@ struct Noise {
                           // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
   double degrees_of_freedom = 0;
-  double tail_degrees = 0;       // ν; 0: normal
-  bool within_mountings = true;  // otherwise it contains what differs between them
+  double tail_degrees = 0;         // ν; 0: normal
+  bool within_mountings = true;    // otherwise it contains what differs between them
+  std::vector<double> of_group{};  // f, parallel to the data's groups; empty: they scatter alike
 
-  double deviation(double tension_N) const;
+  double deviation(double tension_N) const;  // of all groups together
+  double scale_of(const Reading& reading) const;
 };
 
 // sd of each cell at what a model expects it to read, and not less than what the file says of it

@@ -95,11 +95,17 @@ void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) co
   }
 }
 
-void NullModel::for_each(
-    Workers& workers, const std::function<void(std::size_t, const Eigen::VectorXd&)>& use) const {
-  workers.for_each_block(replicates_, 4, [&](const IndexBlock& block) {
-    for (std::size_t b = block.begin; b < block.end; ++b) use(b, draw(b));
-  });
+void NullModel::for_each(Workers& workers,
+                         const std::function<void(std::size_t, const Eigen::VectorXd&)>& use,
+                         const std::function<bool()>& stop) const {
+  constexpr std::size_t between_questions = 64;
+  for (std::size_t first = 0; first < replicates_; first += between_questions) {
+    if (stop && stop()) return;
+    const std::size_t size = std::min(between_questions, replicates_ - first);
+    workers.for_each_block(size, 4, [&](const IndexBlock& block) {
+      for (std::size_t b = first + block.begin; b < first + block.end; ++b) use(b, draw(b));
+    });
+  }
 }
 
 double p_value(double observed, const std::vector<double>& replicates) {

@@ -45,9 +45,11 @@ class NullModel {
 
   std::size_t replicates() const { return replicates_; }
 
-  // `use` gets the number of each replicate and its residuals; it writes to its own slot.
+  // `use` gets the number of each replicate and its residuals; it writes to its own slot. `stop` is
+  // asked now and then, by this thread; the replicates that are left then get no call.
   void for_each(Workers& workers,
-                const std::function<void(std::size_t, const Eigen::VectorXd&)>& use) const;
+                const std::function<void(std::size_t, const Eigen::VectorXd&)>& use,
+                const std::function<bool()>& stop = {}) const;
 
  private:
   Eigen::VectorXd draw(std::size_t replicate) const;

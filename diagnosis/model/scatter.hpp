@@ -14,6 +14,7 @@ struct Scatter {
 };
 
 // Seen from a model. Throws OutOfRange where it has no tensions.
-Problem problem(const Dataset& dataset, const Scatter& scatter, const Model& model);
+Problem problem(const Dataset& dataset, const Scatter& scatter, const Model& model,
+                Workers& workers);
 
 }  // namespace reeve::diagnosis

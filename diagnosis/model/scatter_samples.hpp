@@ -20,6 +20,7 @@ struct ScatterSample {
   double kept = 1;
   double motor_variance_N2 = 0;  // of what its row's motor tension is known to bring
   std::size_t row = 0;           // in the dataset
+  double scale = 1;              // of its group's noise over that of all
 };
 
 // Whether runs have levels of their own.

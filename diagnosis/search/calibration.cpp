@@ -26,18 +26,20 @@ std::size_t first_vague(const Problem& problem, const Model& model) {
   return model.effects.size();
 }
 
-Model from_each_start(const Problem& problem, const Model& model) {
-  Fit best;
-  for (const double part : starts) {
+Model from_each_start(const Problem& problem, const Model& model, Workers& workers) {
+  std::array<Fit, starts.size()> fits;
+  workers.for_each_block(starts.size(), 1, [&](const IndexBlock& block) {
+    const double part = starts[block.begin];
     Model start = model;
     for (Effect& effect : start.effects) {
       const Range range = effect.cause->parameters(model.hardware).front().range;
       effect.values.front() = std::min(part * effect.values.front(), range.high);
     }
-    Fit fitted = fit(problem, start);
-    if (best.model.effects.empty() || fitted.misfit < best.misfit) best = std::move(fitted);
-  }
-  return best.model;
+    fits[block.begin] = fit(problem, start);
+  });
+  const auto best = std::min_element(
+      fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+  return best->model;
 }
 
 }  // namespace
@@ -56,11 +58,11 @@ Model with_hardware_coefficients(Model model) {
 }
 
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& coefficients) {
+                 const std::vector<Candidate>& coefficients, Workers& workers) {
   Model model = nominal;
   for (const Candidate& coefficient : coefficients) add_effect(model, coefficient.effect);
   if (model.effects.empty()) return model;
-  model = from_each_start(problem, model);
+  model = from_each_start(problem, model, workers);
   for (std::size_t e = first_vague(problem, model); e < model.effects.size();
        e = first_vague(problem, model)) {
     model = without(model, e);

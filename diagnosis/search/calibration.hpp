@@ -11,6 +11,7 @@
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
 #include "diagnosis/search/candidates.hpp"
+#include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {
 
@@ -22,7 +23,7 @@ Model with_hardware_coefficients(Model model);
 
 // The model with each of these coefficients free, fitted from several starts.
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& coefficients);
+                 const std::vector<Candidate>& coefficients, Workers& workers);
 
 struct Calibration {
   Effect effect;  // fitted

@@ -53,6 +53,7 @@ class Search {
     const Outlook outlook(problem_, result_.model, candidates_, workers_);
     if (outlook.candidates().empty()) return false;
     std::vector<double> greatest = greatest_by_chance(outlook, nullptr);
+    if (stop_()) return false;
     const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
     std::vector<Fit> fits(which.size());
     const auto is_no_line = [](const Candidate& candidate) {
@@ -101,9 +102,12 @@ class Search {
                                streams::seed_of_step(options_.seed, result_.accepted.size()),
                                options_.replicates, mounted);
     std::vector<double> greatest(null_model.replicates());
-    null_model.for_each(workers_, [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
-      greatest[replicate] = outlook.screening().greatest_gain(drawn);
-    });
+    null_model.for_each(
+        workers_,
+        [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
+          greatest[replicate] = outlook.screening().greatest_gain(drawn);
+        },
+        stop_);
     return greatest;
   }
 
@@ -131,8 +135,14 @@ class Search {
   // What readings weigh depends on the model, and what fits them best on what they weigh.
   void settle() {
     changed_(problem_, result_.model);
-    Fit here = fit(problem_, result_.model);
-    Fit afresh = fit(problem_, with_hardware_coefficients(result_.model));
+    Fit here, afresh;
+    workers_.for_each_block(2, 1, [&](const IndexBlock& block) {
+      if (block.begin == 0) {
+        here = fit(problem_, result_.model);
+      } else {
+        afresh = fit(problem_, with_hardware_coefficients(result_.model));
+      }
+    });
     result_.model = std::move((afresh.misfit < here.misfit ? afresh : here).model);
     changed_(problem_, result_.model);
   }

@@ -28,8 +28,9 @@ std::size_t carried_causes(const Dataset& training) {
 class Explaining {
  public:
   Explaining(const Dataset& training, const Model& nominal,
-             const std::vector<Candidate>& candidates, const ExplanationOptions& options)
-      : training_(training), nominal_(nominal), options_(options) {
+             const std::vector<Candidate>& candidates, const ExplanationOptions& options,
+             Workers& workers)
+      : training_(training), nominal_(nominal), options_(options), workers_(workers) {
     for (const Candidate& candidate : candidates) {
       const bool is_open = is_open_coefficient(candidate.effect, nominal.hardware);
       (is_open ? coefficients_ : causes_).push_back(candidate);
@@ -43,17 +44,17 @@ class Explaining {
     // What readings weigh, and what fits them, in turn.
     for (int round = 0; round < 2; ++round) {
       rescatter(result_.problem, result_.base);
-      result_.base = calibrated(result_.problem, nominal_, coefficients_);
+      result_.base = calibrated(result_.problem, nominal_, coefficients_, workers_);
     }
     rescatter(result_.problem, result_.base);
     result_.model = result_.base;
   }
 
-  bool find(Workers& workers, const std::function<bool(const char*)>& stop) {
+  bool find(const std::function<bool(const char*)>& stop) {
     const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
                                      options_.replicates, result_.most_causes, options_.seed};
     auto found = search_causes(
-        result_.problem, result_.base, causes_, options, result_.scatter.mounting, workers,
+        result_.problem, result_.base, causes_, options, result_.scatter.mounting, workers_,
         [this](Problem& problem, const Model& model) { rescatter(problem, model); },
         [&] { return stop("searching for causes"); });
     if (!found) return false;
@@ -144,7 +145,7 @@ class Explaining {
   void rescatter(Problem& problem, const Model& model) {
     Scatter& scatter = result_.scatter;
     const Forecast at = forecast(training_, model);
-    const MountingModes modes = mounting_modes(training_, model);
+    const MountingModes modes = mounting_modes(training_, model, workers_);
     const bool knows_mountings = estimate_noise(model, modes, at);
     problem = diagnosis::problem(training_, deviations(training_, scatter.noise, at.reading_N));
     settle_motor_deviations(problem, at);
@@ -188,6 +189,7 @@ class Explaining {
   const Dataset& training_;
   const Model& nominal_;
   const ExplanationOptions& options_;
+  Workers& workers_;
   std::vector<Candidate> coefficients_;
   std::vector<Candidate> causes_;
   std::optional<Noise> measured_;
@@ -207,8 +209,8 @@ double Explanation::mounting_degrees() const {
 }
 
 Explanation nothing_explained(const Dataset& training, const Model& nominal,
-                              const ExplanationOptions& options) {
-  Explaining explaining(training, nominal, {}, options);
+                              const ExplanationOptions& options, Workers& workers) {
+  Explaining explaining(training, nominal, {}, options, workers);
   explaining.calibrate();
   return explaining.take();
 }
@@ -217,23 +219,24 @@ std::optional<Explanation> explain(const Dataset& training, const Model& nominal
                                    const std::vector<Candidate>& candidates,
                                    const ExplanationOptions& options, Workers& workers,
                                    const std::function<bool(const char*)>& stop) {
-  Explaining explaining(training, nominal, candidates, options);
+  Explaining explaining(training, nominal, candidates, options, workers);
+  if (stop("calibrating coefficients")) return std::nullopt;
   explaining.calibrate();
-  if (!explaining.find(workers, stop)) return std::nullopt;
+  if (!explaining.find(stop)) return std::nullopt;
   if (!explaining.drop_unconfirmed(stop)) return std::nullopt;
   explaining.drop_unsure();
   explaining.judge_coefficients();
   return explaining.take();
 }
 
-void take_back_last(Explanation& explanation) {
+void take_back_last(Explanation& explanation, Workers& workers) {
   const Effect last = explanation.accepted.back().effect;
   explanation.accepted.pop_back();
   explanation.model =
       fit(explanation.problem, without(explanation.model, place(explanation.model, last))).model;
   if (explanation.accepted.empty()) explanation.model = explanation.base;
   explanation.problem =
-      problem(*explanation.problem.dataset, explanation.scatter, explanation.model);
+      problem(*explanation.problem.dataset, explanation.scatter, explanation.model, workers);
   explanation.calibrations = calibrations(explanation.problem, explanation.model,
                                           explanation.mounting_degrees(), explanation.alpha);
 }

@@ -41,7 +41,7 @@ struct Explanation {
 
 // Of readings that are too few to look for anything.
 Explanation nothing_explained(const Dataset& training, const Model& nominal,
-                              const ExplanationOptions& options);
+                              const ExplanationOptions& options, Workers& workers);
 
 // Nothing if it was stopped; `stop` is called with the name of each stage.
 std::optional<Explanation> explain(const Dataset& training, const Model& nominal,
@@ -50,6 +50,6 @@ std::optional<Explanation> explain(const Dataset& training, const Model& nominal
                                    const std::function<bool(const char*)>& stop);
 
 // Without the cause that was accepted last.
-void take_back_last(Explanation& explanation);
+void take_back_last(Explanation& explanation, Workers& workers);
 
 }  // namespace reeve::diagnosis

@@ -27,7 +27,8 @@ LeftOutForecasts forecasts_of(const std::vector<LeftOutRun>& runs) {
 
 std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
                                          const Model& after, const Scatter& scatter,
-                                         const std::vector<LeftOutRun>& left_out) {
+                                         const std::vector<LeftOutRun>& left_out,
+                                         Workers& workers) {
   const LeftOutForecasts others = forecasts_of(left_out);
   std::vector<ComparedCell> result;
   for (const bool held_out : {false, true}) {
@@ -35,7 +36,7 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
     if (part.cells.empty()) continue;
     const Forecast at_first = forecast(part, before);
     const Forecast at_last = forecast(part, after);
-    const Problem seen = problem(part, scatter, after);
+    const Problem seen = problem(part, scatter, after, workers);
     const Eigen::VectorXd deviation = total_deviations(seen);
     const Eigen::VectorXd share = seen.deviation_N.cwiseQuotient(deviation);
     const Eigen::VectorXd residual_before = own_residuals(seen, at_first).cwiseProduct(share);

@@ -27,6 +27,6 @@ struct ComparedCell {
 // All cells of the sample, in the order of the readings.
 std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
                                          const Model& after, const Scatter& scatter,
-                                         const std::vector<LeftOutRun>& left_out);
+                                         const std::vector<LeftOutRun>& left_out, Workers& workers);
 
 }  // namespace reeve::diagnosis

@@ -58,7 +58,7 @@ std::vector<LeftOutRun> left_out_runs(const MeasuredData& data,
   }
   const std::vector<std::size_t> runs(seen.begin(), seen.end());
   const Dataset together = dataset(data, readings);
-  const Problem all = problem(together, scatter, model);
+  const Problem all = problem(together, scatter, model, workers);
   std::vector<LeftOutRun> result(runs.size());
   workers.for_each_block(runs.size(), 1, [&](const IndexBlock& block) {
     result[block.begin] = left_out(all, runs[block.begin], model);

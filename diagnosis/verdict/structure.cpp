@@ -228,13 +228,18 @@ std::vector<StructureTest> structure_tests(const Problem& problem, const Forecas
 
 StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
                                const VectorXd& residuals, const NullModel& null_model,
-                               Workers& workers) {
+                               Workers& workers, const std::function<bool()>& stop) {
   StructureResult result;
   if (tests.empty()) return result;
   std::vector<std::vector<double>> null(tests.size(), std::vector<double>(null_model.replicates()));
-  null_model.for_each(workers, [&](std::size_t replicate, const VectorXd& drawn) {
-    for (std::size_t t = 0; t < tests.size(); ++t) null[t][replicate] = statistic(tests[t], drawn);
-  });
+  null_model.for_each(
+      workers,
+      [&](std::size_t replicate, const VectorXd& drawn) {
+        for (std::size_t t = 0; t < tests.size(); ++t) {
+          null[t][replicate] = statistic(tests[t], drawn);
+        }
+      },
+      stop);
   std::vector<double> greatest(null_model.replicates(), -1e300);
   double observed = -1e300;
   for (std::size_t t = 0; t < tests.size(); ++t) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,6 @@ std::vector<StructureTest> structure_tests(const Problem& problem, const Forecas
 
 StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
                                const Eigen::VectorXd& residuals, const NullModel& null_model,
-                               Workers& workers);
+                               Workers& workers, const std::function<bool()>& stop = {});
 
 }  // namespace reeve::diagnosis

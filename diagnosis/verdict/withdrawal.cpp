@@ -21,11 +21,11 @@ bool names_a_coefficient(const Explanation& explanation) {
 }  // namespace
 
 Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_out,
-                                  const Model& nominal, std::uint64_t seed) {
+                                  const Model& nominal, std::uint64_t seed, Workers& workers) {
   Withdrawal result;
   if (held_out.cells.empty()) return result;
   const auto may_lose = [&](const Model& before) {
-    const Problem unseen = problem(held_out, explanation.scatter, explanation.model);
+    const Problem unseen = problem(held_out, explanation.scatter, explanation.model, workers);
     const HeldOut gain = held_out_gain(unseen, before, explanation.model, seed);
     const std::size_t more = parameter_count(explanation.model) - parameter_count(before);
     if (gain.gain_low >= -chance_loss(more)) return false;
@@ -34,7 +34,7 @@ Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_
   };
   while (!explanation.accepted.empty() && (may_lose(explanation.base) || may_lose(nominal))) {
     result.names.push_back(effect_name(explanation.accepted.back().effect));
-    take_back_last(explanation);
+    take_back_last(explanation, workers);
   }
   if (!names_a_coefficient(explanation) || !may_lose(nominal)) return result;
   for (Calibration& calibration : explanation.calibrations) {
@@ -42,7 +42,8 @@ Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_
     calibration.differs = false;
   }
   explanation.model = nominal;
-  explanation.problem = problem(*explanation.problem.dataset, explanation.scatter, nominal);
+  explanation.problem =
+      problem(*explanation.problem.dataset, explanation.scatter, nominal, workers);
   return result;
 }
 

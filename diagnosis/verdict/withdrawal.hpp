@@ -25,6 +25,6 @@ struct Withdrawal {
 
 // Changes the explanation. Nothing is withdrawn where nothing is held out.
 Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_out,
-                                  const Model& nominal, std::uint64_t seed);
+                                  const Model& nominal, std::uint64_t seed, Workers& workers);
 
 }  // namespace reeve::diagnosis

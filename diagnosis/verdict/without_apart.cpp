@@ -86,7 +86,7 @@ std::optional<double> share_error_of(const MeasuredData& data, const Model& mode
 
 std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model,
                                           Scatter scatter, const std::vector<ComparedCell>& cells,
-                                          const std::vector<Loss>& losses) {
+                                          const std::vector<Loss>& losses, Workers& workers) {
   WithoutApart result;
   result.left_out = cells_apart(data, cells, losses);
   if (result.left_out.empty() || parameter_count(model) == 0) return std::nullopt;
@@ -95,11 +95,11 @@ std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model&
     others.readings[cell.reading].tension_N[cell.channel].reset();
   const Dataset rest = dataset(others, readings_of(cells));
   if (rest.cells.empty()) return std::nullopt;
-  Problem known = problem(rest, scatter, model);
+  Problem known = problem(rest, scatter, model, workers);
   result.model = fit(known, model).model;
   if (scatter.noise.source == NoiseSource::residuals) {
     scatter.noise = noise_left_by(rest, result.model);
-    known = problem(rest, scatter, result.model);
+    known = problem(rest, scatter, result.model, workers);
     result.model = fit(known, result.model).model;
   }
   result.intervals = parameter_intervals(known, result.model);

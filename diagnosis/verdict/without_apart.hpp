@@ -27,6 +27,6 @@ struct WithoutApart {
 // anew if it is what the model leaves.
 std::optional<WithoutApart> without_apart(const MeasuredData& data, const Model& model,
                                           Scatter scatter, const std::vector<ComparedCell>& cells,
-                                          const std::vector<Loss>& losses);
+                                          const std::vector<Loss>& losses, Workers& workers);
 
 }  // namespace reeve::diagnosis

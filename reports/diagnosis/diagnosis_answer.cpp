@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -26,10 +27,30 @@ std::string fitted_gain_text(const DiagnosisReport& report) {
       newton(std::sqrt(before / cells)), newton(std::sqrt(after / cells)));
 }
 
+// Causes that would gain nothing on the held-out runs even if they were right: none of these runs
+// has the channel, the direction or the condition in which they show.
+std::vector<std::string> untested_causes(const DiagnosisResult& result) {
+  constexpr double nothing = 0.5;  // in log-likelihood: less than half a parameter brings by chance
+  std::vector<std::string> names;
+  for (const NamedCause& cause : result.causes) {
+    if (cause.held_out && cause.held_out->expected_gain < nothing) names.push_back(cause.name);
+  }
+  return names;
+}
+
 std::string gain_line(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (!result.held_out) return fitted_gain_text(report);
-  return fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));
+  const std::vector<std::string> untested = untested_causes(result);
+  const std::string gain =
+      !untested.empty() && untested.size() == result.causes.size()
+          ? ""
+          : fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));
+  if (untested.empty()) return gain;
+  return gain + fmt::format(
+                    "The held-out runs say nothing of {}: with and without it, what they should "
+                    "read is the same. It is named by the training runs alone.\n",
+                    fmt::join(untested, ", "));
 }
 
 std::string chance_sentence(const DiagnosisReport& report) {
@@ -207,6 +228,9 @@ std::string units_line(const std::vector<DataNote>& notes) {
 
 std::string diagnosis_answer(const DiagnosisReport& report) {
   std::string text = answer(report);
+  for (const std::string& sentence : group_sentences(report)) {
+    text += sentence + ".\n";
+  }
   return text.insert(text.find('\n') + 1, units_line(report.result.notes));
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "reports/csv_field.hpp"
+#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -82,13 +83,15 @@ Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& 
           {"width_expected", if_used(shrinks, planned.width_expected)}};
 }
 
-Json noise_json(const Noise& noise) {
+Json noise_json(const DiagnosisReport& report) {
+  const Noise& noise = report.result.noise;
   return {{"relative", noise.relative},
           {"absolute_N", noise.absolute_N},
           {"source", noise_source_name(noise.source)},
           {"degrees_of_freedom", noise.degrees_of_freedom},
           {"tail_degrees_of_freedom", noise.tail_degrees},
-          {"within_mountings", noise.within_mountings}};
+          {"within_mountings", noise.within_mountings},
+          {"of_group", noise_of_groups_json(report)}};
 }
 
 Json settings_json(const DiagnosisReport& report) {
@@ -240,10 +243,11 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   json["published"] = list(report.published, [&](const PublishedModel& model) {
     return published_json(model, report.result.losses);
   });
-  json["noise"] = noise_json(result.noise);
+  json["noise"] = noise_json(report);
   json["mountings"] = mountings_json(result);
   json["row_scatter"] = row_scatter_json(result);
   json["coefficients"] = coefficients_json(result);
+  json["by_group"] = by_group_json(report);
   json["ranking"] = value_or_null(report.ranking, [](const CatalogueRanking& ranking) {
     return Json{
         {"changes", ranking.changes()}, {"before", ranking.before}, {"after", ranking.after}};

@@ -4,6 +4,7 @@
 
 #include "diagnosis/search/rivals.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -44,6 +45,8 @@ Section data_section(const DiagnosisReport& report) {
   for (const std::string& sentence : coefficient_sentences(result)) {
     section.lines.push_back({"Calibrated: " + sentence});
   }
+  const std::string groups_scatter = group_scatter_sentence(report);
+  if (!groups_scatter.empty()) section.lines.push_back({groups_scatter});
   add_sentences(section, not_named_sentences(result));
   return section;
 }

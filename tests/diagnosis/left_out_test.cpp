@@ -94,8 +94,9 @@ TEST(LeftOutRuns, LeaveTheOthersAProblemAsIfTheyWereAlone) {
   const Model model{Hardware{}};
   const Dataset all = dataset(data, all_readings(data));
   const Dataset rest = dataset(data, {0, 3, 4});
-  const Problem part = part_of(problem(all, scatter, model), rest);
-  const Problem alone = problem(rest, scatter, model);
+  Workers workers(1);
+  const Problem part = part_of(problem(all, scatter, model, workers), rest);
+  const Problem alone = problem(rest, scatter, model, workers);
   EXPECT_EQ(part.dataset, &rest);
   EXPECT_EQ(part.measured_N, alone.measured_N);
   EXPECT_EQ(part.deviation_N, alone.deviation_N);

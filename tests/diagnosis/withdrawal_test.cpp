@@ -28,7 +28,8 @@ Explanation both(const Bench& training) {
 
 Withdrawal withdrawn(Explanation& explanation, const Pattern& held_out) {
   const Bench unseen(held_out);
-  return withdraw_what_may_lose(explanation, unseen.dataset, {}, 1);
+  Workers workers(1);
+  return withdraw_what_may_lose(explanation, unseen.dataset, {}, 1, workers);
 }
 
 TEST(Withdrawal, OfWhatForecastsTheOthersIsNone) {
@@ -64,7 +65,8 @@ TEST(Withdrawal, GoesByTheOrderOfAcceptance) {
 TEST(Withdrawal, NeedsHeldOutRuns) {
   const Bench training({1, 1});
   Explanation explanation = both(training);
-  EXPECT_TRUE(withdraw_what_may_lose(explanation, {}, {}, 1).names.empty());
+  Workers workers(1);
+  EXPECT_TRUE(withdraw_what_may_lose(explanation, {}, {}, 1, workers).names.empty());
 }
 
 // A coefficient that was drawn to the training runs.

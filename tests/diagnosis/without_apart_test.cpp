@@ -56,7 +56,8 @@ struct Handed {
   }
 
   std::optional<WithoutApart> without(const Noise& noise) const {
-    return without_apart(data, model, {noise, {}}, cells, losses);
+    Workers workers(1);
+    return without_apart(data, model, {noise, {}}, cells, losses, workers);
   }
 };
 

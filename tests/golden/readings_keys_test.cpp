@@ -57,7 +57,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
       keys(json),
       "verdict causes indistinguishable separating_measurement unexplained next_measurement "
       "held_out held_out_by_run noise_limit not_confirmed not_sure withdrawn withdrawn_held_out weighed structure share_errors left_out_runs "
-      "losses without_apart published noise mountings row_scatter coefficients ranking simulated too_few rows runs "
+      "losses without_apart published noise mountings row_scatter coefficients by_group ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
       "version");
   const Json& cause = json["causes"][0];
@@ -73,7 +73,8 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["structure"][0]), "about statistic p_value");
   EXPECT_EQ(
       keys(json["noise"]),
-      "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings");
+      "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings "
+      "of_group");
   EXPECT_EQ(keys(json["mountings"]), "mounted_again given sheath tube bearing gain");
   EXPECT_EQ(keys(json["coefficients"][0]),
             "name parameter value low high at_bound hardware p_value differs");
@@ -107,6 +108,8 @@ TEST(KeysOfDiagnose, HaveNullWhereThereIsNoSuchThing) {
     EXPECT_TRUE(none[key].is_null()) << key;
   }
   EXPECT_TRUE(none["causes"].empty());
+  EXPECT_TRUE(none["by_group"].empty());
+  EXPECT_TRUE(none["noise"]["of_group"].empty());
   const Json several = json_of({"diagnose", diagnosed + "indistinguishable.csv"});
   EXPECT_EQ(keys(several["separating_measurement"]), measurement_keys);
   EXPECT_TRUE(several["separating_measurement"]["parameter"].is_null());

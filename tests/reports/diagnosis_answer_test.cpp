@@ -61,6 +61,57 @@ TEST(DiagnosisAnswer, NamesACauseWithItsIntervalAndItsGain) {
   EXPECT_TRUE(says(report, "on 2 held-out runs fall by 80 % (70 % to 90 %)"));
 }
 
+NamedCause other_sensor() {
+  NamedCause cause;
+  cause.effect = {find_cause("sensor_gain"), {}, {1.1}};
+  cause.name = "sensor_gain[T4]";
+  cause.meaning = "one sensor reads too much";
+  cause.parameters = {{"gain", "1", 1.1, 1.05, 1.15, 1, std::nullopt}};
+  return cause;
+}
+
+// In log-likelihood, what each cause should gain on the held-out runs if it is right: 0 where they
+// have no reading in which it shows.
+TEST(DiagnosisAnswer, ClaimsNoGainOfACauseThatNoHeldOutRunCouldShow) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.result.causes = {tubes(), other_sensor()};
+  const HeldOut tested{1, 0.2, 0.8, 0.7, 0.9, 50, 40, 60, 50};
+  const HeldOut untested{1, 1, 0, 0, 0, 0, 0, 0, 0};
+  report.result.held_out = tested;
+  report.result.held_out_runs = 2;
+  report.result.causes[0].held_out = report.result.causes[1].held_out = tested;
+  EXPECT_TRUE(says(report, "Residuals on 2 held-out runs fall by 80 %"));
+  EXPECT_FALSE(says(report, "say nothing of"));
+  report.result.causes[1].held_out = untested;
+  EXPECT_TRUE(says(report, "Residuals on 2 held-out runs fall by 80 %"));
+  EXPECT_TRUE(says(report, "The held-out runs say nothing of sensor_gain[T4]:"));
+  report.result.causes = {report.result.causes[1]};
+  report.result.held_out = untested;
+  EXPECT_FALSE(says(report, "Residuals on"));
+  EXPECT_TRUE(says(report, "It is named by the training runs alone."));
+}
+
+TEST(DiagnosisAnswer, NamesTheGroupThatStandsOut) {
+  DiagnosisReport report = report_of(Verdict::unexplained);
+  report.result.unexplained = Unexplained{"group", "T2 of M-1-F (reads more)", 0.001};
+  report.data.groups = {"old winch", "new winch"};
+  EstimatesByGroup sheaths;
+  sheaths.cause = "sheath_friction";
+  sheaths.parameter = "mu";
+  sheaths.unit = "1";
+  sheaths.groups = {{0, 0.18, {0.17, 0.19, 0.005, 30}}, {1, 0.12, {0.11, 0.13, 0.005, 30}}};
+  sheaths.farthest = 1;
+  sheaths.p_value = 0.002;
+  sheaths.differs = true;
+  report.result.by_group = {sheaths};
+  EXPECT_TRUE(
+      says(report,
+           "By group, each fitted by itself, sheath_friction differs: mu = 0.180 (0.170 to "
+           "0.190) in old winch, 0.120 (0.110 to 0.130) in new winch; new winch stands out"));
+  report.result.by_group[0].differs = false;
+  EXPECT_FALSE(says(report, "By group"));
+}
+
 TEST(DiagnosisAnswer, OfCausesThatCannotBeToldApartNamesThemAll) {
   DiagnosisReport report = report_of(Verdict::indistinguishable);
   report.result.causes = {tubes()};

@@ -1,0 +1,21 @@
+// Of a diagnosis: what differs between the groups of rows that somebody named.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/json.hpp"
+#include "studies/diagnosis_study.hpp"
+
+namespace reeve::reports {
+
+// "By group, each fitted by itself, sheath_friction differs: mu = 0.180 (0.170 to 0.190) in A,
+// 0.120 (0.110 to 0.130) in B; B stands out (p < 0.001)"; none where no parameter differs.
+std::vector<std::string> group_sentences(const DiagnosisReport& report);
+// That readings scatter otherwise in each group; empty if they do not.
+std::string group_scatter_sentence(const DiagnosisReport& report);
+
+Json by_group_json(const DiagnosisReport& report);
+Json noise_of_groups_json(const DiagnosisReport& report);
+
+}  // namespace reeve::reports

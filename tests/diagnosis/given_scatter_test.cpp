@@ -1,0 +1,93 @@
+// How far mountings differ, where the user says it, and what is judged by mountings that the model
+// solves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/model/mounting.hpp"
+#include "tests/diagnosis/found_causes.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// Mountings that differ by 8 %, and no cause.
+std::string of_few_mountings(std::uint64_t seed) {
+  PlantingPlan plan;
+  plan.noise.mounted_exponent = 0.08;
+  plan.runs = 6;
+  return plant(plan, seed).csv;
+}
+
+DiagnosisResult diagnosed_with(const std::string& csv, std::optional<double> given) {
+  DiagnoseOptions options;
+  options.replicates = 400;
+  options.mounting_scatter = given;
+  return diagnose(read_data(csv), Hardware{}, options);
+}
+
+double scatter_of(const MountingScatter& scatter, Mounted kind) {
+  return scatter.relative[static_cast<std::size_t>(kind)];
+}
+
+// Of gains an eighth of it, as of the assumed scatters.
+TEST(GivenMountingScatter, IsTakenAsItIs) {
+  const DiagnosisResult result = diagnosed_with(of_few_mountings(71), 0.05);
+  EXPECT_TRUE(result.mounting.given);
+  EXPECT_DOUBLE_EQ(scatter_of(result.mounting, Mounted::sheath), 0.05);
+  EXPECT_DOUBLE_EQ(scatter_of(result.mounting, Mounted::tube), 0.05);
+  EXPECT_DOUBLE_EQ(scatter_of(result.mounting, Mounted::gain), 0.05 / 8);
+  EXPECT_FALSE(diagnosed_with(of_few_mountings(71), std::nullopt).mounting.given);
+}
+
+// The same readings: with mountings that are said not to differ, what differs between them is
+// something that no cause explains, or a cause; said to differ as they do, it is nothing.
+TEST(GivenMountingScatter, DecidesWhatIsLeftToExplain) {
+  const std::string csv = of_few_mountings(71);
+  EXPECT_NE(diagnosed_with(csv, 0).verdict, Verdict::none);
+  EXPECT_EQ(diagnosed_with(csv, 0.08).verdict, Verdict::none);
+}
+
+double width_of(const DiagnosisResult& result, const std::string& name) {
+  for (const CalibratedCoefficient& of : result.calibration) {
+    if (of.name == name) return of.parameter.high - of.parameter.low;
+  }
+  return 0;
+}
+
+// A coefficient is known no better than the mountings that it was seen in.
+TEST(GivenMountingScatter, WidensIntervals) {
+  PlantingPlan plan;
+  plan.runs = 6;
+  const std::string csv = plant(plan, 72).csv;
+  const double narrow = width_of(diagnosed_with(csv, 0.02), "sheath_friction");
+  const double wide = width_of(diagnosed_with(csv, 0.2), "sheath_friction");
+  EXPECT_GT(narrow, 0);
+  EXPECT_GT(wide, 3 * narrow);
+}
+
+// T1 is off by 0.035 N in each of 30 readings, 3.8 standard errors, so that chance hardly does it
+// if mountings do not differ; exponents that differ by 10 % move a T1 of 6.5 N by 0.7 N.
+std::size_t accepted_with(double solved_scatter) {
+  Bench bench({0.035});
+  const Model nominal;
+  Workers workers(1);
+  constexpr double hardly = 1e-4;
+  share_scatter(bench.problem, mounting_modes(bench.dataset, nominal, workers),
+                {hardly, hardly, hardly, 0}, forecast(bench.dataset, nominal));
+  MountingScatter solved;
+  solved.relative = {solved_scatter, solved_scatter, solved_scatter, 0};
+  const auto result = search_causes(bench.problem, nominal, {on_T1.candidate()}, {}, solved,
+                                    workers, unchanged, [] { return false; });
+  return result->accepted.size();
+}
+
+TEST(SolvedMountings, JudgeWhatIsNotFarBeyondChance) {
+  EXPECT_EQ(accepted_with(1e-4), 1U);
+  EXPECT_EQ(accepted_with(0.1), 0U);
+}
+
+}  // namespace
+}  // namespace reeve::testing
