@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
@@ -100,40 +101,68 @@ UncertaintyOptions uncertainty_options(const ExploreFlags& flags, const ModelFil
           options.prices};
 }
 
+// Everything that is given, before anything is written or takes long.
+struct ExploreInputs {
+  Catalogue catalogue;
+  ExploreOptions options;
+  UncertaintyOptions drawn;
+  std::optional<UncertaintyOptions> uncertainty;
+  std::optional<CoefficientRange> over;
+  ListColumns columns;
+};
+
+ExploreInputs read(const ExploreFlags& flags) {
+  ExploreInputs inputs;
+  inputs.catalogue = shipped_catalogue();
+  const ModelFile file = flags.model.read();
+  inputs.options = options(flags, file.model, inputs.catalogue);
+  inputs.drawn = uncertainty_options(flags, file, inputs.options);
+  const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value()};
+  inputs.columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  flags.tables.require_width(flags.format);
+  if (flags.ranking.uncertainty) {
+    validate(inputs.drawn, flags.top);
+    inputs.uncertainty = inputs.drawn;
+  }
+  inputs.over = flags.sweep.read();
+  require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty);
+  return inputs;
+}
+
+ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& records,
+                   const StudySupervision& supervision) {
+  ExploreReport report = records.empty() ? exploration_study(inputs.options, inputs.uncertainty,
+                                                             inputs.catalogue, supervision)
+                                         : merged_study(inputs.options, inputs.uncertainty, records,
+                                                        inputs.catalogue, supervision);
+  if (inputs.over) {
+    add_sweep(report, {inputs.drawn, inputs.uncertainty.has_value(), *inputs.over}, supervision);
+  }
+  return report;
+}
+
+void prepare_folder(const std::string& folder) {
+  prepare_directory(folder, "--out");
+  require_file_can_be_written(std::filesystem::path(folder) / "index.html", "--out");
+}
+
 // What is printed and written is the same of one exploration and of its shards.
 int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
-  const Catalogue catalogue = shipped_catalogue();
-  const ModelFile file = flags.model.read();
-  const ExploreOptions explore_options = options(flags, file.model, catalogue);
-  const UncertaintyOptions drawn = uncertainty_options(flags, file, explore_options);
-  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value()};
-  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
-  flags.tables.require_width(flags.format);
-  if (flags.ranking.uncertainty) validate(drawn, flags.top);
-  const auto uncertainty = flags.ranking.uncertainty ? std::optional(drawn) : std::nullopt;
-  const std::optional<CoefficientRange> over = flags.sweep.read();
-  require_sweep(over, drawn, flags.ranking.uncertainty);
+  const ExploreInputs inputs = read(flags);
   std::vector<ShardRecord> records;
   for (const ShardFile& shard : shards) {
-    ExploreReport planned = planned_report(explore_options, uncertainty, catalogue);
-    planned.sweep_over = over;
+    ExploreReport planned = planned_report(inputs.options, inputs.uncertainty, inputs.catalogue);
+    planned.sweep_over = inputs.over;
     require_same_exploration(shard, planned);
     records.push_back(shard.record);
   }
-  prepare_directory(flags.out, "--out");
-  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
-  const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    ExploreReport made =
-        records.empty()
-            ? exploration_study(explore_options, uncertainty, catalogue, supervision)
-            : merged_study(explore_options, uncertainty, records, catalogue, supervision);
-    if (over) add_sweep(made, {drawn, flags.ranking.uncertainty, *over}, supervision);
-    return made;
-  });
-  write_exploration(report, command, catalogue, flags.details, flags.out);
+  prepare_folder(flags.out);
+  const ExploreReport report = supervised(
+      [&](const StudySupervision& supervision) { return made(inputs, records, supervision); });
+  write_exploration(report, command, inputs.catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json")
                     ? explore_summary_json(report)
-                    : flags.tables.printed(explore_sheet(report, columns), flags.format));
+                    : flags.tables.printed(explore_sheet(report, inputs.columns), flags.format));
   std::cout << announced(
       fmt::format("index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, {}{}summary.json "
                   "and figures",
@@ -186,6 +215,18 @@ void add_explore(CLI::App& program, int& exit_code) {
   auto flags = std::make_shared<ExploreFlags>();
   add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command, {}); });
+}
+
+ExploreReport asked_exploration(const Arguments& arguments, const StudySupervision& supervision) {
+  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
+  return made(read(asked.flags()), {}, supervision);
+}
+
+void write_asked(const ExploreReport& report, const Arguments& arguments) {
+  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
+  prepare_folder(asked.flags().out);
+  write_exploration(report, asked.command(), shipped_catalogue(), asked.flags().details,
+                    asked.flags().out);
 }
 
 int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {
