@@ -16,8 +16,6 @@
 #include "core/network.hpp"
 #include "core/routing.hpp"
 
-namespace reeve::cli {}
-
 namespace reeve::python {
 
 // What stands above the floors of numerics/floors.hpp looks at all of them.

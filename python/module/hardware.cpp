@@ -145,7 +145,7 @@ Hardware(tube_mu=0.09, sheath_mu=0.05)
           [](const py::object& path) {
             return BoundHardware(catalog::read_hardware_file(py::str(path).cast<std::string>()));
           },
-          py::arg("path"), "The hardware of a file, as --hardware reads it.")
+          py::arg("path"), "The hardware of a file, as the program reads it.")
       .def("to_toml", &toml, "str: A hardware file that reads back as this one.")
       .def(
           "replace",

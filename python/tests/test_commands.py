@@ -1,6 +1,7 @@
 """The subcommands: the program's files, names, defaults and complaints."""
 
 import _thread
+import doctest
 import filecmp
 import inspect
 import json
@@ -42,7 +43,8 @@ def test_names_and_defaults_are_the_programs(name):
         assert f"Default: {option[1]}." in re.sub(r"\s+", " ", said.group(1)), parameter.name
 
 
-def same_files(one, other):
+def different(one, other):
+    """The files of two folders that do not have the same bytes."""
     ours = sorted(p.relative_to(one) for p in one.rglob("*") if p.is_file())
     assert ours == sorted(p.relative_to(other) for p in other.rglob("*") if p.is_file())
     return [str(name) for name in ours if not filecmp.cmp(one / name, other / name, shallow=False)]
@@ -54,16 +56,14 @@ def test_an_exploration_saves_what_the_program_writes(program, tmp_path, monkeyp
                           uncertainty=True, objectives=["uniformity", "efficiency"])
     found.save("out")
     (tmp_path / "out").rename(tmp_path / "ours")
-    import os, subprocess
-    subprocess.run([os.environ["REEVE_EXECUTABLE"], "explore", "--fingers", "2", "--parts", "paper",
-                    "--constraint", "sheaths<=2", "--uncertainty", "--draws", "20",
-                    "--objectives", "uniformity,efficiency", "--out", "out"],
-                   check=True, capture_output=True)
-    # But for the seconds that it took.
-    assert set(same_files(tmp_path / "ours", tmp_path / "out")) <= {"summary.json", "index.html"}
+    program("explore", "--fingers", "2", "--parts", "paper", "--constraint", "sheaths<=2",
+            "--uncertainty", "--draws", "20", "--objectives", "uniformity,efficiency",
+            "--out", "out", folder=tmp_path)
+    assert set(different(tmp_path / "ours", tmp_path / "out")) <= {"summary.json"}
     summaries = [json.loads((tmp_path / f / "summary.json").read_text()) for f in ("ours", "out")]
     for summary in summaries:
-        summary.pop("seconds", None)
+        for how_fast in ("seconds", "designs_per_second"):
+            summary.pop(how_fast)
     assert summaries[0] == summaries[1]
     written = pd.read_csv(tmp_path / "out/designs.csv", comment="#")
     frame = found.designs
@@ -84,10 +84,8 @@ def test_a_ranking_saves_what_the_program_writes(program, tmp_path, monkeypatch)
     ranked = reeve.rank("TR1", reeve.Routing("TR7"), mu="0.18")
     ranked.save("out")
     (tmp_path / "out").rename(tmp_path / "ours")
-    import os, subprocess
-    subprocess.run([os.environ["REEVE_EXECUTABLE"], "rank", "TR1", "1-P-2-P-1", "--mu", "0.18",
-                    "--out", "out"], check=True, capture_output=True)
-    assert same_files(tmp_path / "ours", tmp_path / "out") == []
+    program("rank", "TR1", "1-P-2-P-1", "--mu", "0.18", "--out", "out", folder=tmp_path)
+    assert different(tmp_path / "ours", tmp_path / "out") == []
     assert list(ranked.designs["name"]) == ["TR7", "TR1"]
 
 
@@ -123,12 +121,12 @@ def test_simulated_readings_say_so():
                           cause={"sensor_gain[T3]": {"gain": 1.08}})
     assert made.data.attrs["simulated"] and "simulated" in made.csv.split("\n")[0].lower()
     assert len(made.data) == 4
-    assert "gain" in made.csv.split("\n", 8)[1] + made.csv
+    assert "sensor_gain[T3]" in made.csv
 
 
 def test_counts_and_checks(program):
     counts = json.loads(program("count", "--fingers", "4", "--format", "json"))
-    assert reeve.count(fingers=4).all in counts.values() or str(counts)
+    assert reeve.count(fingers=4)._asdict() == counts
     checked = reeve.check(family="paper")
     assert (checked.checks["status"] != "differs").all()
 
@@ -179,8 +177,6 @@ def test_drawings():
 
 
 def test_doctests():
-    import doctest
     for module in (_core, reeve._commands, reeve._tensions):
-        assert doctest.testmod(module).failed == 0
-    import reeve as package
-    assert doctest.testmod(package).failed == 0
+        found = doctest.testmod(module)
+        assert found.attempted and not found.failed
