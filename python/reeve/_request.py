@@ -55,7 +55,10 @@ class Request:
     """Positional and other arguments of a subcommand."""
 
     def __init__(
-        self, positionals: Sequence[Any] = (), options: Mapping[str, Any] = {}, last: Sequence[str] = ()
+        self,
+        positionals: Sequence[Any] = (),
+        options: Mapping[str, Any] = {},
+        last: Sequence[str] = (),
     ) -> None:
         self._positionals = [_as_file("data", item) for item in positionals]
         self._options: list[tuple[str, Any]] = []

@@ -141,7 +141,8 @@ class Ranking(Result):
         return ax
 
     def _repr_html_(self) -> str:
-        shown = ["rank", "front", "name", "routing", "uniformity_mean", "efficiency_mean", "sheaths"]
+        shown = ["rank", "front", "name", "routing"]
+        shown += ["uniformity_mean", "efficiency_mean", "sheaths"]
         designs = self.designs
         table = designs[[name for name in shown if name in designs]].head(10)
         html = str(table.to_html(index=False))
@@ -176,8 +177,6 @@ class Sizing(Result):
     ----------
     designs : list of dict
         The routings sized, best first.
-    hardware : Hardware
-        With the dimensions of the best.
     """
 
     @property

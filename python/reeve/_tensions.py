@@ -51,7 +51,9 @@ def _held_text(held: Held) -> str:
     return ",".join(str(finger) for finger in fingers) or "none"
 
 
-def _broadcast(coefficients: Mapping[str, Any]) -> tuple[list[str], tuple[int, ...], dict[str, Any]]:
+def _broadcast(
+    coefficients: Mapping[str, Any],
+) -> tuple[list[str], tuple[int, ...], dict[str, Any]]:
     """Names of the common axes, their shape, and each coefficient along all of them."""
     if any(hasattr(value, "dims") for value in coefficients.values()):
         import xarray
