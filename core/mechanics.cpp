@@ -20,9 +20,7 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
   validate(hardware_);
   for (const ContactKind kind : {ContactKind::tube, ContactKind::bearing, ContactKind::sheath,
                                  ContactKind::block, ContactKind::bar}) {
-    const auto i = static_cast<std::size_t>(kind);
-    phi_[i] = law(kind).exponent();
-    decay_[i] = std::exp(-phi_[i]);
+    prepare(kind);
   }
   if (!hardware_.fingers.empty()) by_finger_.resize(max_fingers + 1);
   for (const FingerHardware& finger : hardware_.fingers) {
@@ -35,6 +33,22 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
   if (const auto known = hand(hardware_)) {
     for (const HandFinger& finger : known->fingers) excursion_.push_back(finger.excursion_mm);
   }
+}
+
+void MechanicsBuilder::prepare(ContactKind kind) {
+  const auto i = static_cast<std::size_t>(kind);
+  phi_[i] = law(kind).exponent();
+  decay_[i] = std::exp(-phi_[i]);
+}
+
+void MechanicsBuilder::set_law(ContactKind kind, const ContactLaw& law) {
+  if (kind == ContactKind::tube) hardware_.tube = law;
+  if (kind == ContactKind::bearing) hardware_.bearing = law;
+  if (kind == ContactKind::sheath) hardware_.sheath = law;
+  if (kind == ContactKind::block) hardware_.block = law;
+  prepare(kind);
+  // A sheave is like the bearings where nobody says otherwise.
+  if (kind == ContactKind::bearing) prepare(ContactKind::block);
 }
 
 ContactLaw MechanicsBuilder::law(ContactKind kind) const {

@@ -27,6 +27,10 @@ class MechanicsBuilder {
   // Throws InputError of a fault of the hardware, and of a name that is no segment's.
   explicit MechanicsBuilder(const Hardware& hardware);
 
+  // In place of what the hardware says of a kind but a bar, for who varies coefficients; what it
+  // says of one finger or one contact stays. The law is one that there can be.
+  void set_law(ContactKind kind, const ContactLaw& law);
+
   // Keeps the memory of `mechanics`.
   void apply(const Network& network, Mechanics& mechanics) const;
 
@@ -45,6 +49,7 @@ class MechanicsBuilder {
 
   ContactLaw law(ContactKind kind) const;
   ContactLaw law(const Contact& contact) const;
+  void prepare(ContactKind kind);
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void close_by_excursions(Mechanics& mechanics) const;
 

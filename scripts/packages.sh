@@ -7,11 +7,13 @@ PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlop
   libsqlitecpp-dev libsqlite3-dev)
 # npm comes with the node of some machines, as part of it.
 command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
-# python3-pandas for the lines of docs/tables.md and docs/store.md, sqlite3
-# for those of the latter. Chromium alone brings no font, and a page without
-# letters fits everywhere.
-PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 python3-pandas sqlite3
-  chromium fonts-liberation fonts-dejavu-core)
+# sqlite3 for the lines of docs/store.md. Chromium alone brings no font, and a page without letters
+# fits everywhere.
+PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
+  fonts-liberation fonts-dejavu-core)
+# For the Python module and its tests.
+PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
+PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy)
 PACKAGES_CI=(clang-format clang-tidy)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
 # installs these unasked.

@@ -5,10 +5,21 @@
 
 namespace reeve::catalog {
 
-HardwareFile read_hardware_file(const std::filesystem::path& path) {
-  const TomlNode file = read_toml(path);
+namespace {
+
+HardwareFile hardware_of(const TomlNode& file) {
   file.allow_only(hardware_table_names());
   return read_hardware_tables(file);
+}
+
+}  // namespace
+
+HardwareFile read_hardware_file(const std::filesystem::path& path) {
+  return hardware_of(read_toml(path));
+}
+
+HardwareFile parse_hardware_file(const std::string& text, const std::string& name) {
+  return hardware_of(parse_toml(text, name));
 }
 
 Hardware read_hardware(const std::filesystem::path& path) {

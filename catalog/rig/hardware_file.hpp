@@ -34,8 +34,10 @@ struct HardwareFile {
   VaryTable vary{};
 };
 
-// Both throw InputError with file, line, column, key, value and what was expected.
+// All throw InputError with file, line, column, key, value and what was expected.
 HardwareFile read_hardware_file(const std::filesystem::path& path);
+// Of its text; `name` stands for the file in messages.
+HardwareFile parse_hardware_file(const std::string& text, const std::string& name);
 Hardware read_hardware(const std::filesystem::path& path);
 
 }  // namespace reeve::catalog

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
@@ -24,29 +25,47 @@ std::vector<ShownEntry> solve(const Catalogue& catalogue) {
   return shown;
 }
 
+struct CheckFlags {
+  FormatOption format;
+  FamilyOption family;
+  SvgOption svg;
+};
+
+void add_options(CLI::App& command, CheckFlags& flags) {
+  flags.family.add_to(command,
+                      "One family of the catalogue alone: paper, or a folder of families/");
+  flags.svg.add_to(
+      command,
+      "Also draw the routings of the family paper into this file, in the grasps of their published "
+      "numbers");
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
+CheckReport checked(const CheckFlags& flags, const Catalogue& catalogue) {
+  return check_all(catalogue, CatalogueFiles::shipped(), flags.family.read(catalogue));
+}
+
 }  // namespace
 
 void add_check(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "check",
       "Recompute every published number of the catalogue, and say where and why they differ");
-  auto format = std::make_shared<FormatOption>();
-  auto family = std::make_shared<FamilyOption>();
-  family->add_to(*command, "One family of the catalogue alone: paper, or a folder of families/");
-  auto svg = std::make_shared<SvgOption>();
-  svg->add_to(
-      *command,
-      "Also draw the routings of the family paper into this file, in the grasps of their published "
-      "numbers");
-  format->add_to(*command, with_tables({"json"}));
-  command->callback([format, svg, family, &exit_code] {
+  auto flags = std::make_shared<CheckFlags>();
+  add_options(*command, *flags);
+  command->callback([flags, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
-    const CheckReport report =
-        check_all(catalogue, CatalogueFiles::shipped(), family->read(catalogue));
-    if (svg->is_given()) svg->write(catalogue_sheet(solve(catalogue)));
-    std::cout << (format->is("json") ? check_json(report) : printed(check_sheet(report), *format));
+    const CheckReport report = checked(*flags, catalogue);
+    if (flags->svg.is_given()) flags->svg.write(catalogue_sheet(solve(catalogue)));
+    std::cout << (flags->format.is("json") ? check_json(report)
+                                           : printed(check_sheet(report), flags->format));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;
   });
+}
+
+CheckReport asked_check(const Arguments& arguments) {
+  const AskedCommand<CheckFlags> asked("check", add_options, arguments);
+  return checked(asked.flags(), shipped_catalogue());
 }
 
 }  // namespace reeve::cli

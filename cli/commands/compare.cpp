@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
@@ -55,21 +56,33 @@ void run(const CompareFlags& flags) {
                                         : printed(compare_sheet(result), flags.format));
 }
 
+void add_options(CLI::App& command, CompareFlags& flags) {
+  command
+      .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
+      ->required();
+  flags.out_given = command.add_option(
+      "--out", flags.out, "Folder for residuals.csv and comparison.json (default: none written)");
+  flags.readings.add_to(command);
+  flags.model.add_to(command);
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
 }  // namespace
 
 void add_compare(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
       "compare", "Measured tensions beside the model's, as it stands: nothing is fitted");
   auto flags = std::make_shared<CompareFlags>();
-  command
-      ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
-      ->required();
-  flags->out_given = command->add_option(
-      "--out", flags->out, "Folder for residuals.csv and comparison.json (default: none written)");
-  flags->readings.add_to(*command);
-  flags->model.add_to(*command);
-  flags->format.add_to(*command, with_tables({"json"}));
+  add_options(*command, *flags);
   command->callback([flags] { run(*flags); });
+}
+
+CompareReport asked_comparison(const Arguments& arguments) {
+  return report(AskedCommand<CompareFlags>("compare", add_options, arguments).flags());
+}
+
+void write_asked(const CompareReport& report, const Arguments& arguments) {
+  write_files(report, AskedCommand<CompareFlags>("compare", add_options, arguments).flags());
 }
 
 }  // namespace reeve::cli

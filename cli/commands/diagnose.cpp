@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
@@ -47,7 +48,6 @@ struct DiagnoseFlags {
   ReadingFlags readings;
   HardwareOption hardware;
   FormatOption format;
-  std::string command;  // as it was given
 
   std::filesystem::path json_file() const { return std::filesystem::path(out) / "diagnosis.json"; }
   std::filesystem::path csv_file() const { return std::filesystem::path(out) / "residuals.csv"; }
@@ -101,7 +101,9 @@ void require_readings(const MeasuredData& data) {
   }
 }
 
-DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
+// Nothing if `stage`, which hears what is being done, had it stopped.
+std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogue& catalogue,
+                                      const std::function<bool(const char*)>& stage) {
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
   request.settings = settings(flags);
@@ -115,21 +117,29 @@ DiagnosisReport report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   }
   require_contacts_to_match(request.hardware, routings);
   require_places(flags);
+  request.stage = stage;
+  return diagnosis_study(std::move(request), catalogue);
+}
+
+DiagnosisReport watched_report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   const std::atomic<bool>& stop = stop_on_interrupt();
   StageLine line;
-  request.stage = [&](const char* stage) {
+  auto result = report(flags, catalogue, [&](const char* stage) {
     line.show(stage);
     return stop.load();
-  };
-  auto result = diagnosis_study(std::move(request), catalogue);
+  });
   if (!result) throw Interrupted();
   return std::move(*result);
 }
 
+std::string command_text(const CLI::App& command) {
+  return command_line(command, {"--threads", "--format"});
+}
+
 void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
-                  const Catalogue& catalogue) {
+                  const std::string& command, const Catalogue& catalogue) {
   const DiagnosisPage page =
-      diagnosis_page({report, flags.command, next_routing(report, catalogue),
+      diagnosis_page({report, command, next_routing(report, catalogue),
                       diagnosed_distributions(report.data, report.hardware, report.result,
                                               report.published, catalogue)});
   prepare_directory(flags.out, "--out");
@@ -139,12 +149,18 @@ void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
   write_file(flags.page_file(), page.html);
 }
 
-void run(const DiagnoseFlags& flags) {
+std::string model_toml(const DiagnosisReport& report, const DiagnoseFlags& flags) {
+  return extended_model_toml(report, flags.hardware.read().uncertainty);
+}
+
+void run(const DiagnoseFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
-  const DiagnosisReport result = report(flags, catalogue);
-  if (flags.out_given->count() > 0) write_folder(result, flags, catalogue);
+  const DiagnosisReport result = watched_report(flags, catalogue);
+  if (flags.out_given->count() > 0) {
+    write_folder(result, flags, command_text(command), catalogue);
+  }
   if (flags.save_model_given->count() > 0) {
-    write_file(flags.save_model, extended_model_toml(result, flags.hardware.read().uncertainty));
+    write_file(flags.save_model, model_toml(result, flags));
   }
   std::cout << (flags.format.is("json") ? diagnosis_json(result)
                                         : printed(diagnosis_sheet(result), flags.format));
@@ -202,6 +218,27 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
                    "of the catalogue and of the data");
 }
 
+void add_options(CLI::App& command, DiagnoseFlags& flags) {
+  command
+      .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
+      ->required();
+  add_settings(command, flags);
+  command
+      .add_option("--threads", flags.threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  flags.out_given = command.add_option(
+      "--out", flags.out,
+      "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
+  flags.save_model_given = command.add_option(
+      "--save-model", flags.save_model,
+      "TOML file for the extended model, which rank, explore and show take as --model");
+  flags.readings.add_to(command);
+  flags.readings.add_noise_to(command);
+  flags.hardware.add_to(command);
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
 }  // namespace
 
 void add_diagnose(CLI::App& program, int&) {
@@ -209,28 +246,28 @@ void add_diagnose(CLI::App& program, int&) {
       "diagnose",
       "What the model gets wrong about measured tensions, which cause, and what to measure next");
   auto flags = std::make_shared<DiagnoseFlags>();
-  command
-      ->add_option("data", flags->data, "CSV file of readings; docs/data.md describes its columns")
-      ->required();
-  add_settings(*command, *flags);
-  command
-      ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  flags->out_given = command->add_option(
-      "--out", flags->out,
-      "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
-  flags->save_model_given = command->add_option(
-      "--save-model", flags->save_model,
-      "TOML file for the extended model, which rank, explore and show take as --model");
-  flags->readings.add_to(*command);
-  flags->readings.add_noise_to(*command);
-  flags->hardware.add_to(*command);
-  flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, command] {
-    flags->command = command_line(*command, {"--threads", "--format"});
-    run(*flags);
+  add_options(*command, *flags);
+  command->callback([flags, command] { run(*flags, *command); });
+}
+
+std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,
+                                               const StudySupervision& supervision) {
+  const AskedCommand<DiagnoseFlags> asked("diagnose", add_options, arguments);
+  return report(asked.flags(), shipped_catalogue(), [&](const char* stage) {
+    if (supervision.report) supervision.report(stage, {});
+    return supervision.stopped();
   });
+}
+
+void write_asked(const DiagnosisReport& report, const Arguments& arguments) {
+  const AskedCommand<DiagnoseFlags> asked("diagnose", add_options, arguments);
+  require_places(asked.flags());
+  write_folder(report, asked.flags(), command_text(asked.command()), shipped_catalogue());
+}
+
+std::string asked_model_toml(const DiagnosisReport& report, const Arguments& arguments) {
+  return model_toml(report,
+                    AskedCommand<DiagnoseFlags>("diagnose", add_options, arguments).flags());
 }
 
 }  // namespace reeve::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
@@ -27,44 +28,93 @@
 namespace reeve::cli {
 namespace {
 
+// Everything that is given, before anything is written or takes long.
+struct ExploreInputs {
+  Catalogue catalogue;
+  ExploreOptions options;
+  UncertaintyOptions drawn;
+  std::optional<UncertaintyOptions> uncertainty;
+  std::optional<CoefficientRange> over;
+  ListColumns columns;
+};
+
+ExploreInputs read(const ExploreFlags& flags) {
+  ExploreInputs inputs;
+  inputs.catalogue = shipped_catalogue();
+  const ModelFile file = flags.model.read();
+  inputs.options = flags.read(file.model, inputs.catalogue);
+  inputs.drawn = flags.read_uncertainty(file, inputs.options);
+  const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value(),
+                        flags.ranking.uncertainty, !inputs.options.constraints.empty()};
+  inputs.columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  flags.tables.require_width(flags.format);
+  if (flags.ranking.uncertainty) {
+    validate(inputs.drawn, flags.top);
+    inputs.uncertainty = inputs.drawn;
+  }
+  inputs.over = flags.sweep.read();
+  require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty);
+  return inputs;
+}
+
+ExploreReport planned(const ExploreInputs& inputs) {
+  ExploreReport report = planned_report(inputs.options, inputs.uncertainty, inputs.catalogue);
+  report.sweep_over = inputs.over;
+  return report;
+}
+
+// Where the exploration goes on and is saved; nothing without --store.
+class OpenedStore {
+ public:
+  OpenedStore(const ExploreFlags& flags, const CLI::App& command, const ExploreInputs& inputs)
+      : flags_(flags) {
+    if (flags.store.is_given()) {
+      flags.store.open(store_, planned(inputs), explore_arguments(command));
+    }
+  }
+
+  Keeping keeping() { return store_ ? flags_.store.keeping(*store_) : Keeping{}; }
+
+ private:
+  const ExploreFlags& flags_;
+  std::optional<ExplorationStore> store_;
+};
+
+ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& records,
+                   const Keeping& keeping, const StudySupervision& supervision) {
+  ExploreReport report = records.empty() ? exploration_study(inputs.options, inputs.uncertainty,
+                                                             inputs.catalogue, supervision, keeping)
+                                         : merged_study(inputs.options, inputs.uncertainty, records,
+                                                        inputs.catalogue, supervision);
+  if (inputs.over) {
+    add_sweep(report, {inputs.drawn, inputs.uncertainty.has_value(), *inputs.over}, supervision);
+  }
+  return report;
+}
+
+void prepare_folder(const std::string& folder) {
+  prepare_directory(folder, "--out");
+  require_file_can_be_written(std::filesystem::path(folder) / "index.html", "--out");
+}
+
 // What is printed and written is the same of one exploration and of its shards.
 int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
-  const Catalogue catalogue = shipped_catalogue();
-  const ModelFile file = flags.model.read();
-  const ExploreOptions explore_options = flags.read(file.model, catalogue);
-  const UncertaintyOptions drawn = flags.read_uncertainty(file, explore_options);
-  const ListedWith with{explore_options.prices.has_value(), hand(file.model.hardware).has_value(),
-                        flags.ranking.uncertainty, !explore_options.constraints.empty()};
-  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
-  flags.tables.require_width(flags.format);
-  if (flags.ranking.uncertainty) validate(drawn, flags.top);
-  const auto uncertainty = flags.ranking.uncertainty ? std::optional(drawn) : std::nullopt;
-  const std::optional<CoefficientRange> over = flags.sweep.read();
-  require_sweep(over, drawn, flags.ranking.uncertainty);
+  const ExploreInputs inputs = read(flags);
   std::vector<ShardRecord> records;
-  ExploreReport planned = planned_report(explore_options, uncertainty, catalogue);
-  planned.sweep_over = over;
   for (const ShardFile& shard : shards) {
-    require_same_exploration(shard, planned);
+    require_same_exploration(shard, planned(inputs));
     records.push_back(shard.record);
   }
-  prepare_directory(flags.out, "--out");
-  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
-  std::optional<ExplorationStore> store;
-  if (flags.store.is_given()) flags.store.open(store, planned, explore_arguments(command));
+  prepare_folder(flags.out);
+  OpenedStore store(flags, command, inputs);
+  const Keeping keeping = store.keeping();
   const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    const Keeping keeping = store ? flags.store.keeping(*store) : Keeping{};
-    ExploreReport made =
-        records.empty()
-            ? exploration_study(explore_options, uncertainty, catalogue, supervision, keeping)
-            : merged_study(explore_options, uncertainty, records, catalogue, supervision);
-    if (over) add_sweep(made, {drawn, flags.ranking.uncertainty, *over}, supervision);
-    return made;
+    return made(inputs, records, keeping, supervision);
   });
-  write_exploration(report, command, catalogue, flags.details, flags.out);
+  write_exploration(report, command, inputs.catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json")
                     ? explore_summary_json(report)
-                    : flags.tables.printed(explore_sheet(report, columns), flags.format));
+                    : flags.tables.printed(explore_sheet(report, inputs.columns), flags.format));
   std::cout << announced(
       fmt::format("index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, {}{}summary.json "
                   "and figures",
@@ -74,6 +124,8 @@ int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<Sh
   return report.result.unmet.empty() ? done : answer_is_no;
 }
 
+void add_options(CLI::App& command, ExploreFlags& flags) { flags.add_to(command); }
+
 }  // namespace
 
 void add_explore(CLI::App& program, int& exit_code) {
@@ -82,6 +134,20 @@ void add_explore(CLI::App& program, int& exit_code) {
   auto flags = std::make_shared<ExploreFlags>();
   flags->add_to(*command);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command, {}); });
+}
+
+ExploreReport asked_exploration(const Arguments& arguments, const StudySupervision& supervision) {
+  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
+  const ExploreInputs inputs = read(asked.flags());
+  OpenedStore store(asked.flags(), asked.command(), inputs);
+  return made(inputs, {}, store.keeping(), supervision);
+}
+
+void write_asked(const ExploreReport& report, const Arguments& arguments) {
+  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
+  prepare_folder(asked.flags().out);
+  write_exploration(report, asked.command(), shipped_catalogue(), asked.flags().details,
+                    asked.flags().out);
 }
 
 int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {

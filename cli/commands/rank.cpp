@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/stored_ranking.hpp"
 #include "cli/flags/ladder_flags.hpp"
@@ -185,8 +186,9 @@ void print(const RankReport& report, const RankFlags& flags, const ListColumns& 
 }
 
 void write_page(const RankReport& report, const std::filesystem::path& folder,
-                const std::string& command) {
-  const RankingPage page = ranking_page(report, command);
+                const CLI::App& command) {
+  const RankingPage page = ranking_page(
+      report, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
   write_figures(folder, page.figures);
   write_file(folder / "ladder.csv", ladder_csv(report.ladder));
   if (report.sweep) write_file(folder / "sweep.csv", sweep_csv(*report.sweep));
@@ -207,7 +209,6 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   if (flags.ranking.uncertainty) request.draws = Draws{flags.ranking.draws, flags.ranking.seed};
   if (flags.margin) require_the_two_means(request.order);
   request.margins = flags.margin;
-  request.details = flags.out.is_given();
   request.threads = flags.ranking.threads;
   request.prices = flags.ladder.read_prices();
   request.ladder = flags.ladder.read();
@@ -217,12 +218,29 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   return request;
 }
 
+void require_not_over_the_data(const RankFlags& flags, const std::filesystem::path& folder) {
+  if (flags.data_given->count() == 0) return;
+  for (const char* file : {"index.html", "ladder.csv", "sweep.csv", "ranking.json"}) {
+    require_not_the_data(folder / file, flags.data, "--out");
+  }
+}
+
+TensionDistributions distributions_of(const RankInputs& inputs) {
+  return tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
+}
+
+void add_distributions(RankReport& report, TensionDistributions distributions) {
+  report.unconverged += distributions.unconverged;
+  report.details->distributions = std::move(distributions);
+}
+
 int run(const RankFlags& flags, const CLI::App& command) {
   if (flags.stored.is_given()) {
     return rank_stored(command, flags.stored, flags.tables, flags.format);
   }
   const RankInputs inputs = read(flags);
-  const RankRequest asked = request(flags, inputs);
+  RankRequest asked = request(flags, inputs);
+  asked.details = flags.out.is_given();
   const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value(),
                         asked.draws.has_value()};
   const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
@@ -231,22 +249,17 @@ int run(const RankFlags& flags, const CLI::App& command) {
   TensionDistributions distributions;
   std::filesystem::path folder;
   if (flags.out.is_given()) {
-    distributions =
-        tension_distributions({inputs.routings, inputs.cases, inputs.data}, inputs.catalogue);
+    distributions = distributions_of(inputs);
     folder = flags.out.prepare();
-    for (const char* file : {"index.html", "ladder.csv", "sweep.csv", "ranking.json"}) {
-      if (inputs.data) require_not_the_data(folder / file, flags.data, "--out");
-    }
+    require_not_over_the_data(flags, folder);
   }
   std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
     return ranking_study(asked, inputs.catalogue, supervision);
   });
   if (!report) throw Interrupted();
   if (report->details) {
-    report->unconverged += distributions.unconverged;
-    report->details->distributions = std::move(distributions);
-    write_page(*report, folder,
-               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
+    add_distributions(*report, std::move(distributions));
+    write_page(*report, folder, command);
   }
   print(*report, flags, columns);
   if (flags.out.is_given()) {
@@ -258,54 +271,77 @@ int run(const RankFlags& flags, const CLI::App& command) {
   return done;
 }
 
+void add_options(CLI::App& command, RankFlags& flags) {
+  command.add_option("routing", flags.routings, "Catalogue names or words");
+  CLI::Option* catalog = command.add_flag(
+      "--catalog", flags.catalog,
+      "All routings of one family of the catalogue with as many fingers as the routings given, or "
+      "with --fingers of them");
+  flags.family
+      .add_to(command,
+              "For --catalog: the family, all with the same hardware; paper, which it is "
+              "by default, or a folder of families/")
+      ->needs(catalog);
+  command.add_option("--fingers", flags.fingers, "For --catalog alone: number of fingers")
+      ->check(CLI::Range(1, max_fingers))
+      ->capture_default_str();
+  command.add_flag("--margin", flags.margin,
+                   "Search the ranges of the coefficients for where the first design's lead over "
+                   "each other one is least");
+  CLI::Option* out =
+      flags.out.add_to(command,
+                       "a page, index.html, with ladder.csv, ranking.json and figures/, and "
+                       "sweep.csv of --sweep");
+  flags.data_given =
+      command
+          .add_option("--data", flags.data,
+                      "For the page: CSV file of readings, drawn beside the model's tensions; "
+                      "docs/data.md describes its columns")
+          ->needs(out);
+  flags.readings.add_to(command, flags.data_given);
+  command
+      .add_option(
+          "--mu", flags.mu,
+          "For the page: friction coefficients of tubes and sheaths, for each of which the "
+          "tension distributions are drawn; 'model': as the hardware and the model have them")
+      ->needs(out)
+      ->capture_default_str();
+  flags.stored.add_to(command);
+  flags.ranking.add_to(command);
+  flags.ladder.add_to(command);
+  flags.sweep.add_to(command, "the designs");
+  flags.model.add_to(command);
+  flags.tables.add_to(command, "the ranking");
+  flags.format.add_to(command, with_tables({"json", "csv"}));
+}
+
 }  // namespace
 
 void add_rank(CLI::App& program, int& exit_code) {
   CLI::App* command =
       program.add_subcommand("rank", "Compare routings that you have in mind, best first");
   auto flags = std::make_shared<RankFlags>();
-  command->add_option("routing", flags->routings, "Catalogue names or words");
-  CLI::Option* catalog = command->add_flag(
-      "--catalog", flags->catalog,
-      "All routings of one family of the catalogue with as many fingers as the routings given, or "
-      "with --fingers of them");
-  flags->family
-      .add_to(*command,
-              "For --catalog: the family, all with the same hardware; paper, which it is "
-              "by default, or a folder of families/")
-      ->needs(catalog);
-  command->add_option("--fingers", flags->fingers, "For --catalog alone: number of fingers")
-      ->check(CLI::Range(1, max_fingers))
-      ->capture_default_str();
-  command->add_flag("--margin", flags->margin,
-                    "Search the ranges of the coefficients for where the first design's lead over "
-                    "each other one is least");
-  CLI::Option* out =
-      flags->out.add_to(*command,
-                        "a page, index.html, with ladder.csv, ranking.json and figures/, and "
-                        "sweep.csv of --sweep");
-  flags->data_given =
-      command
-          ->add_option("--data", flags->data,
-                       "For the page: CSV file of readings, drawn beside the model's tensions; "
-                       "docs/data.md describes its columns")
-          ->needs(out);
-  flags->readings.add_to(*command, flags->data_given);
-  command
-      ->add_option(
-          "--mu", flags->mu,
-          "For the page: friction coefficients of tubes and sheaths, for each of which the "
-          "tension distributions are drawn; 'model': as the hardware and the model have them")
-      ->needs(out)
-      ->capture_default_str();
-  flags->stored.add_to(*command);
-  flags->ranking.add_to(*command);
-  flags->ladder.add_to(*command);
-  flags->sweep.add_to(*command, "the designs");
-  flags->model.add_to(*command);
-  flags->tables.add_to(*command, "the ranking");
-  flags->format.add_to(*command, with_tables({"json", "csv"}));
+  add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+}
+
+std::optional<RankReport> asked_ranking(const Arguments& arguments,
+                                        const StudySupervision& supervision) {
+  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
+  const RankInputs inputs = read(asked.flags());
+  RankRequest wanted = request(asked.flags(), inputs);
+  wanted.details = true;
+  TensionDistributions distributions = distributions_of(inputs);
+  auto report = ranking_study(wanted, inputs.catalogue, supervision);
+  if (report) add_distributions(*report, std::move(distributions));
+  return report;
+}
+
+void write_asked(const RankReport& report, const Arguments& arguments) {
+  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
+  const std::filesystem::path folder = asked.flags().out.prepare();
+  require_not_over_the_data(asked.flags(), folder);
+  write_page(report, folder, asked.command());
 }
 
 }  // namespace reeve::cli

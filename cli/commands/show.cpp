@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/ladder_flags.hpp"
 #include "cli/hand_inputs.hpp"
@@ -82,8 +83,8 @@ void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
 }
 
 void write_page(const std::filesystem::path& folder, const ShownRouting& report,
-                const std::string& command) {
-  const RoutingPage page = routing_page(report, command);
+                const CLI::App& command) {
+  const RoutingPage page = routing_page(report, command_line(command, {"--format", "--svg"}));
   write_figures(folder, page.figures);
   write_file(folder / "routing.json", show_json(report));
   write_file(folder / "index.html", page.html);
@@ -96,7 +97,7 @@ void run(const ShowFlags& flags, const CLI::App& command) {
   std::filesystem::path folder;
   if (flags.out.is_given()) {
     folder = flags.out.prepare();
-    write_page(folder, shown, command_line(command, {"--format", "--svg"}));
+    write_page(folder, shown, command);
   }
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
@@ -110,6 +111,25 @@ void run(const ShowFlags& flags, const CLI::App& command) {
   }
 }
 
+void add_options(CLI::App& command, ShowFlags& flags) {
+  command.add_option("routing", flags.routing, "Catalogue name or word")->required();
+  command
+      .add_option("--held", flags.held,
+                  "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "
+                  "(default: none held and each one finger held)")
+      ->allow_extra_args(false);
+  command.add_option("--direction", flags.direction, "Which way the carriage moves")
+      ->check(CLI::IsMember({"pull", "release"}))
+      ->capture_default_str();
+  flags.svg.add_to(command,
+                   "Also draw the routing into this file, in the grasp of --held (without --held: "
+                   "the parts alone, no tensions)");
+  flags.out.add_to(command, "a page, index.html, with routing.json and figures/");
+  flags.prices.add_to(command, "adds what this routing costs");
+  flags.model.add_to(command);
+  flags.format.add_to(command, with_tables({"json", "dot"}));
+}
+
 }  // namespace
 
 void add_show(CLI::App& program, int&) {
@@ -118,23 +138,17 @@ void add_show(CLI::App& program, int&) {
       "One routing in full: tensions, shares, sliding directions and objectives. A mechanism of the "
       "catalogue that has coefficients of its own is shown with them");
   auto flags = std::make_shared<ShowFlags>();
-  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
-  command
-      ->add_option("--held", flags->held,
-                   "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "
-                   "(default: none held and each one finger held)")
-      ->allow_extra_args(false);
-  command->add_option("--direction", flags->direction, "Which way the carriage moves")
-      ->check(CLI::IsMember({"pull", "release"}))
-      ->capture_default_str();
-  flags->svg.add_to(*command,
-                    "Also draw the routing into this file, in the grasp of --held (without --held: "
-                    "the parts alone, no tensions)");
-  flags->out.add_to(*command, "a page, index.html, with routing.json and figures/");
-  flags->prices.add_to(*command, "adds what this routing costs");
-  flags->model.add_to(*command);
-  flags->format.add_to(*command, with_tables({"json", "dot"}));
+  add_options(*command, *flags);
   command->callback([flags, command] { run(*flags, *command); });
+}
+
+ShownRouting asked_routing(const Arguments& arguments) {
+  return report(AskedCommand<ShowFlags>("show", add_options, arguments).flags());
+}
+
+void write_asked(const ShownRouting& report, const Arguments& arguments) {
+  const AskedCommand<ShowFlags> asked("show", add_options, arguments);
+  write_page(asked.flags().out.prepare(), report, asked.command());
 }
 
 }  // namespace reeve::cli

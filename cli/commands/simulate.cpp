@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "causes/named_effect.hpp"
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/experiment_flags.hpp"
 #include "cli/inputs.hpp"
@@ -138,21 +139,29 @@ SimulationReport report_of(const SimulateFlags& flags) {
   return report;
 }
 
+SimulationReport simulated(const SimulateFlags& flags) {
+  SimulationReport report = report_of(flags);
+  report.simulation = simulate(report.plan, report.model, report.noise, report.seed);
+  return report;
+}
+
+std::optional<PowerReport> power(const SimulateFlags& flags, const StudySupervision& supervision) {
+  return power_study(report_of(flags), flags.power, simulation_csv, supervision);
+}
+
 void run(const SimulateFlags& flags) {
   const bool to_file = flags.out_given->count() > 0;
   if (to_file && flags.out.empty())
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
-  SimulationReport report = report_of(flags);
   if (flags.power > 0) {
-    const auto power = supervised([&](const StudySupervision& supervision) {
-      return power_study(std::move(report), flags.power, simulation_csv, supervision);
-    });
-    if (!power) throw Interrupted();
-    std::cout << (flags.format.is("json") ? power_json(*power)
-                                          : printed(power_sheet(*power), flags.format));
+    const auto report =
+        supervised([&](const StudySupervision& supervision) { return power(flags, supervision); });
+    if (!report) throw Interrupted();
+    std::cout << (flags.format.is("json") ? power_json(*report)
+                                          : printed(power_sheet(*report), flags.format));
     return;
   }
-  report.simulation = simulate(report.plan, report.model, report.noise, report.seed);
+  const SimulationReport report = simulated(flags);
   if (!to_file) {
     std::cout << simulation_csv(report);
     return;
@@ -161,40 +170,54 @@ void run(const SimulateFlags& flags) {
   std::cout << simulation_summary(report, flags.out);
 }
 
+void add_options(CLI::App& command, SimulateFlags& flags) {
+  flags.command = &command;
+  flags.experiment.add_to(command);
+  flags.cause =
+      command
+          .add_option("--cause", flags.causes,
+                      "Hidden cause, such as load_dependent_friction, sensor_gain[T3], "
+                      "sheath_angle[2] or seized_contact[TR5,T1-T2]; may be given more than once")
+          ->allow_extra_args(false);
+  flags.set = command
+                  .add_option("--set", flags.settings,
+                              "Parameter of the --cause before it, such as gain=1.08")
+                  ->allow_extra_args(false);
+  flags.hardware.add_to(command);
+  command.add_option("--seed", flags.seed, "Seed of the conditions and the noise")
+      ->check(not_negative)
+      ->capture_default_str();
+  flags.out_given =
+      command.add_option("-o,--output", flags.out, "CSV file (default: standard output)");
+  CLI::Option* power =
+      command
+          .add_option("--power", flags.power,
+                      "Diagnose so many experiments, of this seed and the next ones, and report "
+                      "how often what is hidden is found; no data are written")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+          ->excludes(flags.out_given);
+  flags.format.add_to(command, with_tables({"json"}));
+  command.get_option("--format")->needs(power);
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
       "simulate", "Readings of a planned experiment on a rig with hidden causes, as a data file");
   auto flags = std::make_shared<SimulateFlags>();
-  flags->command = command;
-  flags->experiment.add_to(*command);
-  flags->cause =
-      command
-          ->add_option("--cause", flags->causes,
-                       "Hidden cause, such as load_dependent_friction, sensor_gain[T3], "
-                       "sheath_angle[2] or seized_contact[TR5,T1-T2]; may be given more than once")
-          ->allow_extra_args(false);
-  flags->set = command
-                   ->add_option("--set", flags->settings,
-                                "Parameter of the --cause before it, such as gain=1.08")
-                   ->allow_extra_args(false);
-  flags->hardware.add_to(*command);
-  command->add_option("--seed", flags->seed, "Seed of the conditions and the noise")
-      ->check(not_negative)
-      ->capture_default_str();
-  flags->out_given =
-      command->add_option("-o,--output", flags->out, "CSV file (default: standard output)");
-  CLI::Option* power =
-      command
-          ->add_option("--power", flags->power,
-                       "Diagnose so many experiments, of this seed and the next ones, and report "
-                       "how often what is hidden is found; no data are written")
-          ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-          ->excludes(flags->out_given);
-  flags->format.add_to(*command, with_tables({"json"}));
-  command->get_option("--format")->needs(power);
+  add_options(*command, *flags);
   command->callback([flags] { run(*flags); });
+}
+
+SimulationReport asked_simulation(const Arguments& arguments) {
+  return simulated(AskedCommand<SimulateFlags>("simulate", add_options, arguments).flags());
+}
+
+std::optional<PowerReport> asked_power(const Arguments& arguments,
+                                       const StudySupervision& supervision) {
+  const AskedCommand<SimulateFlags> asked("simulate", add_options, arguments);
+  return power(asked.flags(), supervision);
 }
 
 }  // namespace reeve::cli

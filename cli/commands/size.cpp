@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/hand_inputs.hpp"
@@ -194,32 +195,58 @@ void write_page(const SizingReport& report, const std::filesystem::path& folder,
   write_file(folder / "index.html", page.html);
 }
 
-int run(const SizeFlags& flags, const CLI::App& command) {
-  const Catalogue catalogue = shipped_catalogue();
-  const std::vector<Routing> routings = read_routings(flags, catalogue);
-  require_comparable(routings);
+std::string sizing_command(const CLI::App& command) {
+  return command_line(command, {"--format", "--threads", "--columns", "--text-width"});
+}
+
+// Everything that is given, before anything is written or takes long.
+struct SizeInputs {
+  Catalogue catalogue;
+  std::vector<Routing> routings;
+  SizingOptions options;
+  VaryTable vary;
+  std::vector<std::string> columns;
+};
+
+SizeInputs read(const SizeFlags& flags) {
+  SizeInputs inputs;
+  inputs.catalogue = shipped_catalogue();
+  inputs.routings = read_routings(flags, inputs.catalogue);
+  require_comparable(inputs.routings);
   const ModelFile file = flags.model.read();
-  require_contacts_to_match(file.model.hardware, routings);
-  const SizingOptions options = read_options(flags, file, finger_count(routings.front()));
-  require_ranges_to_match(routings, options.nominal.hardware, options.varied, options.same);
-  const std::vector<std::string> columns = read_columns(flags, options.nominal.hardware);
+  const Hardware& hardware = file.model.hardware;
+  require_contacts_to_match(hardware, inputs.routings);
+  inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
+  inputs.vary = file.vary;
+  require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
+  inputs.columns = read_columns(flags, hardware);
   flags.tables.require_width(flags.format);
+  return inputs;
+}
+
+SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
+                   const StudySupervision& supervision) {
+  SizingReport report =
+      sizing_study(inputs.routings, inputs.options, inputs.catalogue, supervision);
+  report.notes = notes(flags, inputs.options);
+  return report;
+}
+
+int run(const SizeFlags& flags, const CLI::App& command) {
+  const SizeInputs inputs = read(flags);
   if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
   std::filesystem::path folder;
   if (flags.out.is_given()) folder = flags.out.prepare();
-  SizingReport report = supervised([&](const StudySupervision& supervision) {
-    return sizing_study(routings, options, catalogue, supervision);
-  });
-  report.notes = notes(flags, options);
+  SizingReport report = supervised(
+      [&](const StudySupervision& supervision) { return sized(flags, inputs, supervision); });
   if (flags.save_given->count() > 0) {
-    write_file(flags.save, sized_hardware_toml(report, file.vary));
+    write_file(flags.save, sized_hardware_toml(report, inputs.vary));
   }
   if (flags.out.is_given()) {
-    report.details = sizing_details(report, catalogue);
-    write_page(report, folder,
-               command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
+    report.details = sizing_details(report, inputs.catalogue);
+    write_page(report, folder, sizing_command(command));
   }
-  print(report, flags, columns);
+  print(report, flags, inputs.columns);
   if (flags.out.is_given()) {
     std::cout << announced("index.html, sizing.json and figures", folder, flags.format);
   }
@@ -271,39 +298,59 @@ void add_search(CLI::App& command, SizeFlags& flags) {
       ->capture_default_str();
 }
 
+void add_options(CLI::App& command, SizeFlags& flags) {
+  command.add_option("routing", flags.routings, "Catalogue names or words");
+  flags.from_given = command.add_option("--from", flags.from,
+                                        "Folder of an exploration: also the best of its designs");
+  command.add_option("--top", flags.top, "For --from: how many of them")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+      ->needs(flags.from_given)
+      ->capture_default_str();
+  command
+      .add_option("--vary", flags.vary,
+                  "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
+                  "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
+                  "contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
+      ->allow_extra_args(false);
+  command
+      .add_option("--same", flags.same,
+                  "What stays equal: tips, sheaths, strands, or dimensions such as "
+                  "'sheath_angle[2,3,4]'. May be given several times")
+      ->allow_extra_args(false);
+  add_goal(command, flags);
+  add_search(command, flags);
+  flags.save_given = command.add_option("--save-hardware", flags.save,
+                                        "Write the hardware, as it is sized, as a TOML file");
+  flags.out.add_to(command, "a page, index.html, with sizing.json and figures/");
+  flags.model.add_to(command);
+  flags.tables.add_to(command, "the dimensions, or of the routings sized");
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
 }  // namespace
 
 void add_size(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "size", "The dimensions of a routing's parts that suit a goal best, with their tolerances");
   auto flags = std::make_shared<SizeFlags>();
-  command->add_option("routing", flags->routings, "Catalogue names or words");
-  flags->from_given = command->add_option("--from", flags->from,
-                                          "Folder of an exploration: also the best of its designs");
-  command->add_option("--top", flags->top, "For --from: how many of them")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
-      ->needs(flags->from_given)
-      ->capture_default_str();
-  command
-      ->add_option("--vary", flags->vary,
-                   "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
-                   "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
-                   "contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--same", flags->same,
-                   "What stays equal: tips, sheaths, strands, or dimensions such as "
-                   "'sheath_angle[2,3,4]'. May be given several times")
-      ->allow_extra_args(false);
-  add_goal(*command, *flags);
-  add_search(*command, *flags);
-  flags->save_given = command->add_option("--save-hardware", flags->save,
-                                          "Write the hardware, as it is sized, as a TOML file");
-  flags->out.add_to(*command, "a page, index.html, with sizing.json and figures/");
-  flags->model.add_to(*command);
-  flags->tables.add_to(*command, "the dimensions, or of the routings sized");
-  flags->format.add_to(*command, with_tables({"json"}));
+  add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+}
+
+SizingReport asked_sizing(const Arguments& arguments, const StudySupervision& supervision) {
+  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
+  return sized(asked.flags(), read(asked.flags()), supervision);
+}
+
+void write_asked(SizingReport report, const Arguments& arguments) {
+  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
+  report.details = sizing_details(report, shipped_catalogue());
+  write_page(report, asked.flags().out.prepare(), sizing_command(asked.command()));
+}
+
+std::string asked_hardware_toml(const SizingReport& report, const Arguments& arguments) {
+  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
+  return sized_hardware_toml(report, asked.flags().model.read().vary);
 }
 
 }  // namespace reeve::cli

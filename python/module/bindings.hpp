@@ -1,0 +1,62 @@
+// What the parts of the module share. Values cross as they are; what a subcommand does is asked for
+// as the command line would ask (cli/commands/asked.hpp), so that names, defaults and complaints
+// are the program's.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "catalog/rig/hardware_file.hpp"
+#include "core/grasp.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/routing.hpp"
+
+namespace reeve::python {
+
+// What stands above the floors of numerics/floors.hpp looks at all of them.
+using namespace cli;
+
+namespace py = pybind11;
+
+// With what every use of it needs.
+struct BoundRouting {
+  explicit BoundRouting(const std::string& text);
+
+  Routing routing;
+  Network network;
+  std::string word;
+  std::string identity;  // of two routings that are one it is the same
+};
+
+struct BoundHardware {
+  explicit BoundHardware(HardwareFile given);
+
+  HardwareFile file;
+  MechanicsBuilder builder;
+};
+
+const Catalogue& the_catalogue();
+
+// None: the paper's.
+std::shared_ptr<const BoundHardware> hardware_or_paper(std::shared_ptr<BoundHardware> hardware);
+
+// Fingers as numbers, one number, or text as on the command line.
+Grasp grasp_from(const py::handle& held, int fingers);
+Direction direction_from(const std::string& text);
+
+// Contacts that the hardware names must be there.
+void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings);
+
+void bind_errors(py::module_& module);
+void bind_routing(py::module_& module);
+void bind_hardware(py::module_& module);
+void bind_tensions(py::module_& module);
+void bind_table(py::module_& module);
+void bind_commands(py::module_& module);
+
+}  // namespace reeve::python

@@ -1,0 +1,163 @@
+// The subcommands that explore, rank, size, …: their results, as the package shapes them.
+#include <pybind11/stl.h>
+
+#include "cli/commands/asked.hpp"
+#include "core/error.hpp"
+#include "python/module/bindings.hpp"
+#include "python/module/design_columns.hpp"
+#include "python/module/watched.hpp"
+#include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/results/check_report.hpp"
+#include "reports/results/compare_report.hpp"
+#include "reports/results/count_report.hpp"
+#include "reports/results/power_report.hpp"
+#include "reports/results/rank_report.hpp"
+#include "reports/results/show_report.hpp"
+#include "reports/results/simulation_report.hpp"
+#include "reports/sheet/sheet_text.hpp"
+#include "reports/sizing/sizing_report.hpp"
+
+namespace reeve::python {
+namespace {
+
+using cli::Arguments;
+using studies::StudySupervision;
+
+// The result and whether it was interrupted; None where stopping left nothing.
+template <typename Pair>
+py::tuple found(Pair&& pair) {
+  return py::make_tuple(std::move(pair.first), pair.second);
+}
+
+template <typename Study>
+py::tuple run(Study study, const Arguments& arguments, const py::object& progress) {
+  return found(watched(progress, [&](const StudySupervision& supervision) {
+    return study(arguments, supervision);
+  }));
+}
+
+template <typename Report>
+void save(const Report& report, const Arguments& arguments) {
+  const py::gil_scoped_release release;
+  cli::write_asked(report, arguments);
+}
+
+template <typename Report>
+void bind_report(py::class_<Report>& report, std::string (*json)(const Report&),
+                 Sheet (*sheet)(const Report&)) {
+  report.def("json", json).def("text", [sheet](const Report& self) {
+    return reports::text(sheet(self));
+  });
+}
+
+void bind_exploration(py::module_& module) {
+  py::class_<ExploreReport> report(module, "ExploreReport");
+  bind_report<ExploreReport>(report, &explore_summary_json,
+                             [](const ExploreReport& self) { return explore_sheet(self); });
+  report.def("save", &save<ExploreReport>)
+      .def("designs", [](const ExploreReport& self) { return design_columns(self.top); })
+      .def("front", [](const ExploreReport& self) { return design_columns(self.front); })
+      .def("partial", &partial_note);
+  module.def("explore", [](const Arguments& arguments, const py::object& progress) {
+    return run(&cli::asked_exploration, arguments, progress);
+  });
+}
+
+void bind_ranking(py::module_& module) {
+  py::class_<RankReport> report(module, "RankReport");
+  bind_report<RankReport>(report, &rank_json,
+                          [](const RankReport& self) { return rank_sheet(self); });
+  report.def("save", &save<RankReport>).def("designs", [](const RankReport& self) {
+    return design_columns(self.designs);
+  });
+  module.def("rank", [](const Arguments& arguments, const py::object& progress) {
+    return run(&cli::asked_ranking, arguments, progress);
+  });
+}
+
+void bind_sizing(py::module_& module) {
+  py::class_<SizingReport> report(module, "SizingReport");
+  bind_report<SizingReport>(report, &sizing_json,
+                            [](const SizingReport& self) { return sizing_sheet(self); });
+  report.def("save", &save<SizingReport>)
+      .def("hardware_toml",
+           [](const SizingReport& self, const Arguments& arguments) {
+             return cli::asked_hardware_toml(self, arguments);
+           })
+      .def("partial", [](const SizingReport& self) { return self.partial; });
+  module.def("size", [](const Arguments& arguments, const py::object& progress) {
+    return run(&cli::asked_sizing, arguments, progress);
+  });
+}
+
+void bind_diagnosis(py::module_& module) {
+  py::class_<DiagnosisReport> report(module, "DiagnosisReport");
+  bind_report<DiagnosisReport>(report, &diagnosis_json, &diagnosis_sheet);
+  report.def("save", &save<DiagnosisReport>)
+      .def("answer", &diagnosis_answer)
+      .def("residuals_csv", &diagnosis_residuals_csv)
+      .def("model_toml", &cli::asked_model_toml)
+      .def("call_data",
+           [](DiagnosisReport& self, const std::string& name) { self.data.file = name; });
+  module.def("diagnose", [](const Arguments& arguments, const py::object& progress) {
+    return run(&cli::asked_diagnosis, arguments, progress);
+  });
+}
+
+void bind_showing(py::module_& module) {
+  py::class_<ShownRouting> report(module, "ShownRouting");
+  bind_report<ShownRouting>(report, &show_json, &show_sheet);
+  report.def("save", &save<ShownRouting>)
+      .def("svg", [](const ShownRouting& self, std::optional<std::size_t> grasp) {
+        return show_svg(self, grasp ? &self.grasps.at(*grasp) : nullptr);
+      });
+  module.def("show", &cli::asked_routing, py::call_guard<py::gil_scoped_release>());
+}
+
+void bind_quick_ones(py::module_& module) {
+  py::class_<CheckReport> check(module, "CheckReport");
+  bind_report<CheckReport>(check, &check_json, &check_sheet);
+  module.def("check", &cli::asked_check, py::call_guard<py::gil_scoped_release>());
+  py::class_<CompareReport> comparison(module, "CompareReport");
+  bind_report<CompareReport>(comparison, &compare_json, &compare_sheet);
+  comparison.def("save", &save<CompareReport>).def("residuals_csv", &residuals_csv);
+  module.def("compare", &cli::asked_comparison, py::call_guard<py::gil_scoped_release>());
+  module.def("count", [](const Arguments& arguments) {
+    const RoutingCounts counts = cli::asked_count(arguments);
+    return py::make_tuple(counts.all, counts.actuated, counts.one_tendon);
+  });
+  module.def("simulate", [](const Arguments& arguments) {
+    return simulation_csv(cli::asked_simulation(arguments));
+  });
+  module.def("power", [](const Arguments& arguments, const py::object& progress) {
+    auto [report, interrupted] = watched(progress, [&](const StudySupervision& supervision) {
+      return cli::asked_power(arguments, supervision);
+    });
+    return py::make_tuple(report ? py::object(py::str(power_json(*report))) : py::none(),
+                          interrupted);
+  });
+}
+
+py::list options(const std::string& subcommand) {
+  py::list texts;
+  for (const cli::OptionText& option : cli::option_texts(subcommand)) {
+    texts.append(py::make_tuple(option.name, option.preset, option.meaning, option.is_flag));
+  }
+  return texts;
+}
+
+}  // namespace
+
+void bind_commands(py::module_& module) {
+  bind_exploration(module);
+  bind_ranking(module);
+  bind_sizing(module);
+  bind_diagnosis(module);
+  bind_showing(module);
+  bind_quick_ones(module);
+  module.def("options", &options,
+             "Name, default and meaning of a subcommand's options, and whether it is a flag.");
+  module.def("objective_units", &objective_units);
+}
+
+}  // namespace reeve::python

@@ -1,0 +1,17 @@
+// A list of designs as columns for a data frame: those of designs.csv, in its order.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <vector>
+
+#include "studies/listed_design.hpp"
+
+namespace reeve::python {
+
+pybind11::dict design_columns(const std::vector<studies::ListedDesign>& designs);
+
+// Of the objectives, by column.
+pybind11::dict objective_units();
+
+}  // namespace reeve::python

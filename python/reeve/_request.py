@@ -1,0 +1,113 @@
+"""What is asked of a subcommand, as the command line would say it."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Union
+
+from . import _core
+from ._model import Model
+
+# Options of which each value is given by itself; of all others a list is joined by commas.
+_REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "held"}
+
+
+class FileText:
+    """A value that the program reads from a file."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name = name
+        self.text = text
+
+
+def _as_file(name: str, value: Any) -> Any:
+    if isinstance(value, _core.Hardware):
+        return FileText(f"{name}.toml", value.to_toml())
+    if isinstance(value, Model):
+        return FileText(f"{name}.toml", value.to_toml())
+    if hasattr(value, "to_csv"):
+        return FileText(f"{name}.csv", value.to_csv(index=False))
+    return value
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, Mapping):
+        return ",".join(f"{key}={_text(item)}" for key, item in value.items())
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return ",".join(_text(item) for item in value)
+    if isinstance(value, _core.Routing):
+        return value.word
+    return str(value)
+
+
+def _values(name: str, value: Any) -> list[Any]:
+    if name not in _REPEATED or isinstance(value, (str, int)):
+        return [value]
+    if isinstance(value, Mapping):
+        return [f"{key}={_text(item)}" for key, item in value.items()]
+    return list(value)
+
+
+class Request:
+    """Positional and other arguments of a subcommand."""
+
+    def __init__(
+        self,
+        positionals: Sequence[Any] = (),
+        options: Mapping[str, Any] = {},
+        last: Sequence[str] = (),
+    ) -> None:
+        self._positionals = [_as_file("data", item) for item in positionals]
+        self._options: list[tuple[str, Any]] = []
+        for keyword, value in options.items():
+            name = keyword.rstrip("_").replace("_", "-")
+            if value is None or value is False:
+                continue
+            if value is True:
+                self._options.append((name, True))
+                continue
+            value = _as_file(name, value)
+            items = [value] if isinstance(value, FileText) else _values(name, value)
+            self._options.extend((name, item) for item in items)
+        self._last = list(last)
+
+    def _files(self) -> list[FileText]:
+        values = [*self._positionals, *(value for _, value in self._options)]
+        return [value for value in values if isinstance(value, FileText)]
+
+    def file_names(self) -> list[str]:
+        """Of the values that are no files yet."""
+        return [file.name for file in self._files()]
+
+    def _arguments(self, folder: Path) -> list[str]:
+        def text(value: Any) -> str:
+            return str(folder / value.name) if isinstance(value, FileText) else _text(value)
+
+        named = [
+            f"--{name}" if value is True else f"--{name}={text(value)}"
+            for name, value in self._options
+        ]
+        return [*(text(item) for item in self._positionals), *named, *self._last]
+
+    @contextmanager
+    def arguments(self) -> Iterator[list[str]]:
+        """The arguments, while the files that they name are there."""
+        if not self._files():
+            yield self._arguments(Path())
+            return
+        with tempfile.TemporaryDirectory(prefix="reeve-") as folder:
+            yield self._written(Path(folder))
+
+    def arguments_for(self, folder: Union[str, Path]) -> list[str]:
+        """The arguments that write into this folder; the files they name are put there."""
+        if self._files():
+            Path(folder).mkdir(parents=True, exist_ok=True)
+        return [*self._written(Path(folder)), f"--out={folder}"]
+
+    def _written(self, folder: Path) -> list[str]:
+        for file in self._files():
+            (folder / file.name).write_text(file.text, encoding="utf-8")
+        return self._arguments(folder)
