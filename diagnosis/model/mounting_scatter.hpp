@@ -1,5 +1,5 @@
 // How much mountings of a routing differ (mounting.hpp), estimated from the differences between
-// mountings of the same routing.
+// mountings of the same routing in the same group of rows.
 //
 // Residuals y in units of the readings' own noise; in each routing everything that its mountings
 // have in common is taken out, whatever it is: the mean of each channel in each grasp and
