@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/commands/asked_command.hpp"
+#include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"

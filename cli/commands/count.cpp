@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "cli/commands/asked_command.hpp"
+#include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/asked_command.hpp"
+#include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/asked/asked_command.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/stored_ranking.hpp"
 #include "cli/flags/ladder_flags.hpp"

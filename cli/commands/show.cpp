@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/asked/asked_command.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/ladder_flags.hpp"
 #include "cli/hand_inputs.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "causes/named_effect.hpp"
-#include "cli/commands/asked_command.hpp"
+#include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/experiment_flags.hpp"
 #include "cli/inputs.hpp"

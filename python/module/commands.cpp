@@ -1,7 +1,7 @@
 // The subcommands that explore, rank, size, …: their results, as the package shapes them.
 #include <pybind11/stl.h>
 
-#include "cli/commands/asked.hpp"
+#include "cli/asked/asked.hpp"
 #include "core/error.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/design_columns.hpp"

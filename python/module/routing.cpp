@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "catalog/names.hpp"
-#include "cli/commands/asked.hpp"
+#include "cli/asked/asked.hpp"
 #include "cli/inputs.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "cli/asked/asked.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands/asked.hpp"
 
 namespace reeve::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/commands/asked_command.hpp"
+#include "cli/asked/asked_command.hpp"
 
 #include <algorithm>
 
