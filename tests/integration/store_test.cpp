@@ -105,7 +105,8 @@ class StoredCase : public Stored, public ::testing::WithParamInterface<KeptCase>
 TEST_P(StoredCase, GoesOnToTheBytesOfTheWhole) {
   const Explored whole(GetParam().arguments);
   explore(GetParam().arguments,
-          disturbed(SIGKILL, [&](const RunningProcess&) { return generated() > 0; }));
+          disturbed(SIGKILL, [&](const RunningProcess&) { return generated() > 0; }),
+          {"--keep", "all"});
   EXPECT_GT(generated(), 0U);
   const ProcessResult last = explore(GetParam().arguments);
   EXPECT_EQ(last.exit_code, whole.result.exit_code) << last.err;
@@ -118,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         KeptCase{"AShard", {"--fingers", "5", "--shard", "2/3", "--top", "20"}},
         KeptCase{"Blocks",
                  {"--fingers", "3", "--blocks", "1", "--top", "20", "--objectives",
-                  "uniformity,sheaths,travel", "--keep", "all"}},
+                  "uniformity,sheaths,travel"}},
         KeptCase{"NothingMeetsThem",
                  {"--fingers", "4", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
         KeptCase{"Prices",
@@ -189,7 +190,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
   execute(store(), "UPDATE shards SET total = 1000");
   expect_bad(explore({}), "what was kept is of 1000 routings, and there are 126");
   execute(store(), "UPDATE shards SET total = 1");
-  expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
+  expect_bad(explore({}), "s.db: its counts are not those of its settings");
   execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
   for (const ProcessResult& result : {explore({}), run({"rank", "--store", "s.db"})}) {
     EXPECT_EQ(result.exit_code, 2);
@@ -225,6 +226,8 @@ ProcessResult as_nobody(const Arguments& arguments, const fs::path& directory) {
 TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   EXPECT_EQ(explore({"--fingers", "4"}).exit_code, 0);
   fs::permissions(store(), fs::perms(0444));
+  fs::remove_all(folder_.path() / "out");
+  fs::create_directory(folder_.path() / "out");
   fs::permissions(folder_.path() / "out", fs::perms(0777));
   fs::permissions(folder_.path(), fs::perms(0555));
   const auto as_usual = [&](const Arguments& arguments) {
