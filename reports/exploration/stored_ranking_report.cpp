@@ -10,6 +10,7 @@
 #include "reports/json.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/explore_report.hpp"
+#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -77,9 +78,12 @@ Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& colu
     return sheet;
   }
   sheet.add({"", std::nullopt, answer_lines(report.top, report.ladder)});
-  sheet.add({fmt::format("Top {}", lines.size()),
-             design_table(lines, report.options.order, report.options.score, columns),
-             alike_lines(lines)});
+  const ExploreOptions& options = report.options;
+  sheet.add(
+      {fmt::format("Top {}", lines.size()),
+       design_table(lines, shown_objectives(options.order, options.score, options.constraints),
+                    columns),
+       alike_lines(lines)});
   if (columns.chosen.empty()) sheet.add(ladder_section(report.ladder));
   return sheet;
 }

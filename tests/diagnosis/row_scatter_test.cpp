@@ -12,12 +12,12 @@ constexpr std::size_t strands = 3;
 
 // Readings of the model that scatter by 1 %, and their rows by τ.
 MeasuredData rig(double tau, std::uint64_t seed, std::size_t shown = strands) {
-  const std::string header = "run,routing,motor_tension_N,T1_N,T2_N,T3_N\n";
-  std::string bare = header;
+  const std::string columns = "run,routing,motor_tension_N,T1_N,T2_N,T3_N\n";
+  std::string bare = columns;
   for (std::size_t i = 0; i < 120; ++i) bare += fmt::format("A,TR5,{},1,1,1\n", 10 + i % 7 * 5);
   const MeasuredData planned = read_data(bare);
   const Forecast at = forecast(all_of(planned), {});
-  std::string text = header;
+  std::string text = columns;
   for (std::size_t i = 0; i < 120; ++i) {
     text += fmt::format("A,TR5,{}", 10 + i % 7 * 5);
     const double row = 1 + tau * normal(seed, 1, i);

@@ -60,7 +60,7 @@ std::string unit_of(const std::string& column) {
   return column.ends_with("_C") ? "°C" : "-";
 }
 
-bool is_strand(const std::string& column) {
+bool is_tension(const std::string& column) {
   return column.starts_with('T') && column.ends_with("_N");
 }
 
@@ -88,7 +88,7 @@ std::string in_other_form(const Table& table, Dice& dice) {
   int index = 0;
   for (Fields row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      if (row[c].empty() && is_strand(table.header[c])) row[c] = dice.chance(0.5) ? "NaN" : "n/a";
+      if (row[c].empty() && is_tension(table.header[c])) row[c] = dice.chance(0.5) ? "NaN" : "n/a";
     }
     text += std::to_string(index++) + european(row) + (dice.chance(0.1) ? ";cable moved" : ";ok");
     text += dice.chance(0.5) ? ";\r\n" : "\r\n";
@@ -109,7 +109,7 @@ void copy_some(Table& table, Dice& dice) {
 void add_spikes(Table& table, Dice& dice) {
   for (Fields& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      if (!is_strand(table.header[c]) || row[c].empty() || !dice.chance(0.01)) continue;
+      if (!is_tension(table.header[c]) || row[c].empty() || !dice.chance(0.01)) continue;
       row[c] = fmt::format("{:.4f}", std::stod(row[c]) * dice.real(3, 10));
     }
   }
