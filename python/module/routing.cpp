@@ -2,12 +2,14 @@
 
 #include "catalog/names.hpp"
 #include "cli/asked/asked.hpp"
+#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/performance.hpp"
 #include "python/module/bindings.hpp"
+#include "reports/mujoco/mjcf.hpp"
 #include "reports/results/show_report.hpp"
 
 namespace reeve::python {
@@ -32,6 +34,13 @@ std::vector<std::string> segment_names(const BoundRouting& bound) {
   std::vector<std::string> names;
   for (const Segment& segment : bound.network.segments) names.push_back(segment_name(segment));
   return names;
+}
+
+std::string exported(const BoundRouting& routing, std::shared_ptr<BoundHardware> hardware) {
+  const auto used = hardware_or_paper(std::move(hardware));
+  require_contacts(*used, {routing.routing});
+  cli::require_known_fingers(used->file.hardware, routing.network.fingers);
+  return mjcf(routing.routing, used->file.hardware);
 }
 
 }  // namespace
@@ -125,6 +134,26 @@ True
       .def("__repr__", [](const BoundRouting& self) { return "Routing('" + self.word + "')"; })
       .def("__str__", [](const BoundRouting& self) { return self.word; })
       .def("_repr_svg_", &drawn)
+      .def("to_mjcf", &exported, py::arg("hardware") = py::none(), R"(
+The routing as a planar hand for MuJoCo, without friction.
+
+Parameters
+----------
+hardware : Hardware, optional
+    Joints and lengths of the fingers. Default: the paper's, without joints.
+
+Returns
+-------
+str
+    The model's XML, as ``reeve export`` writes it; docs/mujoco.md says what is
+    in it and what is not.
+
+Examples
+--------
+>>> import reeve
+>>> "no capstan friction" in reeve.Routing("TR7").to_mjcf()
+True
+)")
       .def(py::pickle([](const BoundRouting& self) { return self.word; },
                       [](const std::string& word) { return BoundRouting(word); }));
 }

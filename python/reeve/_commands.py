@@ -90,6 +90,9 @@ def explore(
     ladder: Optional[str] = None,
     within: Union[None, str, float, Sequence[float]] = None,
     cost: Optional[Place] = None,
+    store: Optional[Place] = None,
+    store_every: Optional[int] = None,
+    keep: Optional[str] = None,
     sweep: Optional[str] = None,
     constraints: Optional[Texts] = None,
     top: Optional[int] = None,
@@ -156,6 +159,14 @@ def explore(
     cost : path
         TOML file with what each kind of part costs, in money, mass or volume: makes cost an
         objective; see catalog/prices/example.toml.
+    store : path
+        Keep what is found in this SQLite file, and go on from what it holds; see docs/store.md.
+    store_every : int
+        Seconds between two times that the store is written; 0: after every batch.
+        Default: 60.
+    keep : str
+        What the store keeps: best, what is listed; all, every design with its objectives.
+        Default: best.
     sweep : str
         Show the first design, those of the ladder and the front (up to 8) over a
         coefficient, and where the first place changes hands: mu (of tubes and sheaths),

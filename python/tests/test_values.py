@@ -159,3 +159,7 @@ def test_faults_have_their_parts():
         reeve.tensions("TR7", tube_nu=[1])
     with pytest.raises(reeve.InputError, match="sideways"):
         reeve.Routing("TR7").tensions(direction="sideways")
+
+
+def test_a_routing_is_exported_as_the_program_does(program):
+    assert reeve.Routing("TR7").to_mjcf() == program("export", "TR7")
