@@ -43,7 +43,7 @@ struct Slot {
   std::string word;                   // if it may be kept
   std::uint64_t place = 0;            // in the whole enumeration
   ObjectiveValues values{};           // of the objectives that decide
-  ObjectiveValues all_values{};       // if every design is kept
+  ObjectiveValues all_values{};       // of what is kept in a store
   std::size_t failed_constraint = 0;  // its number, from 1; 0: none
   bool may_rank = false;
   bool may_be_rung = false;
@@ -78,7 +78,7 @@ class Exploration {
     }
     reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
     dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
-    if (keeping.design) {
+    if (keeps_) {
       for (std::size_t w = 0; w < workers_.count(); ++w) {
         whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
       }
@@ -112,7 +112,8 @@ class Exploration {
       if (keeping_.save && !stopped && keeping_.is_due()) save();
     }
     add_up();
-    if (keeping_.save && generated_ > before) keeping_.save(part_);
+    // A shard without routings is saved, too, but once.
+    if (keeping_.save && (generated_ > before || !keeping_.before)) keeping_.save(part_);
     return std::move(part_);
   }
 
@@ -170,8 +171,11 @@ class Exploration {
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
-    if (slot.may_rank || slot.may_be_rung || keeping_.design) slot.word = to_word(slot.routing);
-    if (keeping_.design) slot.all_values = whole_[worker].evaluate(slot.routing);
+    if (slot.may_rank || slot.may_be_rung || keeping_.design) {
+      slot.word = to_word(slot.routing);
+      // Who reads what is kept asks for any of them.
+      if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
+    }
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
   }
@@ -225,8 +229,9 @@ class Exploration {
       part_.unconverged += slot.unconverged;
       if (keeping_.design) keeping_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
-      if (slot.may_rank) part_.archive.add({slot.word, slot.values});
-      if (slot.may_be_rung) part_.ladder.add({slot.word, slot.values});
+      const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
+      if (slot.may_rank) part_.archive.add({slot.word, values});
+      if (slot.may_be_rung) part_.ladder.add({slot.word, values});
       if (slot.sampled) part_.sample.add(slot.place, slot.routing);
     }
   }
@@ -247,6 +252,7 @@ class Exploration {
 
   const ExploreOptions& options_;
   const Keeping& keeping_;
+  const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double seconds_before_ = 0;
   RoutingGenerator generator_;
@@ -255,7 +261,7 @@ class Exploration {
   ExplorationPart part_;
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
-  std::vector<DesignEvaluator> whole_;      // where every design is kept
+  std::vector<DesignEvaluator> whole_;      // for a store
   std::vector<ConstraintReaches> reaches_;  // of each worker
   std::vector<Goodness> reference_goodness_;
   std::vector<std::vector<std::int64_t>> dominators_;  // [worker][reference]

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
+#include "core/error.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
 #include "store/record_rows.hpp"
@@ -34,7 +36,14 @@ std::vector<StoredShard> StoreReader::shards() const {
     SQLite::Database& database = connection_->opened.database;
     std::vector<StoredShard> shards;
     for (const Shard& shard : stored_shards(database)) {
-      shards.push_back({shard, read_record(database, shard.index).value()});
+      std::optional<ShardRecord> record = read_record(database, shard.index);
+      const bool is_one =
+          record && record->evaluated <= record->generated && record->generated <= record->total;
+      if (!is_one) {
+        throw InputError({.what = fmt::format("shard {} of {}", shard.index, shard.count),
+                          .expected = "counts of routings that can be"});
+      }
+      shards.push_back({shard, std::move(*record)});
     }
     return shards;
   });

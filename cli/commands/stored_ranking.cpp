@@ -146,7 +146,8 @@ int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const Tab
   const ParsedExplore then(arguments, flags.store);
   const ExploreOptions stored = stored_options(then, reader, flags.store, catalogue);
   const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), flags.store);
-  const ExploreOptions asked = now.flags.read(stored.model, catalogue);
+  ExploreOptions asked = now.flags.read(stored.model, catalogue);
+  asked.threads = rank.get_option("--threads")->as<int>();
   const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
   const ListColumns columns = tables.read_columns(format, list_column_names(with));
   tables.require_width(format);

@@ -26,7 +26,8 @@ struct ScatterFit {
   double absolute_N = 0;
   double relative = 0;
   double tail = 0;               // ν; 0: normal
-  std::vector<double> of_group;  // f, with the geometric mean 1; empty: all alike
+  std::vector<double> of_group;  // f, with the geometric mean 1, and 1 of
+                                 // a group that few samples tell; empty: all alike
 };
 
 ScatterFit normal_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples);

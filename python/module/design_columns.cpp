@@ -109,6 +109,10 @@ py::dict design_columns(const Designs& designs) {
         of_distribution(designs, [](const RankDistribution& d) { return d.first_shared; });
     add_bands(columns, designs);
   }
+  if (!designs.empty() && designs.front().constraints_met) {
+    columns["constraints_met"] = numbers<double>(
+        designs, [](const ListedDesign& d) { return d.constraints_met.value_or(nothing); });
+  }
   return columns;
 }
 

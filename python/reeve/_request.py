@@ -10,6 +10,7 @@ from typing import Any, Union
 
 from . import _core
 from ._model import Model
+from .errors import InputError
 
 # Options of which each value is given by itself; of all others a list is joined by commas.
 _REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "held"}
@@ -95,6 +96,12 @@ class Request:
     @contextmanager
     def arguments(self) -> Iterator[list[str]]:
         """The arguments, while the files that they name are there."""
+        if self._files() and any(name == "store" for name, _ in self._options):
+            # Its command is read again where it is ranked or merged.
+            raise InputError(
+                "store: expected files for hardware, model and cost, which outlive this process",
+                what="store", expected="files for hardware, model and cost",
+            )
         if not self._files():
             yield self._arguments(Path())
             return

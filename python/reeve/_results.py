@@ -83,9 +83,11 @@ def run(
 ) -> Kind:
     """The result of a study that can be interrupted."""
     hears = listener(progress)
-    with request.arguments() as arguments:
-        report, interrupted = study(arguments, hears)
-    close(hears)
+    try:
+        with request.arguments() as arguments:
+            report, interrupted = study(arguments, hears)
+    finally:
+        close(hears)
     result = None if report is None else kind(report, request)
     if interrupted:
         raise Interrupted(result)

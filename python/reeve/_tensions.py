@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from . import _core
-from ._progress import Progress, listener
+from ._progress import Progress, close, listener
 from .errors import Interrupted
 
 Array = np.ndarray[Any, Any]
@@ -133,9 +133,13 @@ def tensions(
     grasps = [held] if one_grasp else list(held)  # type: ignore[arg-type]
     names, shape, columns = _broadcast(coefficients)
     flat = {name: np.ravel(column) for name, column in columns.items()}
-    table, segments, interrupted = _core.tension_table(
-        bound, hardware, grasps, direction, flat, threads, listener(progress)
-    )
+    hears = listener(progress)
+    try:
+        table, segments, interrupted = _core.tension_table(
+            bound, hardware, grasps, direction, flat, threads, hears
+        )
+    finally:
+        close(hears)
     if interrupted:
         raise Interrupted()
     values = table.reshape((len(bound), len(grasps), *shape, len(segments)))

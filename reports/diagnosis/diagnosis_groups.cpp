@@ -24,6 +24,9 @@ std::string group_text(const EstimatesByGroup& of, const GroupEstimate& one,
                      estimate(parameter, parameter.low), estimate(parameter, parameter.high), name);
 }
 
+// A group whose scatter too few readings tell is taken to be as all (model/scatter_fit.hpp).
+bool is_told(double scale) { return scale != 1; }
+
 // A list of so many is no sentence any more; the JSON has all.
 constexpr std::size_t most_told = 6;
 
@@ -52,10 +55,14 @@ std::string group_scatter_sentence(const DiagnosisReport& report) {
   const std::vector<double>& scales = report.result.noise.of_group;
   if (scales.empty()) return "";
   std::vector<std::string> told;
-  for (std::size_t g = 0; g < scales.size() && g < most_told; ++g) {
-    told.push_back(fmt::format("{:.2g} in {}", scales[g], report.data.groups[g]));
+  std::size_t left = 0;
+  for (std::size_t g = 0; g < scales.size(); ++g) {
+    if (!is_told(scales[g]) || told.size() == most_told) {
+      ++left;
+    } else {
+      told.push_back(fmt::format("{:.2g} in {}", scales[g], report.data.groups[g]));
+    }
   }
-  const std::size_t left = scales.size() - told.size();
   return fmt::format("Readings scatter otherwise in each group, by so many times the noise: {}{}.",
                      fmt::join(told, ", "),
                      left == 0 ? "" : fmt::format(" ({} more groups)", left));
@@ -86,7 +93,8 @@ Json noise_of_groups_json(const DiagnosisReport& report) {
   Json json = Json::array();
   const std::vector<double>& scales = report.result.noise.of_group;
   for (std::size_t g = 0; g < scales.size(); ++g) {
-    json.push_back({{"group", report.data.groups[g]}, {"factor", scales[g]}});
+    json.push_back({{"group", report.data.groups[g]},
+                    {"factor", is_told(scales[g]) ? Json(scales[g]) : Json()}});
   }
   return json;
 }

@@ -16,6 +16,14 @@ Json parsed(const std::string& text, const std::string& name, const std::string&
                     .form = InputForm::unknown});
 }
 
+std::vector<StoredShard> shards_of(const StoreReader& store, const std::string& name) {
+  try {
+    return store.shards();
+  } catch (const InputError& error) {
+    throw error.at(name);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> stored_arguments(const Description& description, const std::string& name) {
@@ -37,7 +45,7 @@ std::vector<ShardFile> shard_files(const StoreReader& store, const std::string& 
     of_all.settings[setting.key] = parsed(setting.value, name, setting.key);
   }
   std::vector<ShardFile> files;
-  for (StoredShard& stored : store.shards()) {
+  for (StoredShard& stored : shards_of(store, name)) {
     ShardFile file = of_all;
     file.shard = stored.shard;
     file.record = std::move(stored.record);

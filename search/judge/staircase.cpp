@@ -105,6 +105,8 @@ bool Staircase::proves_dominators(const Goodness& candidate) const {
   const double a = candidate[first_];
   const double b = at(candidate, second_);
   const double c = at(candidate, third_);
+  // As little as where there are fewer than k.
+  if (b == nothing) return false;
   // The largest layer, of all rows that are no worse on the third axis.
   const auto behind =
       std::upper_bound(layers_.begin(), layers_.end(), c,

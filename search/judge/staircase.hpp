@@ -10,7 +10,8 @@
 // least as much (H. Kung, F. Luccio, F. Preparata, J. ACM 22, 1975, for the front of three).
 //
 // It may fail to prove what is true: rows that are strictly better in one objective and others that
-// are in another are not counted together. For k = 1 it is exact.
+// are in another are not counted together. For k = 1 it is exact, but where the second value is −∞
+// (of a cost that is infinite): there it proves nothing.
 #pragma once
 
 #include <vector>

@@ -145,8 +145,10 @@ TEST(Help, MentionsEveryOption) {
         "--format"}},
       {"rank",
        {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data", "--mu",
-        "--map", "--unit", "--group"}},
-      {"explore", {"--tendons", "--constraint", "--shard", "--top", "--details", "--out"}},
+        "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
+      {"explore",
+       {"--tendons", "--constraint", "--shard", "--top", "--details", "--out", "--store",
+        "--store-every", "--keep"}},
       {"count", {"--format"}},
       {"check", {"--family", "--svg", "--format"}},
       {"compare",
@@ -160,7 +162,8 @@ TEST(Help, MentionsEveryOption) {
         "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",
         "--noise-absolute", "--noise-motor", "--runs",        "--rows",         "--repeats",
         "--cause",          "--set",         "--power",       "--hardware",     "--seed",
-        "--format",         "-o,--output"}}};
+        "--format",         "-o,--output"}},
+      {"export", {"routing", "--format", "-o,--output", "--hardware"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());

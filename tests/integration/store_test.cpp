@@ -191,6 +191,11 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
   expect_bad(explore({}), "what was kept is of 1000 routings, and there are 126");
   execute(store(), "UPDATE shards SET total = 1");
   expect_bad(explore({}), "s.db: its counts are not those of its settings");
+  for (const ProcessResult& result :
+       {run({"rank", "--store", "s.db"}), run({"merge", "s.db", "--out", "m"})}) {
+    expect_bad(result, "s.db: shard 1 of 1: expected counts of routings that can be");
+  }
+  execute(store(), "UPDATE shards SET total = 126");
   execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
   for (const ProcessResult& result : {explore({}), run({"rank", "--store", "s.db"})}) {
     EXPECT_EQ(result.exit_code, 2);

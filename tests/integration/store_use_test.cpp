@@ -103,6 +103,23 @@ INSTANTIATE_TEST_SUITE_P(
                                 {"--constraint", "sheaths<=6", "--constraint", "pulleys<=0"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+// Whatever the exploration was ranked by, each design is kept with all its objectives.
+TEST_F(Stored, MeetsConstraintsOnWhatWasNotRanked) {
+  ASSERT_EQ(explore({}).exit_code, 0);
+  const Json json =
+      Json::parse(run({"rank", "--store", "s.db", "--objectives", "round_trip_efficiency",
+                       "--constraint", "travel<=1", "--format", "json"})
+                      .out);
+  ASSERT_FALSE(json["top"].empty());
+  double before = 1;
+  for (const Json& design : json["top"]) {
+    EXPECT_LE(design["travel"], 1);
+    const double here = design["round_trip_efficiency"];
+    EXPECT_LE(here, before);
+    before = here;
+  }
+}
+
 TEST_F(Stored, IsRankedByItsOwnHardwareAlone) {
   ASSERT_EQ(explore({}).exit_code, 0);
   const ProcessResult result = run({"rank", "--store", "s.db", "--grasps", "none"});

@@ -51,7 +51,13 @@ TEST(ExploreKeeping, GoesOnFromEverySaveToTheSameResult) {
   std::vector<ShardRecord> saved;
   Keeping keeping;
   keeping.is_due = [] { return true; };
-  keeping.save = [&](ExplorationPart& part) { saved.push_back(record_of(part)); };
+  DesignEvaluator evaluator({}, kept_options(1).grasps, kept_options(1).score);
+  keeping.save = [&](ExplorationPart& part) {
+    saved.push_back(record_of(part));
+    for (const ArchivedDesign& kept : part.archive.members()) {
+      ASSERT_EQ(kept.design.values, evaluator.evaluate(parse_routing(kept.design.word)));
+    }
+  };
   expect_same(explore(kept_options(1), {}, keeping), whole);
   ASSERT_GT(saved.size(), 5U);
   for (const std::size_t i : {std::size_t{0}, std::size_t{3}, saved.size() - 1}) {
