@@ -15,7 +15,8 @@ PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chro
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
 PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy)
 # clang and its run-time library for the preset `fuzz`.
-PACKAGES_CI=(clang-format clang-tidy clang libclang-rt-14-dev)
+# SciPy for a notebook.
+PACKAGES_CI=(clang-format clang-tidy clang libclang-rt-14-dev python3-scipy)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
 # installs these unasked.
 PACKAGES_BENCH=(libbenchmark-dev nauty python3 python3-numpy python3-scipy)

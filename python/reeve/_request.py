@@ -24,13 +24,24 @@ class FileText:
         self.text = text
 
 
+def _csv(frame: Any) -> str:
+    """The rows as a file has them: pandas reads whole numbers beside empty cells as 1.0 and 2.0."""
+    whole = {
+        name: "Int64"
+        for name, column in frame.items()
+        if column.dtype.kind == "f" and (column.dropna() % 1 == 0).all()
+    }
+    simulated = "# simulated\n" if frame.attrs.get("simulated") else ""
+    return simulated + frame.astype(whole).to_csv(index=False)
+
+
 def _as_file(name: str, value: Any) -> Any:
     if isinstance(value, _core.Hardware):
         return FileText(f"{name}.toml", value.to_toml())
     if isinstance(value, Model):
         return FileText(f"{name}.toml", value.to_toml())
     if hasattr(value, "to_csv"):
-        return FileText(f"{name}.csv", value.to_csv(index=False))
+        return FileText(f"{name}.csv", _csv(value))
     return value
 
 

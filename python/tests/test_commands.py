@@ -127,6 +127,14 @@ def test_simulated_readings_say_so():
     assert "sensor_gain[T3]" in made.csv
 
 
+def test_a_frame_is_the_file_that_it_was_read_from():
+    made = reeve.simulate(["TR1", "TR7"], runs=2, rows=4)
+    assert made.data["held"].dtype.kind == "f"  # grasps with empty cells among them
+    compared = reeve.compare(made.data)
+    assert compared.summary["data"]["simulated"]
+    assert len(compared.residuals) > 0
+
+
 def test_counts_and_checks(program):
     counts = json.loads(program("count", "--fingers", "4", "--format", "json"))
     assert reeve.count(fingers=4)._asdict() == counts

@@ -1,8 +1,9 @@
-// What documents show is what the program does: the Python lines of docs/tables.md, run as they
-// stand there on what `reeve explore` wrote, and the figures of docs/figures, drawn again.
+// What documents show is what the program does: the Python and Octave lines of docs/tables.md, run
+// as they stand there on what `reeve explore` wrote, and the figures of docs/figures, drawn again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,10 @@
 namespace reeve::testing {
 namespace {
 
-std::vector<std::string> python_blocks() {
+std::vector<std::string> blocks_of(const std::string& language) {
   const std::string document =
       read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "tables.md");
-  const std::string opening = "\n```python\n";
+  const std::string opening = "\n```" + language + "\n";
   std::vector<std::string> blocks;
   for (std::size_t at = document.find(opening); at != std::string::npos;
        at = document.find(opening, at)) {
@@ -94,7 +95,7 @@ void expect_what_was_written(const WrittenTables& written, const std::string& py
 TEST(PythonLines, ReadWhatAnExplorationWrites) {
   const std::string python = python_with("pandas");
   ASSERT_FALSE(python.empty()) << "this needs python3-pandas, which ./run test installs";
-  const std::vector<std::string> blocks = python_blocks();
+  const std::vector<std::string> blocks = blocks_of("python");
   ASSERT_EQ(blocks.size(), 2U);
   WrittenTables written;
   expect_what_was_written(written, python, blocks[0]);
@@ -107,6 +108,36 @@ TEST(PythonLines, ReadWhatAnExplorationWrites) {
   const ProcessResult drawing = run_python(with_drawing, blocks[0] + blocks[1], written.folder);
   EXPECT_EQ(drawing.exit_code, 0) << drawing.err;
   EXPECT_TRUE(read_text(written.folder.path() / "front.pdf").starts_with("%PDF"));
+}
+
+TEST(OctaveLines, ReadWhatAnExplorationWrites) {
+  if (run_process({"octave-cli", "--version"}).exit_code != 0) {
+    GTEST_SKIP() << "Octave is not installed: it would take longer than all other packages";
+  }
+  const std::vector<std::string> blocks = blocks_of("matlab");
+  ASSERT_EQ(blocks.size(), 2U);
+  const WrittenTables written;
+  ProcessOptions options;
+  options.directory = written.folder.path();
+  const ProcessResult result =
+      run_process({"octave-cli", "--quiet", "--no-init-file", "--eval",
+                   blocks[0] + "printf('%d %.17g\n', numel(designs), max(uniformity));"
+                               "printf('%s\n', front.routing);"},
+                  options);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  double most = 0;
+  for (const Json& design : written.summary["top"]) {
+    most = std::max(most, design["uniformity"]["mean"].get<double>());
+  }
+  std::istringstream out(result.out);
+  std::size_t designs = 0;
+  double read = 0;
+  out >> designs >> read;
+  EXPECT_EQ(designs, written.rows());
+  EXPECT_EQ(read, most);
+  std::vector<std::string> front;
+  for (std::string word; out >> word;) front.push_back(word);
+  EXPECT_EQ(front, sorted_front(written.summary));
 }
 
 std::string in_documents(const std::string& figure) {
