@@ -278,18 +278,49 @@ class Diagnosis {
     return readings;
   }
 
+  // Whether some coefficient or cause differs between them.
+  bool groups_differ(const Model& model) {
+    result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
+                                          found_.mounting_degrees(), options_.alpha, workers_);
+    const double share = structure_share_of_alpha * options_.alpha;
+    double least = share;
+    for (const EstimatesByGroup& of : result_.by_group) {
+      const double p_value = resolved(of.p_value);
+      if (p_value >= least) continue;
+      least = p_value;
+      result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
+    }
+    return least < share;
+  }
+
   // Also where nothing is named: what groups have in common may be as the hardware says. One model
   // of all groups explains none that differs from the others.
   void compare_groups() {
-    const Model& model = found_.model.effects.empty() ? found_.base : found_.model;
-    result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
-                                          found_.mounting_degrees(), options_.alpha, workers_);
-    for (const EstimatesByGroup& of : result_.by_group) {
-      const double p_value = resolved(of.p_value);
-      if (p_value >= structure_share_of_alpha * options_.alpha) continue;
-      if (result_.unexplained && result_.unexplained->p_value < p_value) continue;
-      result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
+    const bool found_some = !found_.model.effects.empty();
+    if (!groups_differ(found_some ? found_.model : found_.base)) return;
+    if (found_some) {
+      groups_differ(found_.base);
+      result_.notes.push_back(
+          {NoteKind::groups_differ,
+           "no cause is named for groups that differ, though some were found in all of them "
+           "together: each group by itself may tell",
+           {}});
     }
+    name_nothing_of_all_groups();
+  }
+
+  // What was found in all groups together may stand in for the difference between them: a drift, if
+  // they follow each other.
+  void name_nothing_of_all_groups() {
+    result_.causes.clear();
+    result_.withdrawn.clear();
+    result_.withdrawn_held_out.reset();
+    result_.held_out.reset();
+    result_.run_gains.clear();
+    result_.weighed.clear();
+    result_.row_scatter.reset();
+    indistinguishable_.clear();
+    result_.model = found_.base;
   }
 
   // After every decision: it says what each run contributed to it.

@@ -14,9 +14,10 @@ PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chro
 # For the Python module and its tests.
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
 PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy)
-# clang and its run-time library for the preset `fuzz`.
 # SciPy for a notebook.
-PACKAGES_CI=(clang-format clang-tidy clang libclang-rt-14-dev python3-scipy)
+PACKAGES_CI=(clang-format clang-tidy python3-scipy)
+# For scripts/fuzz.
+PACKAGES_FUZZ=(clang libclang-rt-14-dev)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
 # installs these unasked.
 PACKAGES_BENCH=(libbenchmark-dev nauty python3 python3-numpy python3-scipy)

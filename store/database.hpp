@@ -13,6 +13,9 @@
 
 namespace reeve::store {
 
+// A reader that just closes holds a lock for a moment.
+inline constexpr int patience_ms = 1000;
+
 enum class Access : std::uint8_t { read, write };
 
 // Throws InputError that names the file and what SQLite said of it.

@@ -50,7 +50,10 @@ struct ExplorationStore::Connection {
   // Until the end: who else writes waits in vain.
   void begin() {
     database().exec(durable_writing);
+    // Who waited here could step in between two transactions of the one who writes already.
+    database().exec("PRAGMA busy_timeout = 0");
     database().exec("BEGIN IMMEDIATE");
+    database().exec(fmt::format("PRAGMA busy_timeout = {}", patience_ms));
     is_writing = true;
   }
 

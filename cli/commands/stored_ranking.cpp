@@ -74,7 +74,7 @@ void require_nothing_else(const CLI::App& rank) {
 ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& store,
                               const std::string& name, const Catalogue& catalogue) {
   const ModelFile file = explore.flags.model.read();
-  const ExploreOptions options = explore.flags.read(file.model, catalogue);
+  ExploreOptions options = explore.flags.read(file.model, catalogue);
   const auto uncertainty = explore.flags.ranking.uncertainty
                                ? std::optional(explore.flags.read_uncertainty(file, options))
                                : std::nullopt;

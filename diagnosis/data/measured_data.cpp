@@ -13,6 +13,7 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/data_columns.hpp"
 #include "diagnosis/data/data_notes.hpp"
+#include "diagnosis/data/runs_of_groups.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/row_reader.hpp"
@@ -98,6 +99,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
                       .expected = "rows below the header, and there are none"});
   }
   add_notes(std::move(columns.notes), data);
+  add_notes(part_runs_by_group(data), data);
   mark_simulated(csv, data);
   // Reeve itself writes its own letters.
   add_notes(notes_on_letters(data, !data.simulated && has_letters(columns.columns)), data);

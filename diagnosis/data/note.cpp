@@ -46,6 +46,10 @@ const char* note_kind_name(NoteKind kind) {
       return "clock";
     case NoteKind::no_motion:
       return "no_motion";
+    case NoteKind::groups_differ:
+      return "groups_differ";
+    case NoteKind::runs_of_groups:
+      return "runs_of_groups";
     case NoteKind::reversed:
       return "reversed";
   }

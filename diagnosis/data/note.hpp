@@ -32,6 +32,8 @@ enum class NoteKind : std::uint8_t {
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
   clock,                   // of a time series: set back (steady_readings.hpp)
   no_motion,               // of a time series: it does not say when the carriage moves
+  groups_differ,           // what is said of all groups together does not hold of each
+  runs_of_groups,          // runs of one name in several groups
   reversed,                // of a time series: pulling looks like releasing
 };
 const char* note_kind_name(NoteKind kind);

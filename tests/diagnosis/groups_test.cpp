@@ -143,6 +143,36 @@ TEST(Groups, WeighByTheirScatter) {
   }
 }
 
+// The files of two rigs, one below the other.
+TEST(Groups, OfOneRunNameAreSoManyRuns) {
+  ReadingOptions options;
+  options.group = "winch";
+  const MeasuredData data = read_data(
+      "run,routing,winch,T1_N,T2_N\n1,M-1-F,left,2,1\n2,M-1-F,left,2,1\n1,M-1-F,right,2,1\n"
+      "1,M-1-F,,2,1\n3,M-1-F,right,2,1\n",
+      options);
+  EXPECT_EQ(data.runs,
+            (std::vector<std::string>{"1 (no group)", "1 (left)", "1 (right)", "2", "3"}));
+  std::vector<std::size_t> runs;
+  for (const Reading& reading : data.readings) runs.push_back(reading.run);
+  EXPECT_EQ(runs, (std::vector<std::size_t>{1, 3, 2, 0, 4}));
+  ASSERT_FALSE(data.notes.empty());
+  EXPECT_EQ(data.notes.front().kind, NoteKind::runs_of_groups);
+}
+
+// One rig after the other, what differs between them looks like a drift of whatever it can.
+TEST(Groups, ThatDifferHaveNoCauseOfAllOfThem) {
+  MeasuredData data = by_winch({0.18}, {0.12}, 611);
+  std::stable_sort(data.readings.begin(), data.readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.group < b.group; });
+  const DiagnosisResult result = diagnosed_by_winch(data);
+  EXPECT_EQ(result.unexplained->about, "group");
+  EXPECT_TRUE(result.causes.empty());
+  EXPECT_TRUE(result.weighed.empty());
+  EXPECT_TRUE(result.model.effects.empty());
+  EXPECT_FALSE(result.row_scatter.has_value());
+}
+
 // Half of A's runs are called C: B stands out from both.
 TEST(Groups, AreComparedWithAllOthersTogether) {
   MeasuredData three = by_winch({0.18}, {0.12}, 611);

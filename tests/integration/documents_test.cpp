@@ -121,8 +121,8 @@ TEST(OctaveLines, ReadWhatAnExplorationWrites) {
   options.directory = written.folder.path();
   const ProcessResult result =
       run_process({"octave-cli", "--quiet", "--no-init-file", "--eval",
-                   blocks[0] + "printf('%d %.17g\n', numel(designs), max(uniformity));"
-                               "printf('%s\n', front.routing);"},
+                   blocks[0] + "printf('%d %.17g\\n', numel(designs), max(uniformity));"
+                               "printf('%s\\n', front.routing);"},
                   options);
   ASSERT_EQ(result.exit_code, 0) << result.err;
   double most = 0;

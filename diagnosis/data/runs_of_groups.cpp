@@ -1,0 +1,54 @@
+#include "diagnosis/data/runs_of_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace reeve::diagnosis {
+namespace {
+
+using Group = std::optional<std::size_t>;
+
+std::vector<std::set<Group>> groups_of_runs(const MeasuredData& data) {
+  std::vector<std::set<Group>> groups(data.runs.size());
+  for (const Reading& reading : data.readings) groups[reading.run].insert(reading.group);
+  return groups;
+}
+
+std::string parted_name(const MeasuredData& data, std::size_t run, Group group) {
+  return fmt::format("{} ({})", data.runs[run], group ? data.groups[*group] : "no group");
+}
+
+}  // namespace
+
+std::vector<DataNote> part_runs_by_group(MeasuredData& data) {
+  const std::vector<std::set<Group>> groups = groups_of_runs(data);
+  std::vector<std::string> runs;
+  std::map<std::pair<std::size_t, Group>, std::size_t> places;
+  std::size_t parted = 0;
+  std::string first;
+  for (std::size_t run = 0; run < groups.size(); ++run) {
+    for (const Group group : groups[run]) {
+      places[{run, group}] = runs.size();
+      runs.push_back(groups[run].size() == 1 ? data.runs[run] : parted_name(data, run, group));
+    }
+    if (groups[run].size() < 2) continue;
+    if (parted++ == 0) first = data.runs[run];
+  }
+  if (parted == 0) return {};
+  for (Reading& reading : data.readings) reading.run = places.at({reading.run, reading.group});
+  data.runs = std::move(runs);
+  return {
+      {NoteKind::runs_of_groups,
+       fmt::format("{} run name{} in several groups{}: the rows of each group are a run of their "
+                   "own",
+                   parted, parted == 1 ? " is" : "s are",
+                   parted == 1 ? fmt::format(", '{}'", first) : fmt::format(", '{}' first", first)),
+       {}}};
+}
+
+}  // namespace reeve::diagnosis

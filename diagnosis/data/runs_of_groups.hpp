@@ -1,0 +1,14 @@
+// A run is one mounting of one rig: rows of one run name that lie in several groups, as when the
+// files of two rigs are put together, are so many runs.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/data/measured_data.hpp"
+
+namespace reeve::diagnosis {
+
+// Their names get the group's behind them: "1 (left)". Rows without a group are one of their own.
+std::vector<DataNote> part_runs_by_group(MeasuredData& data);
+
+}  // namespace reeve::diagnosis
