@@ -32,7 +32,8 @@ def _csv(frame: Any) -> str:
         if column.dtype.kind == "f" and (column.dropna() % 1 == 0).all()
     }
     simulated = "# simulated\n" if frame.attrs.get("simulated") else ""
-    return simulated + frame.astype(whole).to_csv(index=False)
+    rows: str = frame.astype(whole).to_csv(index=False)
+    return simulated + rows
 
 
 def _as_file(name: str, value: Any) -> Any:
