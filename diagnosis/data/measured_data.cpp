@@ -13,10 +13,10 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/data_columns.hpp"
 #include "diagnosis/data/data_notes.hpp"
-#include "diagnosis/data/runs_of_groups.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/row_reader.hpp"
+#include "diagnosis/data/runs_of_groups.hpp"
 
 namespace reeve::diagnosis {
 namespace {
