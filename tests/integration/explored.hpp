@@ -77,4 +77,17 @@ inline std::string without_times(const std::string& summary) {
   return result;
 }
 
+// The blocks of a document in a language, as they stand there.
+inline std::vector<std::string> blocks_of(const std::string& document,
+                                          const std::string& language) {
+  const std::string text = read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / document);
+  const std::string opening = "\n```" + language + "\n";
+  std::vector<std::string> blocks;
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    at += opening.size();
+    blocks.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return blocks;
+}
+
 }  // namespace reeve::testing

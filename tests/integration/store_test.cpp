@@ -238,6 +238,8 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   const auto as_usual = [&](const Arguments& arguments) {
     return as_nobody(arguments, folder_.path());
   };
+  // Where the checkout lies in a folder of root's alone, nobody else can run the program; that such
+  // a file is refused shows where the tests are not run as root, too.
   if (as_usual({"--version"}).exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
   const ProcessResult result =
       as_usual({"explore", "--fingers", "4", "--out", "out", "--store", "s.db"});

@@ -152,20 +152,6 @@ TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
   }
 }
 
-// The blocks of docs/store.md in a language, as they stand there.
-std::vector<std::string> blocks_in(const std::string& language) {
-  const std::string document =
-      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "store.md");
-  const std::string opening = "\n```" + language + "\n";
-  std::vector<std::string> blocks;
-  for (std::size_t at = document.find(opening); at != std::string::npos;
-       at = document.find(opening, at)) {
-    at += opening.size();
-    blocks.push_back(document.substr(at, document.find("```", at) - at));
-  }
-  return blocks;
-}
-
 class StoreLines : public Stored {
  protected:
   void SetUp() override {
@@ -185,7 +171,7 @@ class StoreLines : public Stored {
 };
 
 TEST_F(StoreLines, ReadItInTheShell) {
-  const std::vector<std::string> blocks = blocks_in("sh");
+  const std::vector<std::string> blocks = blocks_of("store.md", "sh");
   ASSERT_EQ(blocks.size(), 1U);
   const ProcessResult result = run_in({"bash", "-ec", blocks.front()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -206,7 +192,7 @@ TEST_F(StoreLines, ReadItInTheShell) {
 }
 
 TEST_F(StoreLines, ReadItInPython) {
-  const std::vector<std::string> blocks = blocks_in("python");
+  const std::vector<std::string> blocks = blocks_of("store.md", "python");
   ASSERT_EQ(blocks.size(), 1U);
   std::string python;
   for (const char* candidate : {"python3", "/usr/bin/python3"}) {
