@@ -16,6 +16,10 @@ using Group = std::optional<std::size_t>;
 std::vector<std::set<Group>> groups_of_runs(const MeasuredData& data) {
   std::vector<std::set<Group>> groups(data.runs.size());
   for (const Reading& reading : data.readings) groups[reading.run].insert(reading.group);
+  // A cell that was left empty makes no other rig.
+  for (std::set<Group>& of_run : groups) {
+    if (of_run.size() == 2 && of_run.contains(std::nullopt)) of_run = {Group{}};
+  }
   return groups;
 }
 
@@ -40,7 +44,11 @@ std::vector<DataNote> part_runs_by_group(MeasuredData& data) {
     if (parted++ == 0) first = data.runs[run];
   }
   if (parted == 0) return {};
-  for (Reading& reading : data.readings) reading.run = places.at({reading.run, reading.group});
+  for (Reading& reading : data.readings) {
+    const bool parts = groups[reading.run].size() > 1;
+    const Group group = parts ? reading.group : *groups[reading.run].begin();
+    reading.run = places.at({reading.run, group});
+  }
   data.runs = std::move(runs);
   return {
       {NoteKind::runs_of_groups,

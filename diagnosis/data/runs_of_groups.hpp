@@ -8,7 +8,8 @@
 
 namespace reeve::diagnosis {
 
-// Their names get the group's behind them: "1 (left)". Rows without a group are one of their own.
+// Their names get the group's behind them: "1 (left)". Rows without a group are one of
+// their own where there are two groups or more; beside one group they belong to it.
 std::vector<DataNote> part_runs_by_group(MeasuredData& data);
 
 }  // namespace reeve::diagnosis

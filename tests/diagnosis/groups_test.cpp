@@ -149,13 +149,13 @@ TEST(Groups, OfOneRunNameAreSoManyRuns) {
   options.group = "winch";
   const MeasuredData data = read_data(
       "run,routing,winch,T1_N,T2_N\n1,M-1-F,left,2,1\n2,M-1-F,left,2,1\n1,M-1-F,right,2,1\n"
-      "1,M-1-F,,2,1\n3,M-1-F,right,2,1\n",
+      "1,M-1-F,,2,1\n3,M-1-F,right,2,1\n3,M-1-F,,2,1\n",
       options);
   EXPECT_EQ(data.runs,
             (std::vector<std::string>{"1 (no group)", "1 (left)", "1 (right)", "2", "3"}));
   std::vector<std::size_t> runs;
   for (const Reading& reading : data.readings) runs.push_back(reading.run);
-  EXPECT_EQ(runs, (std::vector<std::size_t>{1, 3, 2, 0, 4}));
+  EXPECT_EQ(runs, (std::vector<std::size_t>{1, 3, 2, 0, 4, 4}));
   ASSERT_FALSE(data.notes.empty());
   EXPECT_EQ(data.notes.front().kind, NoteKind::runs_of_groups);
 }
