@@ -9,9 +9,9 @@
 namespace reeve::search {
 namespace {
 
-constexpr std::uint64_t seed = 0;
+constexpr std::uint64_t sample_seed = 0;
 
-double lot(std::uint64_t place) { return uniform(seed, streams::design_sample, place); }
+double lot(std::uint64_t place) { return uniform(sample_seed, streams::design_sample, place); }
 
 }  // namespace
 

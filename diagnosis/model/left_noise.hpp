@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "causes/model.hpp"
-#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/mounting/mounting.hpp"
 #include "diagnosis/model/noise.hpp"
 
 namespace reeve::diagnosis {

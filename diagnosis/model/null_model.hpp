@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-#include "diagnosis/model/mounted_draws.hpp"
+#include "diagnosis/model/mounting/mounted_draws.hpp"
 #include "diagnosis/model/problem.hpp"
 #include "numerics/parallel.hpp"
 

@@ -29,7 +29,7 @@
 #include "causes/model.hpp"
 #include "diagnosis/data/dataset.hpp"
 #include "diagnosis/model/forecast.hpp"
-#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/mounting/mounting.hpp"
 #include "diagnosis/model/whitening.hpp"
 
 namespace reeve::diagnosis {

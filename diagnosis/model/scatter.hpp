@@ -2,7 +2,7 @@
 // others of their mounting (mounting_scatter.hpp).
 #pragma once
 
-#include "diagnosis/model/mounting_scatter.hpp"
+#include "diagnosis/model/mounting/mounting_scatter.hpp"
 #include "diagnosis/model/noise.hpp"
 #include "diagnosis/model/problem.hpp"
 

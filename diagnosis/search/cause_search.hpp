@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/mounting_scatter.hpp"
+#include "diagnosis/model/mounting/mounting_scatter.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 

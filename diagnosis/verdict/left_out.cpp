@@ -8,23 +8,19 @@
 namespace reeve::diagnosis {
 namespace {
 
-Model at_nominal(Model model) {
+// What these readings say nothing of goes back to what is nominal.
+Model fitted(const Problem& problem, Model model) {
+  constexpr double clearly = 1e-6;
+  const double here = misfit(problem, model);
   for (Effect& effect : model.effects) {
     const auto parameters = effect.cause->parameters(model.hardware);
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      effect.values[p] = parameters[p].nominal.value_or(effect.values[p]);
+      if (!parameters[p].nominal) continue;
+      const double value = std::exchange(effect.values[p], *parameters[p].nominal);
+      if (here < (1 - clearly) * misfit(problem, model)) effect.values[p] = value;
     }
   }
-  return model;
-}
-
-// Where both starts end equally well, nothing is known, and the nominal one counts.
-Model fitted(const Problem& problem, const Model& model) {
-  constexpr double clearly = 1e-6;
-  Fit from_nominal = fit(problem, at_nominal(model));
-  Fit from_here = fit(problem, model);
-  return from_here.misfit < (1 - clearly) * from_nominal.misfit ? std::move(from_here.model)
-                                                                : std::move(from_nominal.model);
+  return fit(problem, model).model;
 }
 
 LeftOutRun left_out(const Problem& all, std::size_t run, const Model& model) {

@@ -161,19 +161,30 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
+// |0.6745 (x − median) / MAD| of each.
+std::vector<double> scores(std::vector<double> values, double least) {
+  const double middle = median(values);
+  for (double& value : values) value = std::abs(value - middle);
+  const double typical = std::max(least, median(values));
+  for (double& value : values) value *= normal_consistency / typical;
+  return values;
+}
+
 // Of stretches over the same contacts.
 void mark_those_apart(const std::vector<Loss*>& alike) {
   if (alike.size() < enough_stretches) return;
-  const auto left = [](const Loss* loss) { return loss->measured - loss->after; };
-  std::vector<double> values;
-  for (const Loss* loss : alike) values.push_back(left(loss));
-  const double middle = median(values);
-  for (double& value : values) value = std::abs(value - middle);
-  const double typical = std::max(least_scatter, median(values));
-  for (Loss* loss : alike) {
-    const double distance = std::abs(left(loss) - middle);
-    loss->stands_apart = normal_consistency * distance > greatest_score * typical &&
-                         distance > sure_of_noise * loss->deviation;
+  std::vector<double> left;
+  for (const Loss* loss : alike) left.push_back(loss->measured - loss->after);
+  const double middle = median(left);
+  std::vector<double> in_noise;
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    in_noise.push_back((left[i] - middle) / std::max(alike[i]->deviation, least_scatter));
+  }
+  const std::vector<double> score = scores(left, least_scatter);
+  const std::vector<double> score_in_noise = scores(in_noise, least_scatter);
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    alike[i]->stands_apart = score[i] > greatest_score && score_in_noise[i] > greatest_score &&
+                             std::abs(in_noise[i]) > sure_of_noise;
   }
 }
 

@@ -9,7 +9,8 @@
 // tension and without the other readings. With x a stretch's loss less the extended model's, it
 // stands apart from the others over the same contacts by the modified z-score of B. Iglewicz and
 // D. C. Hoaglin (How to Detect and Handle Outliers, ASQC, 1993), 0.6745 |x − median| / MAD > 3.5,
-// if it does so by more than two standard deviations of its readings' noise too.
+// both of x and of x in units of each stretch's own noise (one of few readings scatters more
+// than the rest), if it does so by more than two standard deviations of that noise too.
 #pragma once
 
 #include <vector>

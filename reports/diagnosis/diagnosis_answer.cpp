@@ -42,7 +42,7 @@ std::string gain_line(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (!result.held_out) return fitted_gain_text(report);
   const std::vector<std::string> untested = untested_causes(result);
-  const std::string gain =
+  std::string gain =
       !untested.empty() && untested.size() == result.causes.size()
           ? ""
           : fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -147,11 +148,31 @@ std::vector<std::string> loss_sentences(const DiagnosisReport& report) {
 
 namespace {
 
-// "T4 of TR1 (line 9)"
-std::string cell_text(const DiagnosisReport& report, const Cell& cell) {
-  const Reading& reading = report.data.readings[cell.reading];
-  return fmt::format("{} of {} (line {})", report.data.channels[cell.channel].name,
-                     routing_name(report, reading.routing), reading.line);
+// "T4 of TR1 (line 9)", "T2 of TR2, held 1 (238 readings)": in the order of the first of each.
+std::vector<std::string> places_text(const DiagnosisReport& report, const std::vector<Cell>& cells) {
+  using Place = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
+  std::vector<std::pair<Place, std::vector<Cell>>> places;
+  for (const Cell& cell : cells) {
+    const Reading& reading = report.data.readings[cell.reading];
+    const Place place{cell.channel, reading.routing, reading.grasp.held, reading.direction};
+    auto found = std::find_if(places.begin(), places.end(),
+                              [&](const auto& known) { return known.first == place; });
+    if (found == places.end()) found = places.insert(found, {place, {}});
+    found->second.push_back(cell);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [place, of] : places) {
+    const Reading& reading = report.data.readings[of.front().reading];
+    const std::string what =
+        fmt::format("{} of {}", report.data.channels[of.front().channel].name,
+                    routing_name(report, reading.routing));
+    const std::string circumstances = (is_bench(report.data) ? "" : ", held " + to_text(reading.grasp)) +
+                                      (reading.direction == Direction::pull ? "" : ", release");
+    texts.push_back(of.size() == 1
+                        ? fmt::format("{} (line {})", what, reading.line)
+                        : fmt::format("{}{} ({} readings)", what, circumstances, of.size()));
+  }
+  return texts;
 }
 
 std::string refitted_text(const WithoutApart& without, const NamedCause& cause) {
@@ -175,19 +196,16 @@ std::vector<std::string> without_apart_sentences(const DiagnosisReport& report) 
   constexpr std::size_t most_named = 4;
   if (!report.result.without_apart) return {};
   const WithoutApart& without = *report.result.without_apart;
-  std::string cells;
-  for (std::size_t i = 0; i < without.left_out.size() && i < most_named; ++i) {
-    cells += (i == 0 ? "" : ", ") + cell_text(report, without.left_out[i]);
-  }
-  if (without.left_out.size() > most_named) {
-    cells += fmt::format(" and {} more", without.left_out.size() - most_named);
-  }
+  std::vector<std::string> places = places_text(report, without.left_out);
+  const std::size_t beyond = places.size() - std::min(places.size(), most_named);
+  places.resize(places.size() - beyond);
+  const std::string more = beyond > 0 ? fmt::format(" and {} more", beyond) : "";
   std::string sizes;
   for (const NamedCause& cause : report.result.causes) {
     const std::string text = refitted_text(without, cause);
     if (!text.empty()) sizes += (sizes.empty() ? "" : "; ") + text;
   }
-  std::string text = fmt::format("Fitted to all readings but {}: {}", cells, sizes);
+  std::string text = fmt::format("Fitted to all readings but {}{}: {}", fmt::join(places, ", "), more, sizes);
   if (without.share_error) {
     text += fmt::format("; the tension distribution is then off by {} on average",
                         percent(*without.share_error));

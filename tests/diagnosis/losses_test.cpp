@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -179,9 +180,10 @@ TEST(Losses, AreThoseOfTheGraspThatItReallyWas) {
 }
 
 // Stretches of one tube each, that lose so much more than tubes do, of which the model expects
-// some.
+// some. The noise is a share of each reading, of the last one another.
 std::vector<bool> apart(const std::vector<double>& more, double noise,
-                        const std::vector<double>& expected = std::vector<double>(9)) {
+                        const std::vector<double>& expected = std::vector<double>(9),
+                        std::optional<double> noise_of_last = std::nullopt) {
   std::string text = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
   const char* grasps[] = {"", "1", "2"};
   for (std::size_t k = 0; k < more.size(); k += 3) {
@@ -202,6 +204,7 @@ std::vector<bool> apart(const std::vector<double>& more, double noise,
     }
     cell.deviation_N = noise * cell.cell.measured_N;
   }
+  cells.back().deviation_N = noise_of_last.value_or(noise) * cells.back().cell.measured_N;
   std::vector<bool> result;
   for (const Loss& loss : losses(data, Model{}, cells)) result.push_back(loss.stands_apart);
   return result;
@@ -216,6 +219,15 @@ TEST(Losses, OneStandsApartBeyondAScoreOfThreeAndAHalf) {
   EXPECT_EQ(apart(more, 1e-4), expected);
   // 0.06 from the median is less than two standard deviations of √2 · 0.03.
   EXPECT_EQ(apart(more, 0.03), std::vector<bool>(9, false));
+}
+
+// Of the last stretch, 0.06 are 2.4 deviations of its noise; distances of the others are 1.4 of
+// theirs.
+TEST(Losses, OfNoisierReadingsDoNotStandApart) {
+  const std::vector<double> more{0, 0.02, 0, 0.02, 0.01, 0, 0.02, 0.01, 0.07};
+  const std::vector<double> nothing(9);
+  EXPECT_TRUE(apart(more, 0.005, nothing, 0.005).back());
+  EXPECT_FALSE(apart(more, 0.005, nothing, 0.024).back());
 }
 
 // The median is 0.05, and so are all distances but one, of 0.45: a score of 6. From 0.1, the upper

@@ -1,5 +1,5 @@
 // Draws of one sheath, whose law is closed: T1 = T_M e^(-phi (1 + tau z)).
-#include "diagnosis/model/mounted_draws.hpp"
+#include "diagnosis/model/mounting/mounted_draws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The sentences below the tables of a diagnosis; tests/golden has no text of one.
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -95,6 +96,26 @@ TEST(DiagnosisEvidence, SaysWhatTheCausesAreWithoutTheReadingsThatStandApart) {
             Sentences{"Fitted to all readings but T4 of TR1 (line 9): tube_friction, mu = 0.085 "
                       "(0.080 to 0.090); the tension distribution is then off by 3.4 % on "
                       "average."});
+}
+
+TEST(DiagnosisEvidence, CountsReadingsThatAreAlikeWhereManyStandApart) {
+  DiagnosisReport report = report_of_stretches();
+  name_tubes(report);
+  fit_without_one(report);
+  std::vector<Cell>& left_out = report.result.without_apart->left_out;
+  for (std::size_t reading = 1; reading < 8; ++reading) {
+    report.data.readings.push_back(report.data.readings[0]);
+    left_out.push_back({reading, 1, 0, 3.0});
+  }
+  report.data.readings[3].direction = Direction::release;
+  report.data.readings[4].grasp = Grasp{0b1};
+  report.data.readings[5].grasp = Grasp{0b1};
+  report.data.readings[6].grasp = Grasp{0b10};
+  report.data.readings[7].grasp = Grasp{0b11};
+  EXPECT_THAT(without_apart_sentences(report).front(),
+              ::testing::StartsWith("Fitted to all readings but T4 of TR1, held none (3 readings), T4 of TR1 "
+                         "(line 9), T4 of TR1, held 1 (2 readings), T4 of TR1 (line 9) and 1 more: "
+                         "tube_friction"));
 }
 
 TEST(DiagnosisEvidence, SaysNothingOfADistributionThatNoReadingHas) {

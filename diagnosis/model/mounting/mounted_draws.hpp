@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagnosis/model/mounting_scatter.hpp"
+#include "diagnosis/model/mounting/mounting_scatter.hpp"
 
 namespace reeve::diagnosis {
 

@@ -1,16 +1,13 @@
-#include "diagnosis/model/mounting_scatter.hpp"
-
-#include <Eigen/Cholesky>
+#include "diagnosis/model/mounting/mounted_comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "diagnosis/model/null_model.hpp"
-#include "numerics/minimise.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -95,13 +92,6 @@ MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
   return result;
 }
 
-// A, b and the kind of each perturbation, of all mountings that can be compared.
-struct Equations {
-  MatrixXd square;
-  VectorXd along;
-  std::vector<Mounted> kind;
-};
-
 class Comparison {
  public:
   Comparison(const Problem& problem, const Forecast& at, const MountingModes& modes)
@@ -119,15 +109,12 @@ class Comparison {
     }
   }
 
-  std::size_t mounted_again() const { return mounted_again_; }
-
-  Equations equations() const {
+  MountedEquations equations() const {
+    MountedEquations result;
+    result.kind = kind_;
+    result.mounted_again = mounted_again_;
+    if (parts_.empty()) return result;
     const auto size = static_cast<Index>(kind_.size());
-    MatrixXd square = MatrixXd::Zero(size, size);
-    for (const Part& part : parts_) {
-      square.block(part.first, part.first, part.square.rows(), part.square.cols()) = part.square;
-    }
-    if (parts_.empty()) return {square, VectorXd(0), {}};
     // The conditions are common to all routings.
     Index rows = 0;
     for (const Part& part : parts_) rows += part.conditions.rows();
@@ -138,18 +125,21 @@ class Comparison {
       rows += part.conditions.rows();
     }
     const MatrixXd basis = orthonormal_basis(conditions);
-    MatrixXd shared = MatrixXd::Zero(size, basis.cols());
+    result.shared = MatrixXd::Zero(size, basis.cols());
     VectorXd of_residuals = VectorXd::Zero(basis.cols());
-    VectorXd along(size);
+    result.along = VectorXd::Zero(size);
     rows = 0;
     for (const Part& part : parts_) {
       const auto own = basis.middleRows(rows, part.conditions.rows());
-      shared.middleRows(part.first, part.loadings.cols()) = part.loadings.transpose() * own;
+      result.squares.push_back(part.loadings.transpose() * part.loadings);
+      result.shared.middleRows(part.first, part.loadings.cols()) = part.loadings.transpose() * own;
       of_residuals += own.transpose() * part.residuals;
-      along.segment(part.first, part.loadings.cols()) = part.loadings.transpose() * part.residuals;
+      result.along.segment(part.first, part.loadings.cols()) =
+          part.loadings.transpose() * part.residuals;
       rows += part.conditions.rows();
     }
-    return {square - shared * shared.transpose(), along - shared * of_residuals, kind_};
+    result.along -= result.shared * of_residuals;
+    return result;
   }
 
  private:
@@ -159,7 +149,6 @@ class Comparison {
     MatrixXd loadings;
     MatrixXd conditions;
     VectorXd residuals;
-    MatrixXd square;
   };
 
   // That of its first reading.
@@ -204,13 +193,12 @@ class Comparison {
     }
     const MatrixXd basis = orthonormal_basis(common_.of(cells));
     Part part{
-        parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {}, {}};
+        parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {}};
     part.loadings = loadings - basis * (basis.transpose() * loadings);
     const MatrixXd conditions = conditions_(cells, Eigen::all);
     part.conditions = conditions - basis * (basis.transpose() * conditions);
     const VectorXd residuals = residuals_(cells);
     part.residuals = residuals - basis * (basis.transpose() * residuals);
-    part.square = part.loadings.transpose() * part.loadings;
     parts_.push_back(std::move(part));
     mounted_again_ += mountings.size() - 1;
   }
@@ -227,100 +215,11 @@ class Comparison {
   std::size_t mounted_again_ = 0;
 };
 
-// I + D^{1/2} A D^{1/2}, factored, and D^{1/2}.
-struct Factored {
-  VectorXd tau;
-  Eigen::LLT<MatrixXd> covariance;
-};
-
-Factored factored(const Equations& equations, const MountedScatter& scatter) {
-  const auto size = static_cast<Index>(equations.kind.size());
-  VectorXd tau(size);
-  for (Index i = 0; i < size; ++i) {
-    tau[i] = scatter[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])];
-  }
-  MatrixXd covariance = tau.asDiagonal() * equations.square * tau.asDiagonal();
-  covariance.diagonal().array() += 1;
-  return {std::move(tau), Eigen::LLT<MatrixXd>(covariance)};
-}
-
-// −2 ℓ.
-double misfit(const Equations& equations, const MountedScatter& scatter) {
-  const auto [tau, covariance] = factored(equations, scatter);
-  const VectorXd along = tau.cwiseProduct(equations.along);
-  return 2 * covariance.matrixLLT().diagonal().array().log().sum() -
-         along.dot(covariance.solve(along));
-}
-
-// Of each perturbation, 1 − its variance given the readings over that without them; summed by kind.
-std::array<double, mounted_kinds> told_by(const Equations& equations,
-                                          const MountedScatter& scatter) {
-  std::array<double, mounted_kinds> result{};
-  const auto size = static_cast<Index>(equations.kind.size());
-  if (size == 0) return result;
-  const auto [tau, covariance] = factored(equations, scatter);
-  const MatrixXd lower = covariance.matrixL().solve(MatrixXd::Identity(size, size));
-  const VectorXd variance = lower.colwise().squaredNorm().transpose();
-  for (Index i = 0; i < size; ++i) {
-    result[static_cast<std::size_t>(equations.kind[static_cast<std::size_t>(i)])] +=
-        1 - variance[i];
-  }
-  return result;
-}
-
-double penalty(double scatter, double assumed) {
-  return -2 * std::log(scatter / assumed) + 2 * scatter / assumed;
-}
-
 }  // namespace
 
-bool is_told(const MountingScatter& scatter, Mounted kind) {
-  return scatter.told_by[static_cast<std::size_t>(kind)] >= 1;
-}
-
-MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
-                                 const MountingModes& modes, std::optional<double> given) {
-  constexpr int evaluations = 60;
-  constexpr double least = 1e-3;  // of the assumed one
-  constexpr double most = 20;
-  MountingScatter result;
-  result.given = given.has_value();
-  for (const Mounted kind : modes.kind) result.present[static_cast<std::size_t>(kind)] = true;
-  const Comparison comparison(problem, at, modes);
-  result.mounted_again = comparison.mounted_again();
-  const Equations equations = comparison.equations();
-  std::vector<std::size_t> free;
-  for (std::size_t k = 0; k < mounted_kinds; ++k) {
-    if (!result.present[k]) continue;
-    const bool is_gain = k == static_cast<std::size_t>(Mounted::gain);
-    const double of_exponents = given.value_or(assumed_scatter[0]);
-    result.relative[k] = !given    ? assumed_scatter[k]
-                         : is_gain ? of_exponents * assumed_scatter[k] / assumed_scatter[0]
-                                   : of_exponents;
-    if (!given) free.push_back(k);
-  }
-  const auto at_logarithms = [&](const std::vector<double>& x) {
-    MountedScatter scatter = result.relative;
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      scatter[free[i]] = assumed_scatter[free[i]] * std::exp(x[i]);
-    }
-    return scatter;
-  };
-  if (!free.empty() && !equations.kind.empty()) {
-    const std::vector<Interval> box(free.size(), Interval{std::log(least), std::log(most)});
-    const Minimum best = refine(
-        [&](const std::vector<double>& x) {
-          const MountedScatter scatter = at_logarithms(x);
-          double surprise = misfit(equations, scatter);
-          for (const std::size_t k : free) surprise += penalty(scatter[k], assumed_scatter[k]);
-          return surprise;
-        },
-        box, std::vector<double>(free.size(), 0.0),
-        evaluations * static_cast<int>(free.size() + 1));
-    result.relative = at_logarithms(best.at);
-  }
-  result.told_by = told_by(equations, result.relative);
-  return result;
+MountedEquations mounted_equations(const Problem& problem, const Forecast& at,
+                                   const MountingModes& modes) {
+  return Comparison(problem, at, modes).equations();
 }
 
 }  // namespace reeve::diagnosis

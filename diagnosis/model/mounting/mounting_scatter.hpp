@@ -1,16 +1,10 @@
 // How much mountings of a routing differ (mounting.hpp), estimated from the differences between
-// mountings of the same routing in the same group of rows.
+// mountings of the same routing (mounted_comparison.hpp: A and b).
 //
-// Residuals y in units of the readings' own noise; in each routing everything that its mountings
-// have in common is taken out, whatever it is: the mean of each channel in each grasp and
-// direction, a constant force, and how it follows load and speed; then what follows the cycle or
-// the temperature at each kind of contact, and the order at each channel, since conditions differ
-// between mountings too. With X a basis of that, V the loadings of what mountings change and D =
-// diag(τ²) the scatters are those of the greatest restricted likelihood (H. D. Patterson and R.
-// Thompson, Biometrika 58, 1971)
+// With D = diag(τ²) the scatters are those of the greatest restricted likelihood (H. D. Patterson
+// and R. Thompson, Biometrika 58, 1971)
 //
-//   −2 ℓ = ln |I + D^{1/2} A D^{1/2}| − bᵀ D^{1/2} (I + D^{1/2} A D^{1/2})⁻¹ D^{1/2} b,
-//   A = Vᵀ M V,  b = Vᵀ M y,  M = I − X X⁺
+//   −2 ℓ = ln |I + D^{1/2} A D^{1/2}| − bᵀ D^{1/2} (I + D^{1/2} A D^{1/2})⁻¹ D^{1/2} b
 //
 // times τ e^{−τ/s}, a gamma density of shape 2 about the assumed scatter s: where readings tell
 // much it moves the estimate by about a standard error from 0, where they tell nothing (each
@@ -21,7 +15,7 @@
 #include <array>
 #include <optional>
 
-#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/mounting/mounting.hpp"
 #include "diagnosis/model/problem.hpp"
 
 namespace reeve::diagnosis {

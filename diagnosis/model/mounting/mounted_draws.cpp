@@ -1,4 +1,4 @@
-#include "diagnosis/model/mounted_draws.hpp"
+#include "diagnosis/model/mounting/mounted_draws.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "diagnosis/model/mounting.hpp"
+#include "diagnosis/model/mounting/mounting.hpp"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,0 +1,119 @@
+// The scatter between mountings against the same likelihood written out in one dense matrix.
+#include "diagnosis/model/mounting/mounting_scatter.hpp"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnosis/model/mounting/mounted_comparison.hpp"
+#include "diagnosis/model/noise.hpp"
+#include "tests/diagnosis/found_causes.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using diagnosis::mounted_equations;
+using diagnosis::MountedEquations;
+
+// Mountings of several routings that differ by 8 % in the sheaths.
+MeasuredData mounted_often() {
+  PlantingPlan plan;
+  plan.noise.mounted_exponent = 0.08;
+  plan.runs = 9;
+  return read_data(plant(plan, 11).csv);
+}
+
+struct Mountings {
+  Mountings()
+      : data(mounted_often()),
+        all(dataset(data, all_readings(data))),
+        at(forecast(all, Model{})),
+        modes(mounting_modes(all, Model{}, workers)),
+        readings(problem(all, 0.02 * at.reading_N + Eigen::VectorXd::Constant(at.reading_N.size(),
+                                                                              0.05))),
+        equations(mounted_equations(readings, at, modes)) {}
+
+  Eigen::MatrixXd dense() const {
+    Eigen::MatrixXd result = -equations.shared * equations.shared.transpose();
+    Eigen::Index first = 0;
+    for (const Eigen::MatrixXd& square : equations.squares) {
+      result.block(first, first, square.rows(), square.rows()) += square;
+      first += square.rows();
+    }
+    return result;
+  }
+
+  Eigen::VectorXd scales(const MountedScatter& scatter) const {
+    Eigen::VectorXd tau(equations.along.size());
+    for (Eigen::Index i = 0; i < tau.size(); ++i) {
+      const Mounted kind = equations.kind[static_cast<std::size_t>(i)];
+      tau[i] = scatter[static_cast<std::size_t>(kind)];
+    }
+    return tau;
+  }
+
+  Eigen::MatrixXd covariance(const MountedScatter& scatter) const {
+    const Eigen::VectorXd tau = scales(scatter);
+    return Eigen::MatrixXd::Identity(tau.size(), tau.size()) +
+           tau.asDiagonal() * dense() * tau.asDiagonal();
+  }
+
+  // With the gamma density about the assumed scatter.
+  double surprise(const MountingScatter& found, const MountedScatter& scatter) const {
+    const Eigen::MatrixXd all_of_it = covariance(scatter);
+    const Eigen::VectorXd along = scales(scatter).cwiseProduct(equations.along);
+    const Eigen::LDLT<Eigen::MatrixXd> factors(all_of_it);
+    double result =
+        factors.vectorD().array().log().sum() - along.dot(Eigen::VectorXd(factors.solve(along)));
+    for (std::size_t k = 0; k < mounted_kinds; ++k) {
+      if (!found.present[k]) continue;
+      const double times = scatter[k] / assumed_scatter[k];
+      result += 2 * times - 2 * std::log(times);
+    }
+    return result;
+  }
+
+  Workers workers{1};
+  MeasuredData data;
+  Dataset all;
+  Forecast at;
+  MountingModes modes;
+  Problem readings;
+  MountedEquations equations;
+};
+
+TEST(MountingScatter, IsTheLikeliest) {
+  const Mountings rig;
+  ASSERT_GT(rig.equations.squares.size(), 1U);
+  ASSERT_GT(rig.equations.shared.squaredNorm(), 0);
+  const MountingScatter found =
+      mounting_scatter(rig.readings, rig.at, rig.modes, std::nullopt);
+  const double least = rig.surprise(found, found.relative);
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    if (!found.present[k]) continue;
+    for (const double times : {0.8, 0.95, 1.05, 1.25}) {
+      MountedScatter other = found.relative;
+      other[k] *= times;
+      EXPECT_GT(rig.surprise(found, other), least - 1e-4) << k << " times " << times;
+    }
+  }
+}
+
+TEST(MountingScatter, IsToldByWhatTheReadingsLeaveOfIt) {
+  const Mountings rig;
+  const MountingScatter found = mounting_scatter(rig.readings, rig.at, rig.modes, 0.06);
+  const Eigen::VectorXd left = rig.covariance(found.relative).inverse().diagonal();
+  std::array<double, mounted_kinds> expected{};
+  for (Eigen::Index i = 0; i < left.size(); ++i) {
+    expected[static_cast<std::size_t>(rig.equations.kind[static_cast<std::size_t>(i)])] +=
+        1 - left[i];
+  }
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    EXPECT_NEAR(found.told_by[k], expected[k], 1e-8 * (1 + expected[k])) << k;
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
