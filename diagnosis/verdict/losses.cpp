@@ -13,6 +13,7 @@ constexpr double greatest_score = 3.5;
 // Losses that agree better than that agree by their rounding, as those of made-up data may.
 constexpr double least_scatter = 1e-3;
 constexpr double sure_of_noise = 2;
+constexpr double least_noise = 1e-9;  // relative: readings without any weigh alike
 constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution over its deviation
 
 // Two measured segments with nothing measured between them.
@@ -121,11 +122,13 @@ class LossTable {
   std::vector<Loss> take() && { return std::move(result_); }
 
  private:
+  // By the forecast: chosen by what they read, readings near zero would be those that read too much.
   static bool is_taut(const ComparedCell& cell) {
     constexpr double sure = 3;  // deviations; the logarithm of less is mostly noise
-    return cell.cell.measured_N > sure * cell.deviation_N && cell.before_N > 0 && cell.after_N > 0;
+    return cell.cell.measured_N > 0 && cell.before_N > 0 && cell.after_N > sure * cell.deviation_N;
   }
 
+  // By their noise: the logarithm of a noisy reading is too small on average.
   static void add_row(const Row& row, std::size_t high, std::size_t low, Loss& loss) {
     const auto from = row.find(high);
     const auto to = row.find(low);
@@ -133,20 +136,21 @@ class LossTable {
     const ComparedCell& a = *from->second;
     const ComparedCell& b = *to->second;
     if (!is_taut(a) || !is_taut(b)) return;
+    const double weight = 1 / (std::pow(std::max(a.deviation_N / a.after_N, least_noise), 2) +
+                               std::pow(std::max(b.deviation_N / b.after_N, least_noise), 2));
     ++loss.rows;
-    loss.deviation += std::pow(a.deviation_N / a.cell.measured_N, 2) +
-                      std::pow(b.deviation_N / b.cell.measured_N, 2);
-    loss.measured += std::log(a.cell.measured_N / b.cell.measured_N);
-    loss.before += std::log(a.before_N / b.before_N);
-    loss.after += std::log(a.after_N / b.after_N);
+    loss.deviation += weight;
+    loss.measured += weight * std::log(a.cell.measured_N / b.cell.measured_N);
+    loss.before += weight * std::log(a.before_N / b.before_N);
+    loss.after += weight * std::log(a.after_N / b.after_N);
   }
 
   static Loss mean(Loss loss) {
-    const auto rows = static_cast<double>(loss.rows);
-    loss.measured /= rows;
-    loss.deviation = std::sqrt(loss.deviation) / rows;
-    loss.before /= rows;
-    loss.after /= rows;
+    const double weight = loss.deviation;
+    loss.measured /= weight;
+    loss.deviation = 1 / std::sqrt(weight);
+    loss.before /= weight;
+    loss.after /= weight;
     return loss;
   }
 

@@ -32,8 +32,8 @@ struct Loss {
   Segment low;                    // to which the tension falls, by the extended model
   std::vector<ContactKind> over;  // the contacts between them, from high to low
   std::size_t rows = 0;
-  // ln(T_high / T_low), mean over the rows; those with a tension within three standard deviations
-  // of zero are left out.
+  // ln(T_high / T_low), mean over the rows, weighed by their noise; those with a forecast within
+  // three standard deviations of zero are left out.
   double measured = 0;
   double deviation = 0;  // of `measured`, by the noise
   double before = 0;     // of the forecasts of the model as it was

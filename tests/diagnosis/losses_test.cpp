@@ -135,13 +135,30 @@ TEST(Losses, AreMeansOverTheRowsOfAGraspAndDirection) {
   EXPECT_EQ(segment_name(found[1].high) + segment_name(found[1].low), "T2T1");
 }
 
-TEST(Losses, LeaveOutRowsWithATensionThatMayBeNone) {
-  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-F,40,20\n1,M-1-F,40,0.5\n");
+// The second row's readings scatter three times as far: it weighs a ninth.
+TEST(Losses, AreMeansWeighedByTheNoise) {
+  const MeasuredData data = read_data("run,routing,T1_N,T2_N\n1,M-1-F,40,20\n1,M-1-F,40,10\n");
   std::vector<ComparedCell> cells = compared(data);
-  for (ComparedCell& cell : cells) cell.deviation_N = 0.2;
+  for (std::size_t i = 2; i < 4; ++i) cells[i].deviation_N *= 3;
   const auto found = losses(data, Model{}, cells);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].rows, 1U);
+  EXPECT_NEAR(found[0].measured, (0.9 * std::log(2) + 0.1 * std::log(4)), 1e-12);
+  EXPECT_NEAR(found[0].deviation, std::sqrt(2e-4 * 0.9), 1e-12);
+}
+
+// Whatever is read: chosen by that, what is left would read too much.
+TEST(Losses, LeaveOutRowsWhereATensionOfNoneIsForecast) {
+  const MeasuredData data = read_data(
+      "run,routing,T1_N,T2_N\n1,M-1-F,40,20\n1,M-1-F,40,0.5\n1,M-1-F,40,0.5\n1,M-1-F,40,0\n");
+  std::vector<ComparedCell> cells = compared(data);
+  for (ComparedCell& cell : cells) {
+    cell.deviation_N = 0.2;
+    cell.before_N = cell.after_N = cell.cell.segment == cells[0].cell.segment ? 40 : 20;
+  }
+  cells[3].after_N = 0.5;
+  const auto found = losses(data, Model{}, cells);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].rows, 2U);
 }
 
 Effect effect_on(const char* cause, const Subject& subject) {
