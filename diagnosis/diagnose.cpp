@@ -8,13 +8,13 @@
 #include "diagnosis/data/sample.hpp"
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
-#include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
 #include "diagnosis/plan/measurement_plan.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/search/rivals.hpp"
-#include "diagnosis/search/weighed.hpp"
+#include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/what_is_left.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
 
@@ -170,60 +170,32 @@ class Diagnosis {
     return true;
   }
 
-  // Every number that needs the held-out runs is taken here.
   void confirm() {
-    std::vector<std::string> names;
-    for (const NamedCause& cause : result_.causes) names.push_back(cause.name);
-    const auto weighed = weighed_models(found_.problem, nominal_, result_.model, names, rivals_);
-    for (const WeighedModel& model : weighed) {
-      result_.weighed.push_back({model.causes, model.gain, std::nullopt});
-    }
-    if (sample_.held_out.cells.empty()) return;
-    const Problem unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
+    std::vector<AppliedCause> causes;
+    for (const NamedCause& cause : result_.causes) causes.push_back({cause.name, cause.effect});
+    Confirmation confirmed =
+        confirmation(found_.problem, found_.scatter, nominal_, result_.model, causes, rivals_,
+                     sample_.held_out, options_.seed, workers_);
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-      NamedCause& cause = result_.causes[c];
-      const Fit before =
-          fit(found_.problem, without(result_.model, place(result_.model, cause.effect)));
-      cause.held_out = held_out_gain(unseen, before.model, result_.model, options_.seed + c);
+      result_.causes[c].held_out = confirmed.of_causes[c];
     }
-    for (std::size_t i = 0; i < weighed.size(); ++i) {
-      // In some held-out row it may have no tensions: nothing to weigh it by.
-      if (!try_forecast(sample_.held_out, weighed[i].model)) continue;
-      result_.weighed[i].held_out =
-          held_out_gain(unseen, nominal_, weighed[i].model, options_.seed);
-    }
-    result_.noise_limit = noise_limit(unseen, nominal_);
-    result_.run_gains = run_gains(unseen, nominal_, result_.model);
-    if (!result_.causes.empty()) {
-      result_.held_out = held_out_gain(unseen, nominal_, result_.model, options_.seed);
-    }
+    result_.held_out = confirmed.together;
+    result_.weighed = std::move(confirmed.weighed);
+    result_.noise_limit = confirmed.noise_limit;
+    result_.run_gains = std::move(confirmed.run_gains);
   }
 
   void check_what_is_left() {
-    const Forecast at = forecast(sample_.training, result_.model);
-    result_.row_scatter = row_scatter(found_.problem, at);
-    const Projection projection(found_.problem, result_.model, at);
-    const Eigen::VectorXd left = projection.taken_out(residuals(found_.problem, at));
-    const auto tests = structure_tests(found_.problem, at, projection);
-    const auto find = [&](const MountedDraws* mounted) {
-      const NullModel null_model(found_.problem, projection, at,
-                                 streams::seed_of_what_is_left(options_.seed), options_.replicates,
-                                 mounted);
-      return find_structure(found_.problem, tests, left, null_model, workers_,
-                            [this] { return stopped("checking what is left"); });
-    };
-    StructureResult found = find(nullptr);
-    // Is it anything but what mountings do that are no straight lines?
-    if (stop_) return;
-    if (found.p_value < options_.alpha && !found_.problem.shared.empty()) {
-      const MountedDraws mounted(sample_.training, result_.model, found_.scatter.mounting);
-      found = find(&mounted);
-      if (stop_) return;
-    }
-    result_.structure = found.findings;
-    result_.structure_p_value = found.p_value;
-    if (found.p_value < structure_share_of_alpha * options_.alpha) {
-      result_.unexplained = {found.findings.front().about, found.where, found.p_value};
+    const WhatIsLeft left =
+        what_is_left(found_.problem, result_.model, found_.scatter.mounting, options_.alpha,
+                     {streams::seed_of_what_is_left(options_.seed), options_.replicates}, workers_,
+                     [this] { return stopped("checking what is left"); });
+    result_.row_scatter = left.row_scatter;
+    result_.structure = left.structure.findings;
+    result_.structure_p_value = left.structure.p_value;
+    if (!stop_ && left.structure.p_value < structure_share_of_alpha * options_.alpha) {
+      result_.unexplained = {left.structure.findings.front().about, left.structure.where,
+                             left.structure.p_value};
     }
   }
 

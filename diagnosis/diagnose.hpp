@@ -27,13 +27,11 @@
 #include "diagnosis/model/scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/group_estimates.hpp"
-#include "diagnosis/verdict/held_out.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 #include "diagnosis/verdict/losses.hpp"
-#include "diagnosis/verdict/noise_limit.hpp"
 #include "diagnosis/verdict/row_scatter.hpp"
-#include "diagnosis/verdict/run_gain.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "diagnosis/verdict/structure.hpp"
 #include "diagnosis/verdict/without_apart.hpp"
@@ -96,13 +94,6 @@ struct NamedCause {
   std::optional<HeldOut> held_out;  // with this cause over without it, all others kept
   double p_value = 1;
   std::optional<RunnerUp> runner_up;
-};
-
-// How the named causes together, or others in the place of one of them, explain the data.
-struct WeighedCauses {
-  std::vector<std::string> causes;
-  double gain = 0;  // in log-likelihood on the training runs, over the nominal model
-  std::optional<HeldOut> held_out;
 };
 
 struct Unexplained {

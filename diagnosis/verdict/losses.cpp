@@ -13,7 +13,7 @@ constexpr double greatest_score = 3.5;
 // Losses that agree better than that agree by their rounding, as those of made-up data may.
 constexpr double least_scatter = 1e-3;
 constexpr double sure_of_noise = 2;
-constexpr double least_noise = 1e-9;  // relative: readings without any weigh alike
+constexpr double least_noise = 1e-9;           // relative: readings without any weigh alike
 constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution over its deviation
 
 // Two measured segments with nothing measured between them.
@@ -122,7 +122,8 @@ class LossTable {
   std::vector<Loss> take() && { return std::move(result_); }
 
  private:
-  // By the forecast: chosen by what they read, readings near zero would be those that read too much.
+  // By the forecast: chosen by what they read, readings near zero would be those that read too
+  // much.
   static bool is_taut(const ComparedCell& cell) {
     constexpr double sure = 3;  // deviations; the logarithm of less is mostly noise
     return cell.cell.measured_N > 0 && cell.before_N > 0 && cell.after_N > sure * cell.deviation_N;

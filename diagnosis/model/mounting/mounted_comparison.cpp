@@ -192,8 +192,7 @@ class Comparison {
       kind_.insert(kind_.end(), modes_.kind.begin(), modes_.kind.end());
     }
     const MatrixXd basis = orthonormal_basis(common_.of(cells));
-    Part part{
-        parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {}};
+    Part part{parts_.empty() ? 0 : parts_.back().first + parts_.back().loadings.cols(), {}, {}, {}};
     part.loadings = loadings - basis * (basis.transpose() * loadings);
     const MatrixXd conditions = conditions_(cells, Eigen::all);
     part.conditions = conditions - basis * (basis.transpose() * conditions);

@@ -72,8 +72,7 @@ class Covariance {
     MatrixXd result(columns.rows(), columns.cols());
     Index first = 0;
     for (const auto& block : blocks_) {
-      result.middleRows(first, block.rows()) =
-          block.solve(columns.middleRows(first, block.rows()));
+      result.middleRows(first, block.rows()) = block.solve(columns.middleRows(first, block.rows()));
       first += block.rows();
     }
     return result;
