@@ -47,7 +47,11 @@ class ColumnReader {
  public:
   ColumnReader(const CsvReader& csv, const std::optional<CsvRow>& units,
                const ReadingOptions& options, FaultList& faults)
-      : csv_(csv), units_(units), options_(options), faults_(faults) {}
+      : csv_(csv),
+        units_(units),
+        options_(options),
+        faults_(faults),
+        group_(options.group ? header_of(*options.group) : std::nullopt) {}
 
   DataColumns read() {
     for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
@@ -61,6 +65,17 @@ class ColumnReader {
   }
 
  private:
+  // As it is written in the file, where capitals need not be as in the option.
+  std::optional<std::string> header_of(const std::string& wanted) const {
+    std::optional<std::string> alike;
+    for (const std::string_view field : csv_.header().fields) {
+      const std::string name(trimmed(field));
+      if (name == wanted) return name;
+      if (lower(name) == lower(wanted)) alike = name;
+    }
+    return alike;
+  }
+
   void fail(std::size_t line, InputFault fault) {
     if (!fault.where) fault.where = fmt::format("{}:{}", csv_.name(), line);
     faults_.add(line, "in the header", std::move(fault));
@@ -92,7 +107,9 @@ class ColumnReader {
   }
 
   DataColumn read(const std::string& name, std::size_t index) {
-    if (options_.group && *options_.group == name) return {DataRole::group, name, 0, 0, {}, {}};
+    if (group_ == name && !has_other_meaning(name, index)) {
+      return {DataRole::group, name, 0, 0, {}, {}};
+    }
     require_short_name(name);
     const Range any = range_of(DataRole::covariate);
     DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
@@ -105,6 +122,16 @@ class ColumnReader {
     column.unit = unit.value_or(own_unit(dimension_of(named->role)));
     note_name(*named, name, unit);
     return column;
+  }
+
+  // The runs of a file, or its tensions, cannot be given away.
+  bool has_other_meaning(const std::string& name, std::size_t index) {
+    const auto named = column_named(name);
+    if (!named || (named->needs_unit && !named->unit)) return false;
+    fail_column(index, fmt::format("a column without another meaning to group rows by, and this "
+                                   "is read as {}",
+                                   plain_name(*named)));
+    return true;
   }
 
   std::optional<std::size_t> same_as(const DataColumn& column) const {
@@ -142,7 +169,7 @@ class ColumnReader {
     for (const ColumnMeaning& mapped : options_.map) {
       require_name(mapped.column, fmt::format("the column that means {}", mapped.meaning));
     }
-    if (options_.group) require_name(*options_.group, "the column of groups");
+    if (options_.group) require_name(group_.value_or(*options_.group), "the column of groups");
     for (const ColumnNoise& given : options_.noise) {
       if (!is_there([&](const DataColumn& column) { return is_noise_of(given, column); })) {
         fail(csv_.header().line, {.what = "the header has no column of tensions",
@@ -236,6 +263,7 @@ class ColumnReader {
   const std::optional<CsvRow>& units_;
   const ReadingOptions& options_;
   FaultList& faults_;
+  std::optional<std::string> group_;  // the header of the column of groups
   DataColumns result_;
   std::vector<std::string> names_;
   bool has_bad_name_ = false;

@@ -100,6 +100,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   }
   add_notes(std::move(columns.notes), data);
   add_notes(part_runs_by_group(data), data);
+  if (options.group) add_notes(notes_on_groups(data), data);
   mark_simulated(csv, data);
   // Reeve itself writes its own letters.
   add_notes(notes_on_letters(data, !data.simulated && has_letters(columns.columns)), data);

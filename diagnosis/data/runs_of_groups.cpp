@@ -29,6 +29,28 @@ std::string parted_name(const MeasuredData& data, std::size_t run, Group group) 
 
 }  // namespace
 
+std::vector<DataNote> notes_on_groups(const MeasuredData& data) {
+  std::vector<DataNote> notes;
+  if (data.groups.size() < 2) {
+    notes.push_back({NoteKind::not_compared,
+                     data.groups.empty() ? std::string("the column of groups is empty")
+                                         : fmt::format("all rows are of one group, '{}': there is "
+                                                       "no other to compare it with",
+                                                       data.groups.front()),
+                     {}});
+    return notes;
+  }
+  DataNote without{NoteKind::not_compared, "", {}};
+  for (const Reading& reading : data.readings) {
+    if (!reading.group) without.lines.push_back(reading.line);
+  }
+  if (without.lines.empty()) return notes;
+  without.text = fmt::format("{} row{} no group, and no part in comparisons between groups",
+                             without.lines.size(), without.lines.size() == 1 ? " has" : "s have");
+  notes.push_back(std::move(without));
+  return notes;
+}
+
 std::vector<DataNote> part_runs_by_group(MeasuredData& data) {
   const std::vector<std::set<Group>> groups = groups_of_runs(data);
   std::vector<std::string> runs;

@@ -8,6 +8,9 @@
 
 namespace reeve::diagnosis {
 
+// Where a column of groups was asked for: too few groups, rows without one.
+std::vector<DataNote> notes_on_groups(const MeasuredData& data);
+
 // Their names get the group's behind them: "1 (left)". Rows without a group are one of
 // their own where there are two groups or more; beside one group they belong to it.
 std::vector<DataNote> part_runs_by_group(MeasuredData& data);

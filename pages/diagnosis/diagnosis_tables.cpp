@@ -7,6 +7,7 @@
 
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/shell/html_table.hpp"
+#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -74,6 +75,11 @@ std::string sizes_table(const DiagnosisResult& result) {
     }
   }
   return written({"named-causes", "Sizes, with 95 % intervals", std::move(table)});
+}
+
+std::string groups_table(const DiagnosisReport& report) {
+  return written(
+      {"by-group", "Each group fitted by itself, with 95 % intervals", group_table(report)});
 }
 
 std::string weighed_table(const DiagnosisResult& result) {

@@ -8,6 +8,7 @@
 namespace reeve::pages {
 
 std::string sizes_table(const DiagnosisResult& result);
+std::string groups_table(const DiagnosisReport& report);
 // Every model that was weighed, the named one marked in words and by its sign.
 std::string weighed_table(const DiagnosisResult& result);
 std::string gains_table(const DiagnosisResult& result);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::reports {
@@ -24,6 +26,14 @@ std::string group_text(const EstimatesByGroup& of, const GroupEstimate& one,
                      estimate(parameter, parameter.low), estimate(parameter, parameter.high), name);
 }
 
+// No smaller than that of any other finding: the t distribution of few readings is no truth to so
+// many digits.
+std::string chance_text(const EstimatesByGroup& of, const DiagnosisReport& report) {
+  const std::size_t replicates = report.settings.replicates;
+  const double least = 1 / static_cast<double>(replicates + 1);
+  return p_text(std::max(of.p_value, least), replicates);
+}
+
 // A group whose scatter too few readings tell is taken to be as all (model/scatter_fit.hpp).
 bool is_told(double scale) { return scale != 1; }
 
@@ -43,10 +53,10 @@ std::vector<std::string> group_sentences(const DiagnosisReport& report) {
     }
     const std::size_t left = of.groups.size() - told.size();
     const std::string more = left == 0 ? "" : fmt::format(" ({} more groups)", left);
-    sentences.push_back(fmt::format(
-        "By group, each fitted by itself, {} differs: {} = {}{}; {} stands out ({})", of.cause,
-        of.parameter, fmt::join(told, ", "), more, report.data.groups[of.farthest],
-        p_text(of.p_value, report.settings.replicates)));
+    sentences.push_back(
+        fmt::format("By group, each fitted by itself, {} differs: {} = {}{}; {} stands out ({})",
+                    of.cause, of.parameter, fmt::join(told, ", "), more,
+                    report.data.groups[of.farthest], chance_text(of, report)));
   }
   return sentences;
 }
@@ -66,6 +76,25 @@ std::string group_scatter_sentence(const DiagnosisReport& report) {
   return fmt::format("Readings scatter otherwise in each group, by so many times the noise: {}{}.",
                      fmt::join(told, ", "),
                      left == 0 ? "" : fmt::format(" ({} more groups)", left));
+}
+
+Table group_table(const DiagnosisReport& report) {
+  Table table{{text_column("what"), text_column("group"), number_column("value"),
+               number_column("95 % interval"), text_column("remark")},
+              {}};
+  for (const EstimatesByGroup& of : report.result.by_group) {
+    const std::string unit = of.unit == "1" ? "" : ", " + of.unit;
+    for (const GroupEstimate& one : of.groups) {
+      const EstimatedParameter parameter = as_parameter(of, one);
+      const bool stands_out = of.differs && one.group == of.farthest;
+      table.add({fmt::format("{}, {}{}", of.cause, of.parameter, unit),
+                 report.data.groups[one.group], estimate(parameter, parameter.value),
+                 fmt::format("{} to {}", estimate(parameter, parameter.low),
+                             estimate(parameter, parameter.high)),
+                 stands_out ? fmt::format("stands out ({})", chance_text(of, report)) : ""});
+    }
+  }
+  return table;
 }
 
 Json by_group_json(const DiagnosisReport& report) {

@@ -208,6 +208,12 @@ Section losses_section(const DiagnosisReport& report) {
   return section;
 }
 
+Section groups_section(const DiagnosisReport& report) {
+  Table table = group_table(report);
+  if (table.rows.empty()) return {};
+  return {"By group, each fitted by itself", std::move(table), {}};
+}
+
 Section next_section(const DiagnosisReport& report) {
   const std::optional<PlannedMeasurement>& next = report.result.next_measurement;
   if (!next) return {};
@@ -237,9 +243,9 @@ Sheet diagnosis_sheet(const DiagnosisReport& report) {
   Section answer;
   add_lines(answer.lines, diagnosis_answer(report));
   Sheet sheet{{answer}};
-  for (const auto part :
-       {causes_section, gains_section, weighed_section, indistinguishable_section, left_section,
-        shares_section, losses_section, next_section, ranking_section, data_section}) {
+  for (const auto part : {causes_section, gains_section, weighed_section, indistinguishable_section,
+                          left_section, shares_section, groups_section, losses_section,
+                          next_section, ranking_section, data_section}) {
     sheet.add(part(report));
   }
   sheet.add(notes_section(report.result.notes));

@@ -188,5 +188,25 @@ TEST(Groups, AreComparedWithAllOthersTogether) {
   EXPECT_TRUE(sheaths->differs);
 }
 
+// Nobody may think that groups were compared where there is nothing to compare.
+TEST(Groups, TooFewOrMissingAreNoted) {
+  const auto noted = [](const std::string& rows) {
+    ReadingOptions options;
+    options.group = "winch";
+    std::vector<std::string> texts;
+    for (const DataNote& note : read_data("run,routing,winch,T1_N\n" + rows, options).notes) {
+      if (note.kind == NoteKind::not_compared) texts.push_back(note.text);
+    }
+    return texts;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(noted("1,M-1-F,A,1\n2,M-1-F,B,1\n"), Texts{});
+  EXPECT_EQ(noted("1,M-1-F,A,1\n2,M-1-F,B,1\n3,M-1-F,,1\n"),
+            Texts{"1 row has no group, and no part in comparisons between groups"});
+  EXPECT_EQ(noted("1,M-1-F,A,1\n2,M-1-F,A,1\n"),
+            Texts{"all rows are of one group, 'A': there is no other to compare it with"});
+  EXPECT_EQ(noted("1,M-1-F,,1\n"), Texts{"the column of groups is empty"});
+}
+
 }  // namespace
 }  // namespace reeve::testing

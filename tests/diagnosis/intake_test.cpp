@@ -147,5 +147,27 @@ TEST(AColumnOfGroups, IsReadAsWords) {
             "d.csv:1: the header has no column 'winch': expected the column of groups");
 }
 
+TEST(AColumnOfGroups, NeedNotHaveTheCapitalsOfTheOption) {
+  const std::string rows = "\nA,TR5,left,right,1\n";
+  EXPECT_EQ(read_data("run,routing,Winch,side,T1_N" + rows, {{}, {}, "winch"}).groups,
+            std::vector<std::string>{"left"});
+  EXPECT_EQ(read_data("run,routing,Winch,winch,T1_N" + rows, {{}, {}, "winch"}).groups,
+            std::vector<std::string>{"right"});
+}
+
+TEST(AColumnOfGroups, HasNoOtherMeaning) {
+  const std::string file = "run,routing,T1_N,T2 [lbf],Ta\nA,TR5,1,1,1\n";
+  const auto expected = [](const char* column, const char* meaning) {
+    return fmt::format(
+        "d.csv:1: column {}: expected a column without another meaning to group "
+        "rows by, and this is read as {}",
+        column, meaning);
+  };
+  EXPECT_EQ(data_error(file, {{}, {}, "run"}), expected("1 'run'", "run"));
+  EXPECT_EQ(data_error(file, {{}, {}, "T1_N"}), expected("3 'T1_N'", "T1_N"));
+  EXPECT_EQ(data_error(file, {{}, {}, "T2 [lbf]"}), expected("4 'T2 [lbf]'", "T2_N"));
+  EXPECT_EQ(read_data(file, {{}, {}, "Ta"}).groups, std::vector<std::string>{"1"});
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -3,6 +3,7 @@
 
 #include "causes/library.hpp"
 #include "core/notation.hpp"
+#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 
 namespace reeve {
@@ -108,6 +109,15 @@ TEST(DiagnosisAnswer, NamesTheGroupThatStandsOut) {
       says(report,
            "By group, each fitted by itself, sheath_friction differs: mu = 0.180 (0.170 to "
            "0.190) in old winch, 0.120 (0.110 to 0.130) in new winch; new winch stands out"));
+  const Table table = group_table(report);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0].cells[1], "old winch");
+  EXPECT_EQ(table.rows[0].cells[4], "");
+  EXPECT_EQ(table.rows[1].cells[2], "0.120");
+  EXPECT_EQ(table.rows[1].cells[4], "stands out (p = 0.002)");
+  // No digits of a chance that no replicate could tell.
+  report.result.by_group[0].p_value = 1e-38;
+  EXPECT_TRUE(says(report, "new winch stands out (p < 0.001)"));
   report.result.by_group[0].differs = false;
   EXPECT_FALSE(says(report, "By group"));
 }
