@@ -21,10 +21,6 @@ std::vector<std::string> covariate_names(const std::vector<DataColumn>& columns)
   return names;
 }
 
-std::string column_name(const DataColumn& column) {
-  return fmt::format("column '{}'", for_message(column.name));
-}
-
 // The first ones: a message has one line.
 std::string segment_names(const Network& network) {
   constexpr std::size_t most = 20;
@@ -43,13 +39,6 @@ std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, s
   return found->second;
 }
 
-// What a spreadsheet leaves of nothing (some 1e-16) may stay; the square of far less is no number.
-void require_measurable(double tension_N) {
-  constexpr double least_N = 1e-30;
-  if (tension_N == 0 || std::abs(tension_N) >= least_N) return;
-  throw InputError({.expected = fmt::format("0, or a tension of at least {} N", least_N)});
-}
-
 }  // namespace
 
 RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
@@ -59,7 +48,7 @@ RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& column
       columns_(columns),
       options_(options),
       faults_(faults),
-      numbers_(csv.separator()),
+      cells_(csv, columns, faults),
       routings_(columns, resolve),
       covariates_(covariate_names(columns)),
       tare_(columns.size()) {
@@ -69,7 +58,7 @@ RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& column
 void RowReader::read(const CsvRow& row) {
   if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
   const std::size_t faults_before = faults_.count();
-  Numbers numbers = this->numbers(row);
+  RowCells::Numbers numbers = cells_.numbers(row);
   if (is_tare(row)) {
     if (faults_.count() == faults_before) tare_.add(row.line, numbers);
     return;
@@ -99,64 +88,12 @@ MeasuredData RowReader::finish() {
   return std::move(data_);
 }
 
-// Runs `action` on the cell. Puts file, line, column and value before its input error, and lists
-// it.
-template <typename Action>
-auto RowReader::at(const CsvRow& row, std::size_t column, Action action)
-    -> std::optional<decltype(action(std::string_view{}))> {
-  try {
-    return action(trimmed(row.fields[column]));
-  } catch (const InputError& error) {
-    faults_.add(row.line, "in " + column_name(columns_[column]), cell_fault(row, column, error));
-    return std::nullopt;
-  }
-}
-
-InputFault RowReader::cell_fault(const CsvRow& row, std::size_t column,
-                                 const InputError& error) const {
-  return cell_error(error, csv_.name(), row.line, columns_[column].name,
-                    trimmed(row.fields[column]))
-      .fault();
-}
-
-std::string_view RowReader::cell(const CsvRow& row, DataRole role) const {
-  const auto column = find_column(columns_, role);
-  return column ? trimmed(row.fields[*column]) : std::string_view();
-}
-
 bool RowReader::is_tare(const CsvRow& row) const {
-  return says_tare(cell(row, DataRole::run)) || says_tare(cell(row, DataRole::routing));
+  return says_tare(cells_.cell(row, DataRole::run)) ||
+         says_tare(cells_.cell(row, DataRole::routing));
 }
 
-// In reeve's units, by column; those of covariates apart.
-RowReader::Numbers RowReader::numbers(const CsvRow& row) {
-  Numbers result(columns_.size());
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (is_of_numbers(columns_[column].role)) result[column] = number(row, column);
-    if (columns_[column].role == DataRole::no_name && !trimmed(row.fields[column]).empty() &&
-        (no_name_lines_.empty() || no_name_lines_.back() != row.line)) {
-      no_name_lines_.push_back(row.line);
-    }
-  }
-  return result;
-}
-
-std::optional<double> RowReader::number(const CsvRow& row, std::size_t column) {
-  const DataColumn& of = columns_[column];
-  return at(row, column,
-            [&](std::string_view text) -> std::optional<double> {
-              if (is_missing(text)) return std::nullopt;
-              const double value = of.unit.converted(
-                  numbers_.read(text, row.line, of.unit.back(of.low), of.unit.back(of.high)));
-              const bool is_tension =
-                  of.role == DataRole::tension || of.role == DataRole::motor_tension;
-              if (is_tension) require_measurable(value);
-              return value;
-            })
-      .value_or(std::nullopt);
-}
-
-void RowReader::take_zeros(Numbers& numbers) const {
+void RowReader::take_zeros(RowCells::Numbers& numbers) const {
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     if (numbers[column] && is_of_sensor(columns_[column].role)) {
       *numbers[column] -= tare_.zero(column);
@@ -170,13 +107,16 @@ void RowReader::read_words(const CsvRow& row, Reading& reading) {
   const auto routing = this->routing(row);
   reading.routing = routing.value_or(routings_.count());
   if (const auto held = find_column(columns_, DataRole::held); held && routing) {
-    reading.grasp = at(row, *held, [&](std::string_view text) {
-                      return read_held(text, routings_[*routing].network.fingers);
-                    }).value_or(Grasp{});
+    reading.grasp = cells_
+                        .at(row, *held,
+                            [&](std::string_view text) {
+                              return read_held(text, routings_[*routing].network.fingers);
+                            })
+                        .value_or(Grasp{});
   }
   std::optional<Direction> said;
   if (const auto direction = find_column(columns_, DataRole::direction)) {
-    said = at(row, *direction, read_direction).value_or(std::nullopt);
+    said = cells_.at(row, *direction, read_direction).value_or(std::nullopt);
   }
   reading.direction = said.value_or(Direction::pull);
   reading.direction_assumed = !said;
@@ -185,7 +125,7 @@ void RowReader::read_words(const CsvRow& row, Reading& reading) {
 std::optional<std::size_t> RowReader::run(const CsvRow& row) {
   const auto column = find_column(columns_, DataRole::run);
   if (!column) return std::nullopt;
-  return at(row, *column, [&](std::string_view text) {
+  return cells_.at(row, *column, [&](std::string_view text) {
     if (text.empty()) throw InputError({.expected = "a name or number for the run"});
     require_short_name(text);
     return place_of(text, runs_, data_.runs);
@@ -194,8 +134,8 @@ std::optional<std::size_t> RowReader::run(const CsvRow& row) {
 
 std::optional<std::size_t> RowReader::group(const CsvRow& row) {
   const auto column = find_column(columns_, DataRole::group);
-  if (!column || is_missing(cell(row, DataRole::group))) return std::nullopt;
-  return at(row, *column, [&](std::string_view text) {
+  if (!column || is_missing(cells_.cell(row, DataRole::group))) return std::nullopt;
+  return cells_.at(row, *column, [&](std::string_view text) {
     require_short_name(text);
     return place_of(text, groups_, data_.groups);
   });
@@ -204,10 +144,10 @@ std::optional<std::size_t> RowReader::group(const CsvRow& row) {
 std::optional<std::size_t> RowReader::routing(const CsvRow& row) {
   const auto column = find_column(columns_, DataRole::routing);
   if (!column) return std::nullopt;
-  return at(row, *column, [&](std::string_view text) { return routings_.index(text); });
+  return cells_.at(row, *column, [&](std::string_view text) { return routings_.index(text); });
 }
 
-void RowReader::set_numbers(const CsvRow& row, const Numbers& numbers, Reading& reading) {
+void RowReader::set_numbers(const CsvRow& row, const RowCells::Numbers& numbers, Reading& reading) {
   set_conditions(numbers, reading);
   if (reading.routing < routings_.count()) {
     reading.tension_N.resize(routings_.channels().channels().size());
@@ -226,20 +166,17 @@ void RowReader::read_covariates(const CsvRow& row, Reading& reading) {
     const std::size_t covariate = reading.covariates.size();
     std::optional<double> value;
     try {
-      const std::string_view text = trimmed(row.fields[column]);
-      if (!is_missing(text)) {
-        value = numbers_.read(text, row.line, columns_[column].low, columns_[column].high);
-        covariates_.add_number(covariate);
-      }
+      value = cells_.covariate(row, column);
+      if (value) covariates_.add_number(covariate);
     } catch (const InputError& error) {
-      covariates_.add_fault(covariate, row.line, "in " + column_name(columns_[column]),
-                            cell_fault(row, column, error));
+      covariates_.add_fault(covariate, row.line, in_column(columns_[column]),
+                            cells_.fault(row, column, error));
     }
     reading.covariates.push_back(value);
   }
 }
 
-void RowReader::set_conditions(const Numbers& numbers, Reading& reading) const {
+void RowReader::set_conditions(const RowCells::Numbers& numbers, Reading& reading) const {
   const auto set = [&](DataRole role, std::optional<double>& value) {
     if (const auto column = find_column(columns_, role)) value = numbers[*column];
   };
@@ -252,7 +189,7 @@ void RowReader::set_conditions(const Numbers& numbers, Reading& reading) const {
 
 void RowReader::set_tension(const CsvRow& row, std::size_t column, double tension_N,
                             Reading& reading) {
-  at(row, column, [&](std::string_view) {
+  cells_.at(row, column, [&](std::string_view) {
     const MeasuredRouting& routing = routings_[reading.routing];
     const MeasuredPlace& place = columns_[column].place;
     const auto channel = routings_.channels().channel(reading.routing, column);
@@ -277,7 +214,7 @@ void RowReader::set_tension(const CsvRow& row, std::size_t column, double tensio
 }
 
 // The mean of n samples errs by sd/√n.
-void RowReader::set_errors(const Numbers& numbers, Reading& reading) const {
+void RowReader::set_errors(const RowCells::Numbers& numbers, Reading& reading) const {
   const auto readings = find_column(columns_, DataRole::readings);
   const double count = readings ? numbers[*readings].value_or(1) : 1;
   if (const auto motor = find_column(columns_, DataRole::motor_deviation)) {
@@ -314,7 +251,7 @@ void RowReader::set_known_noise() {
        {}});
 }
 
-void RowReader::require_tension(const CsvRow& row, const Numbers& numbers) {
+void RowReader::require_tension(const CsvRow& row, const RowCells::Numbers& numbers) {
   const auto first = find_column(columns_, DataRole::tension);
   if (!first) return;
   for (std::size_t column = 0; column < columns_.size(); ++column) {
@@ -330,9 +267,9 @@ void RowReader::require_tension(const CsvRow& row, const Numbers& numbers) {
 }
 
 void RowReader::note_what_is_passed_over() {
-  if (no_name_lines_.empty()) return;
-  data_.notes.push_back(
-      {NoteKind::passed_over, "cells in columns without a name are not read", no_name_lines_});
+  if (cells_.lines_without_name().empty()) return;
+  data_.notes.push_back({NoteKind::passed_over, "cells in columns without a name are not read",
+                         cells_.lines_without_name()});
 }
 
 }  // namespace reeve::diagnosis

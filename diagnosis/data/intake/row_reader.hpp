@@ -7,13 +7,12 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "diagnosis/data/csv_number.hpp"
 #include "diagnosis/data/data_columns.hpp"
 #include "diagnosis/data/intake/covariates.hpp"
 #include "diagnosis/data/intake/routing_table.hpp"
+#include "diagnosis/data/intake/row_cells.hpp"
 #include "diagnosis/data/intake/tare.hpp"
 #include "diagnosis/data/measured_data.hpp"
 
@@ -30,29 +29,19 @@ class RowReader {
   MeasuredData finish();
 
  private:
-  using Numbers = std::vector<std::optional<double>>;
-
-  template <typename Action>
-  auto at(const CsvRow& row, std::size_t column, Action action)
-      -> std::optional<decltype(action(std::string_view{}))>;
-  InputFault cell_fault(const CsvRow& row, std::size_t column, const InputError& error) const;
-
   bool is_tare(const CsvRow& row) const;
-  std::string_view cell(const CsvRow& row, DataRole role) const;
-  Numbers numbers(const CsvRow& row);
-  std::optional<double> number(const CsvRow& row, std::size_t column);
-  void take_zeros(Numbers& numbers) const;
+  void take_zeros(RowCells::Numbers& numbers) const;
 
   std::optional<std::size_t> run(const CsvRow& row);
   std::optional<std::size_t> group(const CsvRow& row);
   std::optional<std::size_t> routing(const CsvRow& row);
   void read_words(const CsvRow& row, Reading& reading);
-  void set_numbers(const CsvRow& row, const Numbers& numbers, Reading& reading);
+  void set_numbers(const CsvRow& row, const RowCells::Numbers& numbers, Reading& reading);
   void read_covariates(const CsvRow& row, Reading& reading);
-  void set_conditions(const Numbers& numbers, Reading& reading) const;
+  void set_conditions(const RowCells::Numbers& numbers, Reading& reading) const;
   void set_tension(const CsvRow& row, std::size_t column, double tension_N, Reading& reading);
-  void set_errors(const Numbers& numbers, Reading& reading) const;
-  void require_tension(const CsvRow& row, const Numbers& numbers);
+  void set_errors(const RowCells::Numbers& numbers, Reading& reading) const;
+  void require_tension(const CsvRow& row, const RowCells::Numbers& numbers);
   void note_what_is_passed_over();
   void set_known_noise();
 
@@ -60,13 +49,12 @@ class RowReader {
   const std::vector<DataColumn>& columns_;
   const ReadingOptions& options_;
   FaultList& faults_;
-  CsvNumberReader numbers_;
+  RowCells cells_;
   RoutingTable routings_;
   Covariates covariates_;
   Tare tare_;
   std::map<std::string, std::size_t, std::less<>> runs_;
   std::map<std::string, std::size_t, std::less<>> groups_;
-  std::vector<std::size_t> no_name_lines_;  // that have something in a column without a name
   MeasuredData data_;
 };
 
