@@ -4,6 +4,7 @@
 #include "core/graph.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
+#include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 
 namespace reeve::python {
@@ -29,13 +30,12 @@ const py::object& numpy_float() {
   return *type;
 }
 
-BoundTensions solve(const std::shared_ptr<BoundRouting>& routing,
-                    std::shared_ptr<BoundHardware> hardware, const py::object& held,
-                    const std::string& direction) {
+BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::object& hardware,
+                    const py::object& held, const py::object& direction) {
   // Keep their memory from call to call.
   thread_local Mechanics mechanics;
   thread_local TensionSolver solver;
-  const auto used = hardware_or_paper(std::move(hardware));
+  const auto used = hardware_from(hardware);
   if (!used->file.hardware.contacts.empty()) require_contacts(*used, {routing->routing});
   used->builder.apply(routing->network, mechanics);
   require_in_range(routing->network, mechanics);
