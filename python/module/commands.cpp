@@ -190,7 +190,7 @@ void bind_import(py::module_& module) {
   report
       .def("csv", [](const AskedReadings& self) { return imported_csv(self.report, self.command); })
       .def("svg", [](const AskedReadings& self) { return log_svg(self.report); })
-      .def("call_log",
+      .def("call_data",
            [](AskedReadings& self, const std::string& name) { self.report.series.file = name; });
   module.def("import_log", &cli::asked_import, py::call_guard<py::gil_scoped_release>());
 }

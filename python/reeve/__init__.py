@@ -6,31 +6,15 @@ The functions are the program's subcommands, with its names and defaults; `tensi
 
 from collections.abc import Mapping as _Mapping
 
-from ._commands import (
-    Counts,
-    check,
-    compare,
-    count,
-    diagnose,
-    explore,
-    rank,
-    show,
-    simulate,
-    size,
-)
 from ._core import Hardware, Routing, Tensions, __commit__, __version__
+from ._design_results import Check, Exploration, Ranking, Shown, Sizing, StoredRanking
+from ._exploring import Counts, count, explore, merge
 from ._model import Model
-from ._results import (
-    Check,
-    Comparison,
-    Diagnosis,
-    Exploration,
-    Ranking,
-    Result,
-    Shown,
-    Simulation,
-    Sizing,
-)
+from ._ranking import check, rank, show
+from ._reading_results import Comparison, Diagnosis, Simulation, SteadyReadings
+from ._readings import compare, diagnose, import_log, simulate
+from ._results import Result
+from ._sizing import size
 from ._tensions import NamedArray, tensions
 from .errors import InputError, Interrupted, Notice, OutOfRange
 
@@ -58,12 +42,16 @@ __all__ = [
     "Shown",
     "Simulation",
     "Sizing",
+    "SteadyReadings",
+    "StoredRanking",
     "Tensions",
     "check",
     "compare",
     "count",
     "diagnose",
     "explore",
+    "import_log",
+    "merge",
     "rank",
     "show",
     "simulate",

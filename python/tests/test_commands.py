@@ -15,27 +15,28 @@ import pytest
 import reeve
 from reeve import _core
 
-# What only a shell or a file has: printing, and where things are written. Shards are for several
-# machines, and merged by the program.
+# What only a shell or a file has: printing, and where things are written.
 OF_THE_SHELL = {
-    "out", "format", "columns", "text-width", "svg", "output", "save-model", "save-hardware",
-    "power", "shard", "set",
+    "out", "format", "columns", "text-width", "svg", "output", "plot", "save-model",
+    "save-hardware", "power", "set",
 }
-# What a store keeps is read by pandas itself (docs/store.md).
-OF_A_STORE = {"rank": {"store", "constraint", "top"}}
 OTHERWISE = {"constraints": "constraint", "from_": "from"}
+# import is a word of the language.
+COMMANDS = {"import_log": "import"} | {
+    name: name
+    for name in ("explore", "merge", "rank", "size", "diagnose", "compare", "show", "count",
+                 "check", "simulate")
+}
 
 
-@pytest.mark.parametrize(
-    "name", ["explore", "rank", "size", "diagnose", "compare", "show", "count", "check", "simulate"]
-)
+@pytest.mark.parametrize("name", COMMANDS)
 def test_names_and_defaults_are_the_programs(name):
-    options = {text[0]: text for text in _core.options(name)}
+    options = {text[0]: text for text in _core.options(COMMANDS[name])}
     function = getattr(reeve, name)
     parameters = inspect.signature(function).parameters
     ours = {OTHERWISE.get(p, p).replace("_", "-") for p in parameters if p != "progress"}
     ours -= {"routings"} - set(options)  # the positional is called routing
-    assert ours - {"routing"} == set(options) - OF_THE_SHELL - OF_A_STORE.get(name, set()) - {"routing"}
+    assert ours - {"routing"} == set(options) - OF_THE_SHELL - {"routing"}
     for parameter in parameters.values():
         option = options.get(OTHERWISE.get(parameter.name, parameter.name).replace("_", "-"))
         if option is None or not option[1] or option[3]:
@@ -188,6 +189,6 @@ def test_drawings():
 
 
 def test_doctests():
-    for module in (_core, reeve._commands, reeve._tensions):
+    for module in (_core, reeve._exploring, reeve._ranking, reeve._tensions):
         found = doctest.testmod(module)
         assert found.attempted and not found.failed

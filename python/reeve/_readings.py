@@ -1,0 +1,285 @@
+"""Readings: compared, diagnosed, simulated, taken out of a log."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Optional, Union
+
+from . import _core
+from ._arguments import (
+    DataLike,
+    HardwareLike,
+    ModelLike,
+    Numbers,
+    RoutingLike,
+    Texts,
+    options_of,
+)
+from ._progress import Progress
+from ._reading_results import Comparison, Diagnosis, Simulation, SteadyReadings
+from ._request import Request
+from ._results import made, run
+
+
+def diagnose(
+    data: DataLike,
+    *,
+    alpha: Optional[float] = None,
+    hold_out: Optional[float] = None,
+    seed: Optional[int] = None,
+    replicates: Optional[int] = None,
+    mounting_scatter: Optional[float] = None,
+    as_readings: bool = False,
+    explore: bool = False,
+    threads: Optional[int] = None,
+    map: Optional[Texts] = None,
+    unit: Optional[Texts] = None,
+    group: Optional[str] = None,
+    noise: Optional[Texts] = None,
+    exact: Optional[Texts] = None,
+    hardware: Optional[HardwareLike] = None,
+    progress: Progress = None,
+) -> Diagnosis:
+    """What the model gets wrong about measured tensions, which cause, and what to measure next.
+
+    Parameters
+    ----------
+    data : pandas.DataFrame or path
+        Readings; docs/data.md has the columns.
+    alpha : float
+        Chance of naming a cause where there is none, over the whole search. Default: 0.02.
+    hold_out : float
+        Share of the runs that no fit sees, on which the gain is measured. Default: 0.3.
+    seed : int
+        Seed: which runs are held out, and what chance draws. Default: 1.
+    replicates : int
+        Simulated data sets that a finding is judged by; at least 8 / alpha, which is also
+        the default where it is more. Default: 1000.
+    mounting_scatter : float
+        How far friction exponents differ from mounting to mounting, as a share such as
+        0.05; 0: not at all (default: as the readings tell, or assumed).
+    as_readings : bool
+        Take each row as a reading even where the file looks like a time series.
+    explore : bool
+        Choose the next measurement from generated routings too, not only from those of the
+        catalogue and of the data.
+    threads : int
+        Threads; 0: all. The result does not depend on it. Default: 0.
+    map : str or sequence of str
+        A column of the data and what it means, such as 'Kraft Motor=motor_tension_N'; once
+        for each column.
+    unit : str or sequence of str
+        Unit of all tensions in the data, such as lbf, or of one column, such as T1=kgf; may
+        be given again.
+    group : str
+        A column of the data whose words group the rows: a winch, an operator.
+    noise : str or sequence of str
+        What readings of a column, or of the motor tension, are known to scatter by: T1=2%,
+        motor=0.5N, T1=2%+0.3N; may be given again.
+    exact : str or sequence of str
+        A column of tensions that do not scatter, such as a dead weight's; may be given
+        again.
+    hardware : Hardware or path
+        TOML file with friction coefficients, angles and lengths (default: the paper's; see
+        catalog/hardware/example.toml).
+    progress : callable or bool
+        Called with stage, done and total; True: a bar of tqdm.
+
+    Returns
+    -------
+    Diagnosis
+
+    Raises
+    ------
+    InputError
+        As the program would complain.
+    Interrupted
+        On Ctrl-C, with the result as far as it came.
+    """
+    request = Request({"data": [data]}, options_of(diagnose, locals(), "data"))
+    return run(Diagnosis, _core.diagnose, request, progress)
+
+
+def compare(
+    data: DataLike,
+    *,
+    map: Optional[Texts] = None,
+    unit: Optional[Texts] = None,
+    group: Optional[str] = None,
+    hardware: Optional[HardwareLike] = None,
+    model: Optional[ModelLike] = None,
+) -> Comparison:
+    """Measured tensions beside the model's, as it stands: nothing is fitted.
+
+    Parameters
+    ----------
+    data : pandas.DataFrame or path
+        Readings; docs/data.md has the columns.
+    map : str or sequence of str
+        A column of the data and what it means, such as 'Kraft Motor=motor_tension_N'; once
+        for each column.
+    unit : str or sequence of str
+        Unit of all tensions in the data, such as lbf, or of one column, such as T1=kgf; may
+        be given again.
+    group : str
+        A column of the data whose words group the rows: a winch, an operator.
+    hardware : Hardware or path
+        TOML file with friction coefficients, angles and lengths (default: the paper's; see
+        catalog/hardware/example.toml).
+    model : Model or path
+        TOML file with a hardware and with effects beyond the plain friction model; see
+        catalog/model/example.toml.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    InputError
+        As the program would complain.
+    """
+    request = Request({"data": [data]}, options_of(compare, locals(), "data"))
+    return made(Comparison, _core.compare, request)
+
+
+def import_log(
+    log: DataLike,
+    *,
+    run: Optional[Union[str, int]] = None,
+    routing: Optional[RoutingLike] = None,
+    held: Union[None, str, int, Sequence[int]] = None,
+    direction: Optional[str] = None,
+    least_time: Optional[float] = None,
+    tolerance: Optional[float] = None,
+    per_sweep: Optional[int] = None,
+    reverse: bool = False,
+) -> SteadyReadings:
+    """Steady readings out of a logger's time series: the program's import, which Python keeps.
+
+    Parameters
+    ----------
+    log : pandas.DataFrame or path
+        A row for each sample; docs/data.md has the columns.
+    run : str or int
+        Run of all readings, if the log has no column run (default: 1).
+    routing : Routing or str
+        Routing of all readings, if the log has no column routing.
+    held : str, int or sequence of int
+        Held fingers of all readings, such as 1 or '1;2', if the log has no column held
+        (default: none).
+    direction : str
+        pull or release, where neither position nor speed nor load say.
+    least_time : float
+        Seconds that a reading lasts at least. Default: 0.5.
+    tolerance : float
+        Share within which a steady tension stays, beside its noise. Default: 0.02.
+    per_sweep : int
+        Readings at most of one stroke along which the load grows or falls. Default: 5.
+    reverse : bool
+        Position and speed of the log fall while the carriage pulls.
+
+    Returns
+    -------
+    SteadyReadings
+
+    Raises
+    ------
+    InputError
+        As the program would complain.
+    """
+    options = options_of(import_log, locals(), "log")
+    if held is not None and not isinstance(held, (str, int)):
+        options["held"] = ";".join(map(str, held)) or "none"
+    return made(SteadyReadings, _core.import_log, Request({"log": [log]}, options))
+
+
+def simulate(
+    routings: Union[RoutingLike, Sequence[RoutingLike]],
+    *,
+    grasps: Optional[str] = None,
+    directions: Optional[str] = None,
+    channels: Optional[str] = None,
+    motor_tension: Optional[Numbers] = None,
+    speed: Optional[Numbers] = None,
+    cycles: Optional[Numbers] = None,
+    temperature: Optional[Numbers] = None,
+    sheath_angle: Optional[Numbers] = None,
+    noise_relative: Optional[float] = None,
+    noise_absolute: Optional[float] = None,
+    noise_motor: Optional[float] = None,
+    runs: Optional[int] = None,
+    rows: Optional[int] = None,
+    repeats: Optional[int] = None,
+    cause: Optional[Mapping[str, Optional[Mapping[str, float]]]] = None,
+    hardware: Optional[HardwareLike] = None,
+    seed: Optional[int] = None,
+) -> Simulation:
+    """Readings of a planned experiment on a rig with hidden causes. They are simulated.
+
+    Parameters
+    ----------
+    routings : Routing or str, or a sequence of them
+        Which are mounted, in turns.
+    grasps : str
+        single: none held and each one finger held; all; or held lists such as none/1/2.
+        Default: single.
+    directions : str
+        pull, release, or pull,release. Default: pull.
+    channels : str
+        Where the sensors are: strands, all, or segments such as T1,T3,a. Default: strands.
+    motor_tension : str
+        In N: a range such as 5:60, or a list 5,10,20. Default: 5:60.
+    speed : str
+        In mm/s, likewise (default: no such column).
+    cycles : str
+        Rise over the whole experiment: a range or a list (default: no such column).
+    temperature : str
+        In C, likewise (default: no such column).
+    sheath_angle : str
+        Of all sheaths, in rad, likewise (default: the hardware's).
+    noise_relative : float
+        Standard deviation of a reading, as a share of the tension. Default: 0.02.
+    noise_absolute : float
+        … and besides that, in N. Default: 0.05.
+    noise_motor : float
+        Standard deviation of the motor tension that is written, as a share of the one that
+        pulls. Default: 0.
+    runs : int
+        Mountings. Default: 12.
+    rows : int
+        Conditions that are set in each run. Default: 20.
+    repeats : int
+        Readings under each of them. Default: 1.
+    cause : mapping
+        Hidden causes and their parameters, such as {"sensor_gain[T3]": {"gain": 1.08}}.
+    hardware : Hardware or path
+        TOML file with friction coefficients, angles and lengths (default: the paper's; see
+        catalog/hardware/example.toml).
+    seed : int
+        Seed of the conditions and the noise. Default: 1.
+
+    Returns
+    -------
+    Simulation
+
+    Raises
+    ------
+    InputError
+        As the program would complain.
+    """
+    options = options_of(simulate, locals(), "routings", "cause")
+    request = Request(options={"routings": routings, **options}, last=_cause_arguments(cause))
+    with request.arguments() as arguments:
+        return Simulation(_core.simulate(arguments))
+
+
+def _cause_arguments(
+    cause: Optional[Mapping[str, Optional[Mapping[str, float]]]],
+) -> list[str]:
+    """Each cause before its parameters."""
+    arguments: list[str] = []
+    for name, settings in (cause or {}).items():
+        arguments.append(f"--cause={name}")
+        arguments += [f"--set={key}={value}" for key, value in (settings or {}).items()]
+    return arguments
