@@ -91,7 +91,7 @@ def _words(hint: Any) -> str:
         *others, last = dict.fromkeys(_words(one) for one in inner if one is not type(None))
         return f"{', '.join(others)} or {last}" if others else last
     if kind is Sequence:
-        return f"sequence of {_words(inner[0])}"
+        return "sequence" if inner[0] is Any else f"sequence of {_words(inner[0])}"
     known = {PathLike: "path", Mapping: "mapping", Callable: "callable"}
     return known.get(kind) or str(kind.__name__)
 

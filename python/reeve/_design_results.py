@@ -120,7 +120,8 @@ class Sizing(SavedResult):
         named as in designs.csv; units in ``attrs["units"]``.
     dimensions : pandas.DataFrame
         One row for each routing and dimension: its bounds, what it was and what it is, how far it
-        may be off (``tolerance_less``, ``tolerance_more``; NaN: as far as the bounds go).
+        alone may be off before 1 % of the goal is lost (``tolerance_less``, ``tolerance_more``;
+        NaN: farther than its bounds and their width beyond).
     """
 
     @property

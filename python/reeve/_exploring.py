@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 from . import _core
-from ._arguments import HardwareLike, ModelLike, Numbers, Texts, options_of
+from ._arguments import HardwareLike, ModelLike, Texts, options_of
 from ._design_results import Exploration
 from ._model import Place
 from ._progress import Progress
@@ -15,7 +15,17 @@ from ._results import run
 
 
 class Counts(NamedTuple):
-    """How many routings there are."""
+    """How many routings there are.
+
+    Attributes
+    ----------
+    all : int
+        Of the parts.
+    actuated : int
+        Of these, with every tendon hanging on the motor.
+    one_tendon : int
+        Of those, with one tendon.
+    """
 
     all: int
     actuated: int
@@ -41,7 +51,7 @@ def explore(
     seed: Optional[int] = None,
     threads: Optional[int] = None,
     ladder: Optional[str] = None,
-    within: Optional[Numbers] = None,
+    within: Optional[str] = None,
     cost: Optional[Place] = None,
     shard: Optional[str] = None,
     store: Optional[Place] = None,

@@ -148,8 +148,9 @@ class Comparison(SavedResult):
 
     def _in_a_line(self) -> str:
         residuals = self.residuals
-        rms = self.summary["tension"]["all"]["rms"]
-        return f"{_readings(len(residuals), residuals.attrs['simulated'])}, off by {rms:.3g} N rms"
+        tensions = self.summary["tension"]
+        off = f", off by {tensions['all']['rms']:.3g} N rms" if tensions else ""
+        return f"{_readings(len(residuals), residuals.attrs['simulated'])}{off}"
 
     def _repr_html_(self) -> str:
         return _label(self.residuals.attrs["simulated"]) + super()._repr_html_()

@@ -228,15 +228,15 @@ def simulate(
         pull, release, or pull,release. Default: pull.
     channels : str
         Where the sensors are: strands, all, or segments such as T1,T3,a. Default: strands.
-    motor_tension : str
+    motor_tension : str, float or sequence of float
         In N: a range such as 5:60, or a list 5,10,20. Default: 5:60.
-    speed : str
+    speed : str, float or sequence of float
         In mm/s, likewise (default: no such column).
-    cycles : str
+    cycles : str, float or sequence of float
         Rise over the whole experiment: a range or a list (default: no such column).
-    temperature : str
+    temperature : str, float or sequence of float
         In C, likewise (default: no such column).
-    sheath_angle : str
+    sheath_angle : str, float or sequence of float
         Of all sheaths, in rad, likewise (default: the hardware's).
     noise_relative : float
         Standard deviation of a reading, as a share of the tension. Default: 0.02.

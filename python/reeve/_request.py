@@ -134,7 +134,7 @@ class Request:
             try:
                 yield self._written(Path(folder))
             except InputError as error:
-                raise error.changed(self.named) from None
+                raise error._changed(self.named) from None
 
     def arguments_for(self, folder: Union[str, Path]) -> list[str]:
         """The arguments that write into this folder; the files they name are put there."""

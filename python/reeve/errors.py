@@ -39,7 +39,7 @@ class InputError(ValueError):
         self.expected = expected
         self.parts = parts
 
-    def changed(self, change: Callable[[str], str]) -> "InputError":
+    def _changed(self, change: Callable[[str], str]) -> "InputError":
         """The same of other words."""
         return InputError(
             change(str(self)),
@@ -47,7 +47,7 @@ class InputError(ValueError):
             change(self.what),
             None if self.value is None else change(self.value),
             change(self.expected),
-            tuple(part.changed(change) for part in self.parts),
+            tuple(part._changed(change) for part in self.parts),
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
