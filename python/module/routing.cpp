@@ -117,26 +117,7 @@ True
       .def("__repr__", [](const BoundRouting& self) { return "Routing('" + self.word + "')"; })
       .def("__str__", [](const BoundRouting& self) { return self.word; })
       .def("_repr_svg_", &drawn)
-      .def("to_mjcf", &exported, py::arg("hardware") = py::none(), R"(
-The routing as a planar hand for MuJoCo, without friction.
-
-Parameters
-----------
-hardware : Hardware, optional
-    Joints and lengths of the fingers. Default: the paper's, without joints.
-
-Returns
--------
-str
-    The model's XML, as ``reeve export`` writes it; docs/mujoco.md says what is
-    in it and what is not.
-
-Examples
---------
->>> import reeve
->>> "no capstan friction" in reeve.Routing("TR7").to_mjcf()
-True
-)")
+      .def("_to_mjcf", &exported, py::arg("hardware"))
       .def(py::pickle([](const BoundRouting& self) { return self.word; },
                       [](const std::string& word) { return BoundRouting(word); }));
 }

@@ -115,30 +115,7 @@ tension.
   const auto routing =
       py::class_<BoundRouting, std::shared_ptr<BoundRouting>>(module.attr("Routing"));
   py::class_<BoundRouting, std::shared_ptr<BoundRouting>>(routing).def(
-      "tensions", &solve, py::arg("hardware") = py::none(), py::arg("held") = py::tuple(),
-      py::arg("direction") = "pull", R"(
-Tensions in one grasp, by the plain friction model.
-
-Parameters
-----------
-hardware : Hardware, optional
-    The paper's if none is given.
-held : sequence of int, int or str
-    The fingers that are held: ``[1]``, ``1``, ``"1,2"`` or ``"none"``.
-direction : {"pull", "release"}
-    Which way the carriage moves.
-
-Returns
--------
-Tensions
-
-Examples
---------
->>> import reeve
->>> state = reeve.Routing("TR5").tensions(held=[1])
->>> round(float(state["T1"]), 4)
-0.2802
-)");
+      "_tensions", &solve, py::arg("hardware"), py::arg("held"), py::arg("direction"));
 }
 
 }  // namespace reeve::python

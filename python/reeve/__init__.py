@@ -6,6 +6,7 @@ The functions are the program's subcommands, with its names and defaults; `tensi
 
 from collections.abc import Mapping as _Mapping
 
+from . import _methods
 from ._core import Hardware, Routing, Tensions, __commit__, __version__
 from ._design_results import Check, Exploration, Ranking, Shown, Sizing, StoredRanking
 from ._exploring import Counts, count, explore, merge
@@ -22,6 +23,8 @@ from .errors import InputError, Interrupted, Notice, OutOfRange
 for _name in ("keys", "items", "values", "get", "__contains__", "__eq__"):
     setattr(Tensions, _name, getattr(_Mapping, _name))
 _Mapping.register(Tensions)
+for _method in (_methods.tensions, _methods.to_mjcf):
+    setattr(Routing, _method.__name__, _method)
 
 __all__ = [
     "Check",

@@ -97,6 +97,6 @@ def test_drawings():
 
 
 def test_doctests():
-    for module in (_core, reeve._exploring, reeve._ranking, reeve._tensions):
+    for module in (_core, reeve._methods, reeve._exploring, reeve._ranking, reeve._tensions):
         found = doctest.testmod(module)
         assert found.attempted and not found.failed

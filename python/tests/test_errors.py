@@ -51,6 +51,8 @@ def test_a_range_has_its_value_and_what_was_expected():
     (lambda: reeve.Routing("TR7").tensions(5), "hardware: expected a reeve.Hardware or None, not 5"),
     (lambda: reeve.Routing("TR7").tensions(held=[1.5]), "held: expected the fingers that are held"),
     (lambda: reeve.Routing("TR7").tensions(direction=1), "direction: expected 'pull' or 'release'"),
+    (lambda: reeve.Routing("TR7").tensions(mu=1),
+     "tensions() got an unexpected keyword argument 'mu'"),
     (lambda: reeve.Routing("TR7").to_mjcf(5), "hardware: expected a reeve.Hardware or None, not 5"),
     (lambda: reeve.Hardware(tube_mu="x"), "tube_mu: expected a number, not 'x'"),
     (lambda: reeve.Hardware(fingers=5), "fingers: expected a mapping, not 5"),

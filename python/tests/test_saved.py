@@ -141,6 +141,9 @@ def test_a_store_and_its_ranking(program, tmp_path, monkeypatch):
     assert (other.designs["sheaths"] <= 2).all() and len(other.designs) == 5
     with pytest.raises(reeve.InputError, match="evaluated already"):
         reeve.rank("TR1", store="ours.db")
+    with pytest.raises(reeve.InputError, match="outlive this process"):
+        reeve.explore(store="other.db", hardware=reeve.Hardware())
+    assert not (tmp_path / "other.db").exists()
     with pytest.raises(NotImplementedError, match="no page"):
         other.save("out")
 
