@@ -172,12 +172,13 @@ void bind_quick_ones(py::module_& module) {
   module.def("simulate", [](const Arguments& arguments) {
     return simulation_csv(cli::asked_simulation(arguments));
   });
+}
+
+void bind_power(py::module_& module) {
+  py::class_<PowerReport> report(module, "PowerReport");
+  bind_report<PowerReport>(report, &power_json, &power_sheet);
   module.def("power", [](const Arguments& arguments, const py::object& progress) {
-    auto [report, interrupted] = watched(progress, [&](const StudySupervision& supervision) {
-      return cli::asked_power(arguments, supervision);
-    });
-    return py::make_tuple(report ? py::object(py::str(power_json(*report))) : py::none(),
-                          interrupted);
+    return run(&cli::asked_power, arguments, progress);
   });
 }
 
@@ -215,6 +216,7 @@ void bind_commands(py::module_& module) {
   bind_showing(module);
   bind_quick_ones(module);
   bind_import(module);
+  bind_power(module);
   module.def("options", &options,
              "Name, default and meaning of a subcommand's options, and whether it is a flag.");
   module.def("objective_units", &objective_units);

@@ -12,9 +12,10 @@ from ._design_results import Check, Exploration, Ranking, Shown, Sizing, StoredR
 from ._exploring import Counts, count, explore, merge
 from ._model import Model
 from ._ranking import check, rank, show
-from ._reading_results import Comparison, Diagnosis, Simulation, SteadyReadings
-from ._readings import compare, diagnose, import_log, simulate
+from ._reading_results import Comparison, Diagnosis, Power, Simulation, SteadyReadings
+from ._readings import compare, diagnose, import_log
 from ._results import Result
+from ._simulating import power, simulate
 from ._sizing import size
 from ._tensions import NamedArray, tensions
 from .errors import InputError, Interrupted, Notice, OutOfRange
@@ -39,6 +40,7 @@ __all__ = [
     "NamedArray",
     "Notice",
     "OutOfRange",
+    "Power",
     "Ranking",
     "Result",
     "Routing",
@@ -55,6 +57,7 @@ __all__ = [
     "explore",
     "import_log",
     "merge",
+    "power",
     "rank",
     "show",
     "simulate",

@@ -186,6 +186,42 @@ class Simulation:
         return _label(True) + str(self.data.to_html(index=False, max_rows=10))
 
 
+class Power(Result):
+    """What diagnoses of simulated experiments found.
+
+    Attributes
+    ----------
+    findings : pandas.DataFrame
+        How often what is hidden was found, and what else: ``count``, ``share`` and its 95 %
+        interval, ``low`` and ``high``; ``attrs["simulated"]`` is True.
+    trials : pandas.DataFrame
+        One row for each experiment: its seed, its finding, the causes that were named.
+    """
+
+    def _simulated(self, rows: Any) -> "pandas.DataFrame":
+        import pandas
+
+        frame = pandas.DataFrame(rows)
+        frame.attrs["simulated"] = self.summary["simulated"]
+        return frame
+
+    @property
+    def findings(self) -> "pandas.DataFrame":
+        findings = self.summary["findings"].items()
+        return self._simulated([{"finding": name} | counted for name, counted in findings])
+
+    @property
+    def trials(self) -> "pandas.DataFrame":
+        return self._simulated(self.summary["trials"])
+
+    def _in_a_line(self) -> str:
+        found = self.summary["findings"]["found"]["count"]
+        return f"{self.summary['experiments']} simulated experiments, found in {found}"
+
+    def _repr_html_(self) -> str:
+        return _label(True) + str(self.findings.to_html(index=False))
+
+
 class SteadyReadings(Result):
     """Steady readings out of a logger's time series.
 

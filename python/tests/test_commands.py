@@ -84,6 +84,24 @@ def test_a_frame_is_the_file_that_it_was_read_from():
     assert len(compared.residuals) > 0
 
 
+def test_the_power_of_an_experiment_is_the_programs(program):
+    planned = {"runs": 6, "rows": 10, "cause": {"sensor_gain[T3]": {"gain": 1.3}}}
+    found = reeve.power(3, ["TR1", "TR7"], **planned)
+    said = json.loads(program(
+        "simulate", "--routings", "TR1,TR7", "--cause", "sensor_gain[T3]", "--set", "gain=1.3",
+        "--runs", "6", "--rows", "10", "--power", "3", "--format", "json"))
+    said["settings"].pop("command")
+    ours = dict(found.summary, settings=dict(found.summary["settings"]))
+    ours["settings"].pop("command")
+    assert ours == said
+    assert repr(found) == "<reeve.Power: 3 simulated experiments, found in 3>"
+    assert found.findings.attrs["simulated"] and found.trials["seed"].tolist() == [1, 2, 3]
+    with pytest.raises(TypeError, match="unexpected keyword argument 'tows'"):
+        reeve.power(3, "TR1", tows=10)
+    with pytest.raises(TypeError, match="^rows: expected int"):
+        reeve.power(3, "TR1", rows="10")
+
+
 def test_counts_and_checks(program):
     counts = json.loads(program("count", "--fingers", "4", "--format", "json"))
     assert reeve.count(fingers=4)._asdict() == counts
