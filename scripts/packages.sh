@@ -11,9 +11,10 @@ command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
 # fits everywhere.
 PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
   fonts-liberation fonts-dejavu-core)
-# For the Python module and its tests.
+# For the Python module and its tests, which also install it with pip.
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
-PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy)
+PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy python3-matplotlib python3-pip python3-venv
+  python3-setuptools python3-wheel)
 # SciPy for a notebook.
 PACKAGES_CI=(clang-format clang-tidy python3-scipy)
 # For scripts/fuzz.

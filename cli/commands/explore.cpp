@@ -12,6 +12,7 @@
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/flags/explore_flags.hpp"
+#include "cli/flags/parsed_explore.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
@@ -92,19 +93,30 @@ ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& 
   return report;
 }
 
-void prepare_folder(const std::string& folder) {
-  prepare_directory(folder, "--out");
-  require_file_can_be_written(std::filesystem::path(folder) / "index.html", "--out");
-}
-
-// What is printed and written is the same of one exploration and of its shards.
-int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
-  const ExploreInputs inputs = read(flags);
+std::vector<ShardRecord> records_of(const std::vector<ShardFile>& shards,
+                                    const ExploreInputs& inputs) {
   std::vector<ShardRecord> records;
   for (const ShardFile& shard : shards) {
     require_same_exploration(shard, planned(inputs));
     records.push_back(shard.record);
   }
+  return records;
+}
+
+void prepare_folder(const std::string& folder) {
+  prepare_directory(folder, "--out");
+  require_file_can_be_written(std::filesystem::path(folder) / "index.html", "--out");
+}
+
+void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::App& command) {
+  prepare_folder(flags.out);
+  write_exploration(report, command, shipped_catalogue(), flags.details, flags.out);
+}
+
+// What is printed and written is the same of one exploration and of its shards.
+int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
+  const ExploreInputs inputs = read(flags);
+  const std::vector<ShardRecord> records = records_of(shards, inputs);
   prepare_folder(flags.out);
   OpenedStore store(flags, command, inputs);
   const Keeping keeping = store.keeping();
@@ -122,6 +134,18 @@ int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<Sh
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
   return report.result.unmet.empty() ? done : answer_is_no;
+}
+
+// The command that the shards are parts of.
+ParsedExplore parsed_merge(std::vector<std::string> arguments, const std::vector<std::string>& here,
+                           const std::string& name) {
+  arguments.insert(arguments.end(), here.begin(), here.end());
+  return {std::move(arguments), name};
+}
+
+ParsedExplore parsed_merge(const std::vector<ShardFile>& shards,
+                           const std::vector<std::string>& here) {
+  return parsed_merge(shards.front().arguments, here, shards.front().name);
 }
 
 void add_options(CLI::App& command, ExploreFlags& flags) { flags.add_to(command); }
@@ -145,24 +169,26 @@ ExploreReport asked_exploration(const Arguments& arguments, const StudySupervisi
 
 void write_asked(const ExploreReport& report, const Arguments& arguments) {
   const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
-  prepare_folder(asked.flags().out);
-  write_exploration(report, asked.command(), shipped_catalogue(), asked.flags().details,
-                    asked.flags().out);
+  write(report, asked.flags(), asked.command());
+}
+
+ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
+                                 const std::vector<std::string>& here,
+                                 const StudySupervision& supervision) {
+  const ParsedExplore explore = parsed_merge(shards, here);
+  const ExploreInputs inputs = read(explore.flags);
+  return made(inputs, records_of(shards, inputs), {}, supervision);
+}
+
+void write_merged(const ExploreReport& report, const std::vector<std::string>& arguments,
+                  const std::vector<std::string>& here) {
+  const ParsedExplore explore = parsed_merge(arguments, here, "merge");
+  write(report, explore.flags, explore.command);
 }
 
 int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {
-  CLI::App command("", "explore");
-  ExploreFlags flags;
-  flags.add_to(command);
-  std::vector<std::string> arguments = shards.front().arguments;
-  arguments.insert(arguments.end(), here.begin(), here.end());
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-  try {
-    command.parse(std::move(arguments));
-  } catch (const CLI::ParseError& error) {
-    throw InputError({.where = shards.front().name, .what = error.what()});
-  }
-  return run(flags, command, shards);
+  const ParsedExplore explore = parsed_merge(shards, here);
+  return run(explore.flags, explore.command, shards);
 }
 
 }  // namespace reeve::cli

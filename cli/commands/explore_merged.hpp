@@ -5,8 +5,19 @@
 #include <vector>
 
 #include "reports/exploration/shard_file.hpp"
+#include "reports/results/explore_report.hpp"
+#include "studies/study_supervision.hpp"
 
 namespace reeve::cli {
+
+// What `explore` with the arguments of the shards finds without --shard.
+ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
+                                 const std::vector<std::string>& here,
+                                 const StudySupervision& supervision);
+
+// Its files, into the folder of --out, which is among `here`. The arguments are the shards'.
+void write_merged(const ExploreReport& report, const std::vector<std::string>& arguments,
+                  const std::vector<std::string>& here);
 
 // What `explore` with the arguments of the shards would print and write without --shard. `here` are
 // arguments besides: where to, how many threads, in which format.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/asked/asked_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
@@ -28,7 +29,6 @@ struct ImportFlags {
   CLI::Option* plot_given = nullptr;
   CLI::Option* direction_given = nullptr;
   FormatOption format;
-  std::string command;  // as it was given
 };
 
 void require_places(const ImportFlags& flags) {
@@ -68,13 +68,17 @@ void print(const ImportReport& result, const ImportFlags& flags, bool written) {
   std::cout << printed(sheet, flags.format);
 }
 
-int run(const ImportFlags& flags) {
+std::string import_command(const CLI::App& command) {
+  return command_line(command, {"--format", "--output", "--plot"});
+}
+
+int run(const ImportFlags& flags, const CLI::App& command) {
   require_places(flags);
   const ImportReport result = report(flags);
   const bool found = !result.steady.readings.empty();
   const bool written = found && flags.out_given->count() > 0;
   if (flags.plot_given->count() > 0) write_file(flags.plot, log_svg(result));
-  if (written) write_file(flags.out, imported_csv(result, flags.command));
+  if (written) write_file(flags.out, imported_csv(result, import_command(command)));
   print(result, flags, written);
   return found ? done : answer_is_no;
 }
@@ -113,28 +117,33 @@ void add_steadiness(CLI::App& command, SteadyOptions& options) {
                    "Position and speed of the log fall while the carriage pulls");
 }
 
+void add_options(CLI::App& command, ImportFlags& flags) {
+  command
+      .add_option("log", flags.log,
+                  "CSV file with a row for each sample; docs/data.md describes its columns")
+      ->required();
+  flags.out_given = command.add_option("-o,--output", flags.out,
+                                       "CSV file for the readings (default: none written)");
+  flags.plot_given = command.add_option(
+      "--plot", flags.plot, "SVG file: the signals, what was taken, and what was left out and why");
+  add_labels(command, flags);
+  add_steadiness(command, flags.options);
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
 }  // namespace
 
 void add_import(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "import", "Steady readings out of a logger's time series, as a data file");
   auto flags = std::make_shared<ImportFlags>();
-  command
-      ->add_option("log", flags->log,
-                   "CSV file with a row for each sample; docs/data.md describes its columns")
-      ->required();
-  flags->out_given = command->add_option("-o,--output", flags->out,
-                                         "CSV file for the readings (default: none written)");
-  flags->plot_given =
-      command->add_option("--plot", flags->plot,
-                          "SVG file: the signals, what was taken, and what was left out and why");
-  add_labels(*command, *flags);
-  add_steadiness(*command, flags->options);
-  flags->format.add_to(*command, with_tables({"json"}));
-  command->callback([flags, command, &exit_code] {
-    flags->command = command_line(*command, {"--format", "--output", "--plot"});
-    exit_code = run(*flags);
-  });
+  add_options(*command, *flags);
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+}
+
+AskedReadings asked_import(const Arguments& arguments) {
+  const AskedCommand<ImportFlags> asked("import", add_options, arguments);
+  return {report(asked.flags()), import_command(asked.command())};
 }
 
 }  // namespace reeve::cli

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/inputs.hpp"
@@ -66,13 +67,37 @@ void require_not_a_shard(const MergeFlags& flags) {
   }
 }
 
-int run(const MergeFlags& flags) {
-  require_not_a_shard(flags);
+std::vector<ShardFile> read_shards(const MergeFlags& flags) {
   std::vector<ShardFile> shards;
   for (const std::string& place : flags.folders) add_shards(place, shards);
   require_all_shards(shards);
-  return explore_merged(shards, {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
-                                 "--format=" + flags.format.format});
+  return shards;
+}
+
+// What of the options is for the exploration.
+std::vector<std::string> here(const MergeFlags& flags) {
+  return {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
+          "--format=" + flags.format.format};
+}
+
+int run(const MergeFlags& flags) {
+  require_not_a_shard(flags);
+  return explore_merged(read_shards(flags), here(flags));
+}
+
+void add_options(CLI::App& command, MergeFlags& flags) {
+  command
+      .add_option(
+          "folders", flags.folders,
+          "The folders that explore --shard i/N --out wrote, or the stores of --store, all N in any order")
+      ->required();
+  command.add_option("--out", flags.out, "Folder for the files of the whole exploration")
+      ->required();
+  command
+      .add_option("--threads", flags.threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  flags.format.add_to(command, with_tables({"json"}));
 }
 
 }  // namespace
@@ -81,19 +106,20 @@ void add_merge(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "merge", "The shards of an exploration, put together to what the whole would have written");
   auto flags = std::make_shared<MergeFlags>();
-  command
-      ->add_option(
-          "folders", flags->folders,
-          "The folders that explore --shard i/N --out wrote, or the stores of --store, all N in any order")
-      ->required();
-  command->add_option("--out", flags->out, "Folder for the files of the whole exploration")
-      ->required();
-  command
-      ->add_option("--threads", flags->threads, "Threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  flags->format.add_to(*command, with_tables({"json"}));
+  add_options(*command, *flags);
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+MergedExploration asked_merge(const Arguments& arguments, const StudySupervision& supervision) {
+  const AskedCommand<MergeFlags> asked("merge", add_options, arguments);
+  const std::vector<ShardFile> shards = read_shards(asked.flags());
+  return {merged_exploration(shards, here(asked.flags()), supervision), shards.front().arguments};
+}
+
+void write_asked(const MergedExploration& merged, const Arguments& arguments) {
+  const AskedCommand<MergeFlags> asked("merge", add_options, arguments);
+  require_not_a_shard(asked.flags());
+  write_merged(merged.report, merged.arguments, here(asked.flags()));
 }
 
 }  // namespace reeve::cli

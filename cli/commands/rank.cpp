@@ -337,6 +337,11 @@ std::optional<RankReport> asked_ranking(const Arguments& arguments,
   return report;
 }
 
+StoredRanking asked_stored_ranking(const Arguments& arguments) {
+  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
+  return stored_ranking_of(asked.command(), asked.flags().stored);
+}
+
 void write_asked(const RankReport& report, const Arguments& arguments) {
   const AskedCommand<RankFlags> asked("rank", add_options, arguments);
   const std::filesystem::path folder = asked.flags().out.prepare();

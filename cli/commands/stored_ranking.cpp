@@ -12,7 +12,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/flags/explore_flags.hpp"
+#include "cli/flags/parsed_explore.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/hand/hand.hpp"
@@ -40,22 +40,6 @@ bool names(const Arguments& list, const CLI::Option& option) {
 bool sets(const std::string& argument, const std::string& option) {
   return argument == option || argument.starts_with(option + "=");
 }
-
-// The options of `explore`, and the parser that they belong to.
-struct ParsedExplore {
-  explicit ParsedExplore(Arguments arguments, const std::string& store) {
-    flags.add_to(command);
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-    try {
-      command.parse(std::move(arguments));
-    } catch (const CLI::ParseError& error) {
-      throw InputError({.where = store, .what = error.what()});
-    }
-  }
-
-  CLI::App command{"", "explore"};
-  ExploreFlags flags;
-};
 
 void require_nothing_else(const CLI::App& rank) {
   for (const CLI::Option* option : rank.get_options()) {
@@ -137,8 +121,8 @@ void StoredRankingFlags::add_to(CLI::App& rank) {
   rank.add_option("--top", top, "Of a store: how many of the best designs")->needs(given_);
 }
 
-int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,
-                const FormatOption& format) {
+StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& flags,
+                                const AsListed& as_listed) {
   require_nothing_else(rank);
   const StoreReader reader{std::filesystem::path(flags.store)};
   const Arguments arguments = stored_arguments(reader.description(), flags.store);
@@ -148,12 +132,20 @@ int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const Tab
   const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), flags.store);
   ExploreOptions asked = now.flags.read(stored.model, catalogue);
   asked.threads = rank.get_option("--threads")->as<int>();
-  const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value()};
-  const ListColumns columns = tables.read_columns(format, list_column_names(with));
-  tables.require_width(format);
+  if (as_listed) {
+    as_listed(ListedWith{asked.prices.has_value(), hand(asked.model.hardware).has_value()});
+  }
   // Words that are no routings, for whatever reason.
-  const StoredRanking ranking =
-      for_option(flags.store, [&] { return stored_ranking(reader, stored, asked, catalogue); });
+  return for_option(flags.store, [&] { return stored_ranking(reader, stored, asked, catalogue); });
+}
+
+int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,
+                const FormatOption& format) {
+  ListColumns columns;
+  const StoredRanking ranking = stored_ranking_of(rank, flags, [&](const ListedWith& with) {
+    columns = tables.read_columns(format, list_column_names(with));
+    tables.require_width(format);
+  });
   std::cout << printed(ranking, columns, tables, format);
   return ranking.report.top.empty() ? answer_is_no : done;
 }

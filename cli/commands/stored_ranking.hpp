@@ -3,11 +3,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/flags/table_flags.hpp"
 #include "cli/inputs.hpp"
+#include "reports/results/design_list.hpp"
+#include "studies/stored/stored_ranking.hpp"
 
 namespace reeve::cli {
 
@@ -22,6 +25,13 @@ struct StoredRankingFlags {
  private:
   CLI::Option* given_ = nullptr;
 };
+
+// Told what a list of the designs has, before the work. May be empty.
+using AsListed = std::function<void(const ListedWith&)>;
+
+// `rank` is the command as it was given, with a store.
+StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& flags,
+                                const AsListed& as_listed = {});
 
 // `rank` is the command as it was given, with a store; how it is shown is its own.
 int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,

@@ -11,7 +11,6 @@
 
 #include "catalog/catalogue.hpp"
 #include "catalog/rig/hardware_file.hpp"
-#include "core/grasp.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/routing.hpp"
@@ -41,13 +40,6 @@ struct BoundHardware {
 };
 
 const Catalogue& the_catalogue();
-
-// None: the paper's.
-std::shared_ptr<const BoundHardware> hardware_or_paper(std::shared_ptr<BoundHardware> hardware);
-
-// Fingers as numbers, one number, or text as on the command line.
-Grasp grasp_from(const py::handle& held, int fingers);
-Direction direction_from(const std::string& text);
 
 // Contacts that the hardware names must be there.
 void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings);

@@ -7,6 +7,9 @@
 #include "python/module/design_columns.hpp"
 #include "python/module/watched.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
+#include "reports/exploration/stored_ranking_report.hpp"
+#include "reports/import/import_report.hpp"
+#include "reports/import/log_chart.hpp"
 #include "reports/results/check_report.hpp"
 #include "reports/results/compare_report.hpp"
 #include "reports/results/count_report.hpp"
@@ -50,16 +53,41 @@ void bind_report(py::class_<Report>& report, std::string (*json)(const Report&),
   });
 }
 
+// What an exploration ends in, however it came about.
+template <typename Found>
+void bind_designs(py::class_<Found>& found, const ExploreReport& (*report)(const Found&)) {
+  found.def("designs", [report](const Found& self) { return design_columns(report(self).top); })
+      .def("front", [report](const Found& self) { return design_columns(report(self).front); })
+      .def("evaluated", [report](const Found& self) { return report(self).result.evaluated; })
+      .def("fingers",
+           [report](const Found& self) { return report(self).options.generator.fingers; });
+}
+
 void bind_exploration(py::module_& module) {
   py::class_<ExploreReport> report(module, "ExploreReport");
   bind_report<ExploreReport>(report, &explore_summary_json,
                              [](const ExploreReport& self) { return explore_sheet(self); });
-  report.def("save", &save<ExploreReport>)
-      .def("designs", [](const ExploreReport& self) { return design_columns(self.top); })
-      .def("front", [](const ExploreReport& self) { return design_columns(self.front); })
-      .def("partial", &partial_note);
+  bind_designs<ExploreReport>(
+      report, [](const ExploreReport& self) -> const ExploreReport& { return self; });
+  report.def("save", &save<ExploreReport>).def("partial", &partial_note);
   module.def("explore", [](const Arguments& arguments, const py::object& progress) {
     return run(&cli::asked_exploration, arguments, progress);
+  });
+}
+
+void bind_merging(py::module_& module) {
+  using cli::MergedExploration;
+  py::class_<MergedExploration> report(module, "MergedExploration");
+  bind_report<MergedExploration>(
+      report, [](const MergedExploration& self) { return explore_summary_json(self.report); },
+      [](const MergedExploration& self) { return explore_sheet(self.report); });
+  bind_designs<MergedExploration>(
+      report, [](const MergedExploration& self) -> const ExploreReport& { return self.report; });
+  report.def("save", &save<MergedExploration>).def("partial", [](const MergedExploration& self) {
+    return partial_note(self.report);
+  });
+  module.def("merge", [](const Arguments& arguments, const py::object& progress) {
+    return run(&cli::asked_merge, arguments, progress);
   });
 }
 
@@ -67,12 +95,24 @@ void bind_ranking(py::module_& module) {
   py::class_<RankReport> report(module, "RankReport");
   bind_report<RankReport>(report, &rank_json,
                           [](const RankReport& self) { return rank_sheet(self); });
-  report.def("save", &save<RankReport>).def("designs", [](const RankReport& self) {
-    return design_columns(self.designs);
-  });
+  report.def("save", &save<RankReport>)
+      .def("designs", [](const RankReport& self) { return design_columns(self.designs); })
+      .def("call_data", [](RankReport& self, const std::string& name) {
+        auto& data = self.details->distributions.data;
+        if (data) data->file = name;
+      });
   module.def("rank", [](const Arguments& arguments, const py::object& progress) {
     return run(&cli::asked_ranking, arguments, progress);
   });
+}
+
+void bind_stored_ranking(py::module_& module) {
+  py::class_<StoredRanking> report(module, "StoredRanking");
+  bind_report<StoredRanking>(report, &stored_ranking_json,
+                             [](const StoredRanking& self) { return stored_ranking_sheet(self); });
+  bind_designs<StoredRanking>(
+      report, [](const StoredRanking& self) -> const ExploreReport& { return self.report; });
+  module.def("rank_stored", &cli::asked_stored_ranking, py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_sizing(py::module_& module) {
@@ -120,7 +160,10 @@ void bind_quick_ones(py::module_& module) {
   module.def("check", &cli::asked_check, py::call_guard<py::gil_scoped_release>());
   py::class_<CompareReport> comparison(module, "CompareReport");
   bind_report<CompareReport>(comparison, &compare_json, &compare_sheet);
-  comparison.def("save", &save<CompareReport>).def("residuals_csv", &residuals_csv);
+  comparison.def("save", &save<CompareReport>)
+      .def("residuals_csv", &residuals_csv)
+      .def("call_data",
+           [](CompareReport& self, const std::string& name) { self.data.file = name; });
   module.def("compare", &cli::asked_comparison, py::call_guard<py::gil_scoped_release>());
   module.def("count", [](const Arguments& arguments) {
     const RoutingCounts counts = cli::asked_count(arguments);
@@ -129,13 +172,28 @@ void bind_quick_ones(py::module_& module) {
   module.def("simulate", [](const Arguments& arguments) {
     return simulation_csv(cli::asked_simulation(arguments));
   });
+}
+
+void bind_power(py::module_& module) {
+  py::class_<PowerReport> report(module, "PowerReport");
+  bind_report<PowerReport>(report, &power_json, &power_sheet);
   module.def("power", [](const Arguments& arguments, const py::object& progress) {
-    auto [report, interrupted] = watched(progress, [&](const StudySupervision& supervision) {
-      return cli::asked_power(arguments, supervision);
-    });
-    return py::make_tuple(report ? py::object(py::str(power_json(*report))) : py::none(),
-                          interrupted);
+    return run(&cli::asked_power, arguments, progress);
   });
+}
+
+void bind_import(py::module_& module) {
+  using cli::AskedReadings;
+  py::class_<AskedReadings> report(module, "AskedReadings");
+  bind_report<AskedReadings>(
+      report, [](const AskedReadings& self) { return import_json(self.report); },
+      [](const AskedReadings& self) { return import_sheet(self.report); });
+  report
+      .def("csv", [](const AskedReadings& self) { return imported_csv(self.report, self.command); })
+      .def("svg", [](const AskedReadings& self) { return log_svg(self.report); })
+      .def("call_data",
+           [](AskedReadings& self, const std::string& name) { self.report.series.file = name; });
+  module.def("import_log", &cli::asked_import, py::call_guard<py::gil_scoped_release>());
 }
 
 py::list options(const std::string& subcommand) {
@@ -150,11 +208,15 @@ py::list options(const std::string& subcommand) {
 
 void bind_commands(py::module_& module) {
   bind_exploration(module);
+  bind_merging(module);
   bind_ranking(module);
+  bind_stored_ranking(module);
   bind_sizing(module);
   bind_diagnosis(module);
   bind_showing(module);
   bind_quick_ones(module);
+  bind_import(module);
+  bind_power(module);
   module.def("options", &options,
              "Name, default and meaning of a subcommand's options, and whether it is a flag.");
   module.def("objective_units", &objective_units);

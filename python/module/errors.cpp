@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "cli/asked/asked.hpp"
 #include "core/error.hpp"
 #include "python/module/bindings.hpp"
 
@@ -10,13 +11,20 @@ py::object text_or_none(const std::optional<std::string>& text) {
   return text ? py::object(py::str(*text)) : py::none();
 }
 
-// With its parts, as the exception of the package has them.
-py::object to_python(const core::InputFault& fault) {
+py::object to_python(const core::InputFault& fault);
+
+// The message need not be the fault's own sentence.
+py::object to_python(const std::string& message, const core::InputFault& fault) {
   py::tuple parts(fault.parts.size());
   for (std::size_t i = 0; i < fault.parts.size(); ++i) parts[i] = to_python(fault.parts[i]);
   return py::module_::import("reeve.errors")
-      .attr("InputError")(core::sentence(fault), text_or_none(fault.where), fault.what,
-                          text_or_none(fault.value), fault.expected, parts);
+      .attr("InputError")(message, text_or_none(fault.where), fault.what, text_or_none(fault.value),
+                          fault.expected, parts);
+}
+
+// With its parts, as the exception of the package has them.
+py::object to_python(const core::InputFault& fault) {
+  return to_python(core::sentence(fault), fault);
 }
 
 void raise(const py::object& error) {
@@ -26,6 +34,8 @@ void raise(const py::object& error) {
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
+  } catch (const cli::OptionError& error) {
+    raise(to_python(error.what(), error.option()));
   } catch (const core::InputError& error) {
     raise(to_python(error.fault()));
   } catch (const core::OutOfRange& error) {

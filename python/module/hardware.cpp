@@ -1,9 +1,17 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <regex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "catalog/rig/hardware_tables.hpp"
 #include "core/error.hpp"
+#include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
+#include "python/module/toml_values.hpp"
 
 namespace reeve::python {
 namespace {
@@ -60,22 +68,92 @@ std::string as_in_the_files(const std::string& name) {
   return name.starts_with("mu_") ? name.substr(3) + "_mu" : name;
 }
 
-HardwareFile with(HardwareFile file, const py::kwargs& changes) {
-  for (const auto& [key, value] : changes) {
-    const auto given = key.cast<std::string>();
-    const Field* field = find_field(as_in_the_files(given));
-    if (field == nullptr) {
-      std::string known;
-      for (const Field& one : fields) known += (known.empty() ? "" : ", ") + std::string(one.name);
-      throw py::type_error(fmt::format("Hardware has no '{}': expected one of {}", given, known));
-    }
-    field->of(file.hardware) = value.cast<double>();
+// Tables of the file that are given as mappings.
+struct Table {
+  const char* name;
+  const char* key;
+  const char* meaning;
+};
+
+constexpr Table tables[] = {
+    {"fingers", "finger",
+     "What is different at one finger, by its number: ``{2: {\"tip_mu\": 0.09}}``."},
+    {"contacts", "contact",
+     "What is different at one contact, by the segments beside it: "
+     "``{\"a-T1\": {\"mu\": 0.2}}``."},
+    {"hand", "hand", "Joints and force of every finger that has none of its own."},
+    {"motor", "motor", "Spool, force and stroke of the motor."},
+    {"uncertainty", "uncertainty", "How well the coefficients are known."},
+};
+
+const Table* find_table(const std::string& name) {
+  for (const Table& table : tables) {
+    if (name == table.name) return &table;
   }
-  return file;
+  return nullptr;
 }
 
-std::string toml(const BoundHardware& self) {
-  return catalog::hardware_toml(self.file.hardware, self.file.uncertainty, self.file.vary);
+[[noreturn]] void fail_unknown(const std::string& given) {
+  std::string known;
+  for (const Field& field : fields) known += std::string(field.name) + ", ";
+  for (const Table& table : tables) known += std::string(table.name) + ", ";
+  known.resize(known.size() - 2);
+  throw py::type_error(fmt::format("Hardware has no '{}': expected one of {}", given, known));
+}
+
+std::string file_text(const HardwareFile& file) {
+  return catalog::hardware_toml(file.hardware, file.uncertainty, file.vary);
+}
+
+void put(catalog::TomlNode table, catalog::TomlNode& root) {
+  std::erase_if(root.children, [&](const auto& child) { return child.key == table.key; });
+  root.children.push_back(std::move(table));
+}
+
+// Nobody wrote the file, so that lines and columns in it say nothing.
+HardwareFile read_without_places(const catalog::TomlNode& root) {
+  try {
+    return catalog::read_hardware_tables(root);
+  } catch (const InputError& error) {
+    core::InputFault fault = error.fault();
+    static const std::regex place("^Hardware:[0-9]+:[0-9]+(: )?");
+    if (fault.where) fault.where = std::regex_replace(*fault.where, place, "");
+    if (fault.where && fault.where->empty()) fault.where.reset();
+    throw InputError(fault);
+  }
+}
+
+HardwareFile with(HardwareFile file, const py::kwargs& changes) {
+  std::vector<catalog::TomlNode> changed;
+  for (const auto& [key, value] : changes) {
+    const auto given = key.cast<std::string>();
+    if (const Table* table = find_table(given)) {
+      changed.push_back(toml_from(value, given, table->key));
+    } else if (const Field* field = find_field(as_in_the_files(given))) {
+      field->of(file.hardware) = number_from(value, given);
+    } else {
+      fail_unknown(given);
+    }
+  }
+  if (changed.empty()) return file;
+  catalog::TomlNode root = catalog::parse_toml(file_text(file), "Hardware");
+  for (catalog::TomlNode& table : changed) put(std::move(table), root);
+  return read_without_places(root);
+}
+
+std::string toml(const BoundHardware& self) { return file_text(self.file); }
+
+// As it can be given again.
+py::dict table_values(const BoundHardware& self, const Table& table) {
+  const catalog::TomlNode root = catalog::parse_toml(toml(self), "Hardware");
+  const catalog::TomlNode* node = root.find(table.key);
+  if (node == nullptr) return {};
+  const py::dict values = value_of(*node);
+  if (table.key != std::string_view("finger")) return values;
+  py::dict by_number;
+  for (const auto& [finger, value] : values)
+    by_number[py::int_(py::reinterpret_borrow<py::object>(finger))] = value;
+  return by_number;
 }
 
 // What differs from the paper's, as it could be given.
@@ -88,7 +166,13 @@ std::string described(const BoundHardware& self) {
     if (is_plain || field.of(own) == field.of(paper)) continue;
     text += fmt::format("{}{}={}", text.empty() ? "" : ", ", field.name, field.of(own));
   }
-  if (!own.fingers.empty()) text += fmt::format("{}…", text.empty() ? "" : ", ");
+  const BoundHardware plain{HardwareFile{}};
+  for (const Table& table : tables) {
+    const py::dict values = table_values(self, table);
+    if (values.equal(table_values(plain, table))) continue;
+    text +=
+        fmt::format("{}{}={}", text.empty() ? "" : ", ", table.name, std::string(py::repr(values)));
+  }
   return "Hardware(" + text + ")";
 }
 
@@ -99,11 +183,6 @@ BoundHardware from_text(const std::string& text, const std::string& name) {
 }  // namespace
 
 BoundHardware::BoundHardware(HardwareFile given) : file(std::move(given)), builder(file.hardware) {}
-
-std::shared_ptr<const BoundHardware> hardware_or_paper(std::shared_ptr<BoundHardware> hardware) {
-  static const auto paper = std::make_shared<const BoundHardware>(HardwareFile{});
-  return hardware ? hardware : paper;
-}
 
 void bind_hardware(py::module_& module) {
   py::class_<BoundHardware, std::shared_ptr<BoundHardware>> hardware(module, "Hardware", R"(
@@ -116,17 +195,19 @@ Parameters
     coefficients; ``mu_tube`` is ``tube_mu``), ``tube_angle_rad``, …
     (wrap angles, rad), ``strand_mm``, ``motor_side_mm``, ``hand_mm`` (lengths,
     mm). What is not given is the paper's.
-
-Notes
------
-What is different at one finger or one contact, the joints of a hand and its
-motor stand in a file: see `from_toml`.
+fingers, contacts, hand, motor, uncertainty : mapping
+    The tables of a hardware file (catalog/hardware/example.toml), with its
+    names: what is different at one finger, ``{2: {"tip_mu": 0.09}}``, or at
+    one contact, ``{"a-T1": {"mu": 0.2}}``; joints and forces of a hand; its
+    motor; how well the coefficients are known.
 
 Examples
 --------
 >>> import reeve
 >>> reeve.Hardware(tube_mu=0.09).replace(sheath_mu=0.05)
 Hardware(tube_mu=0.09, sheath_mu=0.05)
+>>> reeve.Hardware(fingers={2: {"tip_mu": 0.09}}).fingers[2]["tip_mu"]
+0.09
 )");
   hardware.def(py::init(
       [](const py::kwargs& coefficients) { return BoundHardware(with({}, coefficients)); }));
@@ -139,11 +220,16 @@ Hardware(tube_mu=0.09, sheath_mu=0.05)
         },
         (std::string("float: ") + field.meaning).c_str());
   }
+  for (const Table& table : tables) {
+    hardware.def_property_readonly(
+        table.name, [&table](const BoundHardware& self) { return table_values(self, table); },
+        (std::string("dict: ") + table.meaning).c_str());
+  }
   hardware
       .def_static(
           "from_toml",
           [](const py::object& path) {
-            return BoundHardware(catalog::read_hardware_file(py::str(path).cast<std::string>()));
+            return BoundHardware(catalog::read_hardware_file(path_from(path, "path")));
           },
           py::arg("path"), "The hardware of a file, as the program reads it.")
       .def("to_toml", &toml, "str: A hardware file that reads back as this one.")
@@ -152,7 +238,7 @@ Hardware(tube_mu=0.09, sheath_mu=0.05)
           [](const BoundHardware& self, const py::kwargs& changes) {
             return BoundHardware(with(self.file, changes));
           },
-          "The same hardware, but for the coefficients that are given.")
+          "The same hardware, but for what is given; a table takes the place of the whole table.")
       .def("__eq__",
            [](const BoundHardware& self, const py::object& other) -> py::object {
              if (!py::isinstance<BoundHardware>(other)) {

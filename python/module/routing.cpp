@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/performance.hpp"
+#include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 #include "reports/mujoco/mjcf.hpp"
 #include "reports/results/show_report.hpp"
@@ -36,11 +37,17 @@ std::vector<std::string> segment_names(const BoundRouting& bound) {
   return names;
 }
 
-std::string exported(const BoundRouting& routing, std::shared_ptr<BoundHardware> hardware) {
-  const auto used = hardware_or_paper(std::move(hardware));
+std::string exported(const BoundRouting& routing, const py::object& hardware) {
+  const auto used = hardware_from(hardware);
   require_contacts(*used, {routing.routing});
   cli::require_known_fingers(used->file.hardware, routing.network.fingers);
   return mjcf(routing.routing, used->file.hardware);
+}
+
+BoundRouting bound(const py::object& word) {
+  if (py::isinstance<BoundRouting>(word)) return word.cast<const BoundRouting&>();
+  return BoundRouting(
+      text_from(word, "word", "a word such as 'M-1-T-2-F', or a name of the catalogue"));
 }
 
 }  // namespace
@@ -54,30 +61,6 @@ BoundRouting::BoundRouting(const std::string& text)
 const Catalogue& the_catalogue() {
   static const Catalogue catalogue = cli::shipped_catalogue();
   return catalogue;
-}
-
-Grasp grasp_from(const py::handle& held, int fingers) {
-  if (py::isinstance<py::str>(held)) return parse_grasp(held.cast<std::string>(), fingers);
-  std::vector<int> numbers;
-  if (py::isinstance<py::int_>(held)) {
-    numbers.push_back(held.cast<int>());
-  } else {
-    for (const py::handle& finger : held) numbers.push_back(finger.cast<int>());
-  }
-  std::string text;
-  Grasp grasp;
-  for (const int finger : numbers) {
-    text += (text.empty() ? "" : ",") + std::to_string(finger);
-    if (finger >= 1 && finger <= fingers) grasp.held |= std::uint64_t{1} << (finger - 1);
-  }
-  // It knows what is wrong with the others.
-  return text.empty() ? grasp : parse_grasp(text, fingers);
-}
-
-Direction direction_from(const std::string& text) {
-  if (text == "pull") return Direction::pull;
-  if (text == "release") return Direction::release;
-  throw InputError({.what = "direction", .value = text, .expected = "pull or release"});
 }
 
 void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings) {
@@ -109,7 +92,7 @@ Routing('1-P-2-P-1')
 >>> reeve.Routing("M-1-T-2-F") == reeve.Routing("F-2-T-1-M")
 True
 )")
-      .def(py::init<const std::string&>(), py::arg("word"))
+      .def(py::init(&bound), py::arg("word"))
       .def_readonly("word", &BoundRouting::word, "str: The word as it was written.")
       .def_property_readonly("canonical", &canonical_word,
                              "str: The one word of this routing, where fingers are alike.")
@@ -134,26 +117,7 @@ True
       .def("__repr__", [](const BoundRouting& self) { return "Routing('" + self.word + "')"; })
       .def("__str__", [](const BoundRouting& self) { return self.word; })
       .def("_repr_svg_", &drawn)
-      .def("to_mjcf", &exported, py::arg("hardware") = py::none(), R"(
-The routing as a planar hand for MuJoCo, without friction.
-
-Parameters
-----------
-hardware : Hardware, optional
-    Joints and lengths of the fingers. Default: the paper's, without joints.
-
-Returns
--------
-str
-    The model's XML, as ``reeve export`` writes it; docs/mujoco.md says what is
-    in it and what is not.
-
-Examples
---------
->>> import reeve
->>> "no capstan friction" in reeve.Routing("TR7").to_mjcf()
-True
-)")
+      .def("_to_mjcf", &exported, py::arg("hardware"))
       .def(py::pickle([](const BoundRouting& self) { return self.word; },
                       [](const std::string& word) { return BoundRouting(word); }));
 }

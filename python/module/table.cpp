@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "core/error.hpp"
+#include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/watched.hpp"
 #include "studies/tensions/tension_table.hpp"
@@ -52,7 +53,7 @@ std::vector<std::string> segment_names(const std::vector<Routing>& routings) {
 
 TensionTableRequest request_of(const std::vector<std::shared_ptr<BoundRouting>>& routings,
                                const BoundHardware& hardware, const py::list& held,
-                               const std::string& direction,
+                               const py::object& direction,
                                const std::map<std::string, Column>& columns, int threads) {
   TensionTableRequest request;
   int fewest = max_fingers;
@@ -74,10 +75,10 @@ TensionTableRequest request_of(const std::vector<std::shared_ptr<BoundRouting>>&
 
 // The table, the names of its segments, and whether Ctrl-C stopped it.
 py::tuple tension_table(const std::vector<std::shared_ptr<BoundRouting>>& routings,
-                        std::shared_ptr<BoundHardware> hardware, const py::list& held,
-                        const std::string& direction, const std::map<std::string, Column>& columns,
+                        const py::object& hardware, const py::list& held,
+                        const py::object& direction, const std::map<std::string, Column>& columns,
                         int threads, const py::object& progress) {
-  const auto used = hardware_or_paper(std::move(hardware));
+  const auto used = hardware_from(hardware);
   const TensionTableRequest request =
       request_of(routings, *used, held, direction, columns, threads);
   const std::vector<std::string> segments = segment_names(request.routings);

@@ -4,6 +4,7 @@
 #include "core/graph.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
+#include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 
 namespace reeve::python {
@@ -29,13 +30,12 @@ const py::object& numpy_float() {
   return *type;
 }
 
-BoundTensions solve(const std::shared_ptr<BoundRouting>& routing,
-                    std::shared_ptr<BoundHardware> hardware, const py::object& held,
-                    const std::string& direction) {
+BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::object& hardware,
+                    const py::object& held, const py::object& direction) {
   // Keep their memory from call to call.
   thread_local Mechanics mechanics;
   thread_local TensionSolver solver;
-  const auto used = hardware_or_paper(std::move(hardware));
+  const auto used = hardware_from(hardware);
   if (!used->file.hardware.contacts.empty()) require_contacts(*used, {routing->routing});
   used->builder.apply(routing->network, mechanics);
   require_in_range(routing->network, mechanics);
@@ -115,30 +115,7 @@ tension.
   const auto routing =
       py::class_<BoundRouting, std::shared_ptr<BoundRouting>>(module.attr("Routing"));
   py::class_<BoundRouting, std::shared_ptr<BoundRouting>>(routing).def(
-      "tensions", &solve, py::arg("hardware") = py::none(), py::arg("held") = py::tuple(),
-      py::arg("direction") = "pull", R"(
-Tensions in one grasp, by the plain friction model.
-
-Parameters
-----------
-hardware : Hardware, optional
-    The paper's if none is given.
-held : sequence of int, int or str
-    The fingers that are held: ``[1]``, ``1``, ``"1,2"`` or ``"none"``.
-direction : {"pull", "release"}
-    Which way the carriage moves.
-
-Returns
--------
-Tensions
-
-Examples
---------
->>> import reeve
->>> state = reeve.Routing("TR5").tensions(held=[1])
->>> round(float(state["T1"]), 4)
-0.2802
-)");
+      "_tensions", &solve, py::arg("hardware"), py::arg("held"), py::arg("direction"));
 }
 
 }  // namespace reeve::python

@@ -6,31 +6,17 @@ The functions are the program's subcommands, with its names and defaults; `tensi
 
 from collections.abc import Mapping as _Mapping
 
-from ._commands import (
-    Counts,
-    check,
-    compare,
-    count,
-    diagnose,
-    explore,
-    rank,
-    show,
-    simulate,
-    size,
-)
+from . import _methods
 from ._core import Hardware, Routing, Tensions, __commit__, __version__
+from ._design_results import Check, Exploration, Ranking, Shown, Sizing, StoredRanking
+from ._exploring import Counts, count, explore, merge
 from ._model import Model
-from ._results import (
-    Check,
-    Comparison,
-    Diagnosis,
-    Exploration,
-    Ranking,
-    Result,
-    Shown,
-    Simulation,
-    Sizing,
-)
+from ._ranking import check, rank, show
+from ._reading_results import Comparison, Diagnosis, Power, Simulation, SteadyReadings
+from ._readings import compare, diagnose, import_log
+from ._results import Result
+from ._simulating import power, simulate
+from ._sizing import size
 from ._tensions import NamedArray, tensions
 from .errors import InputError, Interrupted, Notice, OutOfRange
 
@@ -38,6 +24,8 @@ from .errors import InputError, Interrupted, Notice, OutOfRange
 for _name in ("keys", "items", "values", "get", "__contains__", "__eq__"):
     setattr(Tensions, _name, getattr(_Mapping, _name))
 _Mapping.register(Tensions)
+for _method in (_methods.tensions, _methods.to_mjcf):
+    setattr(Routing, _method.__name__, _method)
 
 __all__ = [
     "Check",
@@ -52,18 +40,24 @@ __all__ = [
     "NamedArray",
     "Notice",
     "OutOfRange",
+    "Power",
     "Ranking",
     "Result",
     "Routing",
     "Shown",
     "Simulation",
     "Sizing",
+    "SteadyReadings",
+    "StoredRanking",
     "Tensions",
     "check",
     "compare",
     "count",
     "diagnose",
     "explore",
+    "import_log",
+    "merge",
+    "power",
     "rank",
     "show",
     "simulate",

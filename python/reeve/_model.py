@@ -6,7 +6,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Union
 
-Place = Union[str, "PathLike[str]"]
+Place = Union[str, PathLike[str]]
 
 
 class Model:

@@ -33,7 +33,9 @@ def close(hears: Optional[Callable[[str, int, int], object]]) -> None:
         hears.close()
 
 
-def listener(progress: Progress) -> Optional[Callable[[str, int, int], object]]:
+def listener(
+    progress: Progress, stacklevel: int = 3
+) -> Optional[Callable[[str, int, int], object]]:
     """The function to call; None if nobody wants to know."""
     if progress is None or progress is False:
         return None
@@ -42,6 +44,6 @@ def listener(progress: Progress) -> Optional[Callable[[str, int, int], object]]:
     try:
         from tqdm.auto import tqdm
     except ImportError:
-        warnings.warn("progress=True needs tqdm, which is not installed", stacklevel=3)
+        warnings.warn("progress=True needs tqdm, which is not installed", stacklevel=stacklevel)
         return None
     return _Bar(tqdm)

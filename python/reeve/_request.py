@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, Optional, Union
+
+import numpy as np
 
 from . import _core
 from ._model import Model
@@ -17,11 +20,20 @@ _REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "hel
 
 
 class FileText:
-    """A value that the program reads from a file."""
+    """A value that the program reads from a file, under the name of its argument."""
 
-    def __init__(self, name: str, text: str) -> None:
-        self.name = name
+    def __init__(self, argument: str, ending: str, text: str) -> None:
+        self.argument = argument
+        self.name = argument + ending
         self.text = text
+
+    def place(self, line: Optional[str]) -> str:
+        """Where a line of the file is, for who gave no file."""
+        if line is None or not self.name.endswith(".csv"):
+            return f"{self.argument}:{line}" if line else self.argument
+        header = 1 + self.text.startswith("#")
+        row = int(line) - header - 1
+        return f"{self.argument}, row {row}" if row >= 0 else f"{self.argument}, columns"
 
 
 def _csv(frame: Any) -> str:
@@ -37,19 +49,17 @@ def _csv(frame: Any) -> str:
 
 
 def _as_file(name: str, value: Any) -> Any:
-    if isinstance(value, _core.Hardware):
-        return FileText(f"{name}.toml", value.to_toml())
-    if isinstance(value, Model):
-        return FileText(f"{name}.toml", value.to_toml())
+    if isinstance(value, (_core.Hardware, Model)):
+        return FileText(name, ".toml", value.to_toml())
     if hasattr(value, "to_csv"):
-        return FileText(f"{name}.csv", _csv(value))
+        return FileText(name, ".csv", _csv(value))
     return value
 
 
 def _text(value: Any) -> str:
     if isinstance(value, Mapping):
         return ",".join(f"{key}={_text(item)}" for key, item in value.items())
-    if isinstance(value, Sequence) and not isinstance(value, str):
+    if isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, str):
         return ",".join(_text(item) for item in value)
     if isinstance(value, _core.Routing):
         return value.word
@@ -69,11 +79,14 @@ class Request:
 
     def __init__(
         self,
-        positionals: Sequence[Any] = (),
+        positionals: Mapping[str, Sequence[Any]] = {},
         options: Mapping[str, Any] = {},
         last: Sequence[str] = (),
     ) -> None:
-        self._positionals = [_as_file("data", item) for item in positionals]
+        self._folder: Optional[Path] = None  # where its files were last
+        self._positionals = [
+            _as_file(name, item) for name, items in positionals.items() for item in items
+        ]
         self._options: list[tuple[str, Any]] = []
         for keyword, value in options.items():
             name = keyword.rstrip("_").replace("_", "-")
@@ -87,13 +100,18 @@ class Request:
             self._options.extend((name, item) for item in items)
         self._last = list(last)
 
-    def _files(self) -> list[FileText]:
+    def files(self) -> list[FileText]:
+        """The values that are no files yet."""
         values = [*self._positionals, *(value for _, value in self._options)]
         return [value for value in values if isinstance(value, FileText)]
 
-    def file_names(self) -> list[str]:
-        """Of the values that are no files yet."""
-        return [file.name for file in self._files()]
+    def require_files(self) -> None:
+        """What a store is made with is read again where it is ranked or merged."""
+        if self.files():
+            raise InputError(
+                "store: expected files for hardware, model and cost, which outlive this process",
+                what="store", expected="files for hardware, model and cost",
+            )
 
     def _arguments(self, folder: Path) -> list[str]:
         def text(value: Any) -> str:
@@ -108,25 +126,32 @@ class Request:
     @contextmanager
     def arguments(self) -> Iterator[list[str]]:
         """The arguments, while the files that they name are there."""
-        if self._files() and any(name == "store" for name, _ in self._options):
-            # Its command is read again where it is ranked or merged.
-            raise InputError(
-                "store: expected files for hardware, model and cost, which outlive this process",
-                what="store", expected="files for hardware, model and cost",
-            )
-        if not self._files():
+        if not self.files():
             yield self._arguments(Path())
             return
         with tempfile.TemporaryDirectory(prefix="reeve-") as folder:
-            yield self._written(Path(folder))
+            self._folder = Path(folder)
+            try:
+                yield self._written(Path(folder))
+            except InputError as error:
+                raise error._changed(self.named) from None
 
     def arguments_for(self, folder: Union[str, Path]) -> list[str]:
         """The arguments that write into this folder; the files they name are put there."""
-        if self._files():
+        if self.files():
             Path(folder).mkdir(parents=True, exist_ok=True)
         return [*self._written(Path(folder)), f"--out={folder}"]
 
     def _written(self, folder: Path) -> list[str]:
-        for file in self._files():
+        for file in self.files():
             (folder / file.name).write_text(file.text, encoding="utf-8")
         return self._arguments(folder)
+
+    def named(self, text: str) -> str:
+        """With the names of arguments in place of files that were there for the call alone."""
+        if self._folder is None:
+            return text
+        for file in self.files():
+            path = re.escape(str(self._folder / file.name))
+            text = re.sub(path + r"(?::(\d+))?", lambda found: file.place(found[1]), text)
+        return text

@@ -9,6 +9,7 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from . import _core
+from ._arguments import check_types
 from ._progress import Progress, close, listener
 from .errors import Interrupted
 
@@ -34,6 +35,11 @@ class NamedArray:
     dims: tuple[str, ...]
     coords: Mapping[str, Any] = field(default_factory=dict)
 
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How long its axes are."""
+        return self.values.shape
+
     def __array__(self, dtype: Any = None) -> Array:
         return np.asarray(self.values, dtype=dtype)
 
@@ -51,6 +57,13 @@ def _held_text(held: Held) -> str:
     return ",".join(str(finger) for finger in fingers) or "none"
 
 
+def _numbers(name: str, value: Any) -> Array:
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected numbers, not {value!r:.60}") from None
+
+
 def _broadcast(
     coefficients: Mapping[str, Any],
 ) -> tuple[list[str], tuple[int, ...], dict[str, Any]]:
@@ -65,9 +78,7 @@ def _broadcast(
         spread = xarray.broadcast(*arrays)
         names = [str(name) for name in spread[0].dims]
         return names, spread[0].shape, dict(zip(coefficients, (a.values for a in spread)))
-    together = np.broadcast_arrays(
-        *(np.asarray(value, dtype=float) for value in coefficients.values())
-    )
+    together = np.broadcast_arrays(*(_numbers(*item) for item in coefficients.items()))
     shape = together[0].shape if together else ()
     names = ["sample"] if len(shape) == 1 else [f"sample_{i}" for i in range(len(shape))]
     return names, shape, dict(zip(coefficients, together))
@@ -126,6 +137,7 @@ def tensions(
     >>> table.dims
     ('routing', 'sample', 'segment')
     """
+    check_types(tensions, locals())
     one_routing = isinstance(routings, (str, _core.Routing))
     given = [routings] if isinstance(routings, (str, _core.Routing)) else list(routings)
     bound = [r if isinstance(r, _core.Routing) else _core.Routing(r) for r in given]

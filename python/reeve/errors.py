@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Optional
 
 
@@ -37,6 +38,17 @@ class InputError(ValueError):
         self.value = value
         self.expected = expected
         self.parts = parts
+
+    def _changed(self, change: Callable[[str], str]) -> "InputError":
+        """The same of other words."""
+        return InputError(
+            change(str(self)),
+            None if self.where is None else change(self.where),
+            change(self.what),
+            None if self.value is None else change(self.value),
+            change(self.expected),
+            tuple(part._changed(change) for part in self.parts),
+        )
 
     def __reduce__(self) -> tuple[Any, ...]:
         fields = (self.where, self.what, self.value, self.expected, self.parts)

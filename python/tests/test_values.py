@@ -58,6 +58,74 @@ def test_hardware_of_a_file(root, tmp_path):
     assert reeve.Hardware.from_toml(tmp_path / "again.toml") == hardware
 
 
+TABLES = {
+    "fingers": {2: {"tip_mu": 0.09, "sheath_angle_rad": 7.0, "closing": 0.8}},
+    "contacts": {"a-T1": {"mu": 0.2}},
+}
+
+
+def test_hardware_of_tables_is_that_of_the_file(tmp_path):
+    (tmp_path / "h.toml").write_text("""
+        [sheath]
+        mu = 0.05
+        [finger.2]
+        tip_mu = 0.09
+        sheath_angle_rad = 7
+        closing = 0.8
+        [contact."a-T1"]
+        mu = 0.2
+    """)
+    hardware = reeve.Hardware(sheath_mu=0.05, **TABLES)
+    assert hardware == reeve.Hardware.from_toml(tmp_path / "h.toml")
+    assert hardware == reeve.Hardware().replace(**TABLES).replace(sheath_mu=0.05)
+    assert (hardware.fingers, hardware.contacts) == (TABLES["fingers"], TABLES["contacts"])
+    assert pickle.loads(pickle.dumps(hardware)) == hardware
+    assert eval(f"reeve.{hardware!r}") == hardware
+    # Another finger's table takes the place of all.
+    other = hardware.replace(fingers={"1": {"tip_mu": 0.1}})
+    assert other.fingers == {1: {"tip_mu": 0.1}} and other.contacts == hardware.contacts
+    assert other.replace(fingers={}, contacts={}, sheath_mu=0.18) == reeve.Hardware()
+
+
+def test_a_hand_in_tables_is_that_of_its_file(root):
+    hand = reeve.Hardware.from_toml(root / "catalog/hardware/three_finger_hand.toml")
+    again = reeve.Hardware(
+        tube_mu=hand.tube_mu, sheath_mu=hand.sheath_mu, sheath_angle_rad=hand.sheath_angle_rad,
+        hand=hand.hand, motor=hand.motor, fingers=hand.fingers, uncertainty=hand.uncertainty,
+    )
+    assert again == hand
+    assert [joint["arm_mm"] for joint in hand.fingers[1]["joints"]] == [11, 8]
+    assert hand.motor["force_N"] == 80
+
+
+def test_what_is_of_one_finger_acts_there():
+    # TR1 with finger 1 held slides through T1, T2, T3, T4: the tip of finger 2 is the last contact.
+    hardware = reeve.Hardware(tube_mu=0.07, sheath_mu=0.05)
+    plain = reeve.Routing("TR1").tensions(hardware, held=[1])
+    other = hardware.replace(fingers={2: {"tip_mu": 0.3, "tip_angle_rad": 2}})
+    changed = reeve.Routing("TR1").tensions(other, held=[1])
+    strands = ["T1", "T2", "T3"]
+    assert [changed[i] for i in strands] == pytest.approx([plain[i] for i in strands], rel=1e-12)
+    assert changed["T4"] == pytest.approx(changed["T3"] * math.exp(-0.6), rel=1e-12)
+    inlet = hardware.replace(contacts={"T1-a": {"mu": 0}})
+    assert reeve.Routing("TR1").tensions(inlet, held=[1])["T1"] == 1
+
+
+@pytest.mark.parametrize(("tables", "what", "value"), [
+    ({"fingers": {2: {"tip_mu": -1}}}, "finger.2.tip_mu", "-1"),
+    ({"fingers": {2: {"tip_nu": 1}}}, "unknown key", "finger.2.tip_nu"),
+    ({"fingers": {0: {"tip_mu": 1}}}, "unknown table", "finger.0"),
+    ({"contacts": {"a": {"mu": 1}}}, "contact", "a"),
+    ({"contacts": {"a-Q": {"mu": 1}}}, "segment", "Q"),
+    ({"tube_mu": 20, "fingers": {1: {"tip_mu": 1}}}, "tube.mu", "20"),
+])
+def test_a_table_that_cannot_be_is_refused(tables, what, value):
+    with pytest.raises(reeve.InputError) as caught:
+        reeve.Hardware(**tables)
+    assert (caught.value.what, caught.value.value) == (what, value)
+    assert "Hardware:" not in str(caught.value) and caught.value.expected
+
+
 def capstan(mu_tube, mu_sheath):
     """M-1-T-2-F with finger 1 held slides the same way everywhere: one product."""
     sheath, tube = math.exp(-mu_sheath * 2 * math.pi), math.exp(-mu_tube * math.pi)

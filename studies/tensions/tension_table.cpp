@@ -179,9 +179,13 @@ bool fill_tension_table(const TensionTableRequest& request, std::span<double> ta
     if (supervision.stopped()) return;
     auto& solver = solvers[block.worker];
     if (!solver) solver.emplace(request);
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const std::size_t r = i / request.samples;
-      const std::size_t sample = i % request.samples;
+    std::size_t r = block.begin / request.samples;
+    std::size_t sample = block.begin % request.samples;
+    for (std::size_t i = block.begin; i < block.end; ++i, ++sample) {
+      if (sample == request.samples) {
+        sample = 0;
+        ++r;
+      }
       solver->prepare(routings[r], sample);
       for (std::size_t g = 0; g < grasps; ++g) {
         const TensionState& state = solver->solve(request.grasps[g]);

@@ -1,0 +1,129 @@
+"""The shape of results: frames, one line, tables and drawings."""
+
+import sys
+
+import pandas as pd
+import pytest
+import reeve
+
+READINGS = "catalog/measured/exo_glove_ii.csv"
+
+
+@pytest.fixture(scope="module")
+def diagnosis(request):
+    return reeve.diagnose(request.path.parents[2] / READINGS, replicates=400)
+
+
+@pytest.fixture(scope="module")
+def simulated():
+    return reeve.simulate(["TR1", "TR7"], runs=2, rows=3)
+
+
+@pytest.fixture(scope="module")
+def sized():
+    return reeve.size("TR5", "TR7", vary=["sheath_angle=3..9"], nominal=True, starts=1,
+                      evaluations=50)
+
+
+def test_one_line_says_what_it_is(diagnosis, simulated, sized):
+    found = reeve.explore(fingers=2)
+    counted = found.summary["evaluated"]
+    assert repr(found) == f"<reeve.Exploration: 2 fingers, {counted} designs, 3 on the front>"
+    assert repr(reeve.rank("TR1", "TR7")) == "<reeve.Ranking: 2 designs, TR7 first>"
+    assert repr(diagnosis) == (
+        "<reeve.Diagnosis: cause (tube_friction, sheath_friction), 28 readings>")
+    assert repr(simulated) == "<reeve.Simulation: 6 simulated readings in 2 runs>"
+    assert repr(reeve.compare(simulated.data)).startswith(
+        "<reeve.Comparison: 24 simulated readings, off by ")
+    assert repr(sized).startswith("<reeve.Sizing: TR7, 2 dimensions, goal from 0.322 to 0.5")
+    assert repr(reeve.show("TR5")) == "<reeve.Shown: M-1-P-2-M, 3 grasps>"
+    assert repr(reeve.check(family="paper")).endswith(" numbers, 0 of them differ>")
+
+
+def test_sizes_are_frames(sized):
+    designs, dimensions = sized.designs, sized.dimensions
+    assert list(designs["rank"]) == [1, 2] and list(designs["name"]) == ["TR7", "TR5"]
+    assert (designs["goal"] > designs["goal_before"]).all()
+    assert designs.attrs["units"]["uniformity_mean"] == "1"
+    # The goal is their product, of means.
+    product = designs["uniformity_mean"] * designs["efficiency_mean"]
+    assert designs["goal"].to_numpy() == pytest.approx(product.to_numpy())
+    assert list(dimensions["dimension"]) == ["sheath_angle[1]", "sheath_angle[2]"] * 2
+    assert (dimensions["low"] == 3).all() and (dimensions["high"] == 9).all()
+    assert dimensions["sized"].between(3, 9).all()
+
+
+def test_causes_have_their_columns_where_there_are_none(diagnosis, simulated):
+    none = reeve.diagnose(simulated.data, replicates=400)
+    assert none.verdict == "none" and len(none.causes) == 0
+    assert list(none.causes.columns) == list(diagnosis.causes.columns)
+    assert "value" in none.causes and diagnosis.causes["value"].notna().all()
+
+
+def test_what_is_simulated_stays_so(simulated, diagnosis):
+    for result in (reeve.compare(simulated.data), reeve.diagnose(simulated.data, replicates=400)):
+        assert result.residuals.attrs["simulated"]
+        assert "simulated" in repr(result) and "imulated" in result._repr_html_()
+    assert reeve.diagnose(simulated.data, replicates=400).causes.attrs["simulated"]
+    assert not diagnosis.residuals.attrs["simulated"]
+    assert "imulated" not in diagnosis._repr_html_()
+
+
+def test_tables_in_a_notebook(diagnosis, sized):
+    assert "<table" in reeve.rank("TR1", "TR7")._repr_html_()
+    assert "sheath_friction" in diagnosis._repr_html_()
+    assert "sheath_angle[1]" in sized._repr_html_()
+    assert reeve.Routing("TR5")._repr_svg_().startswith("<svg")
+    assert reeve.show("TR5")._repr_svg_().startswith("<svg")
+
+
+@pytest.fixture
+def drawing():
+    matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    matplotlib.use("Agg")
+    yield
+    import matplotlib.pyplot
+
+    matplotlib.pyplot.close("all")
+
+
+def points(ax):
+    """Of each label, how many points stand under it."""
+    return {c.get_label(): len(c.get_offsets()) for c in ax.collections if hasattr(c, "get_offsets")}
+
+
+def test_designs_are_drawn(drawing):
+    found = reeve.explore(fingers=2)
+    ax = found.plot(x="sheaths")
+    assert points(ax) == {"designs": len(found.designs), "front": len(found.front)}
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("sheaths (parts)", "efficiency_mean")
+    assert found.plot(ax=ax) is ax
+    with pytest.raises(reeve.InputError, match="x 'mass': expected one of"):
+        found.plot(x="mass")
+
+
+def test_readings_are_drawn(drawing, diagnosis, simulated):
+    ax = diagnosis.plot()
+    assert points(ax) == {"the model as it was": 28, "as diagnosed": 28}
+    assert ax.get_ylabel() == "measured (N)" and ax.get_title() == ""
+    ax = reeve.compare(simulated.data).plot()
+    assert ax.get_ylabel() == "simulated (N)" and ax.get_title() == "simulated readings"
+    drawn = pd.DataFrame(ax.collections[0].get_offsets().data, columns=["predicted", "measured"])
+    residuals = reeve.compare(simulated.data).residuals
+    assert (drawn["measured"].to_numpy() == residuals["measured"].to_numpy()).all()
+
+
+def test_dimensions_are_drawn(drawing, sized):
+    ax = sized.plot()
+    labels = [label.get_text() for label in ax.get_yticklabels()]
+    assert labels == ["sheath_angle[1], 3 to 9 rad", "sheath_angle[2], 3 to 9 rad"]
+    before = next(c for c in ax.collections if c.get_label() == "before").get_offsets().data
+    assert before[:, 0] == pytest.approx((2 * 3.141592653589793 - 3) / 6)
+
+
+def test_without_matplotlib_an_error_names_it(monkeypatch, sized, diagnosis):
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    for result in (reeve.rank("TR1"), sized, diagnosis):
+        with pytest.raises(ImportError, match="plot.. needs matplotlib, which is not installed"):
+            result.plot()
