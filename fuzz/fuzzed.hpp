@@ -33,8 +33,9 @@ void or_refused(const Read& read) {
   try {
     read();
   } catch (const core::InputError& error) {
-    require(!error.fault().what.empty() || error.fault().where.has_value(),
-            "a refusal says what it is about");
+    const core::InputFault& fault = error.fault();
+    require(!fault.what.empty() || !fault.expected.empty() || !fault.parts.empty(),
+            "a refusal says what is wrong or what was expected");
   } catch (const core::OutOfRange&) {
   }
 }
