@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 
 #include "cli/outputs.hpp"
 #include "core/error.hpp"
@@ -58,10 +61,15 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
   return routing;
 }
 
-std::string not_negative(const std::string& text) {
-  return text.find('-') == std::string::npos
-             ? std::string()
-             : "Value " + text + " is negative: expected a whole number from 0";
+std::string is_seed(const std::string& text) {
+  if (text.find('-') != std::string::npos) {
+    return "Value " + text + " is negative: expected a whole number from 0";
+  }
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc::result_out_of_range) return {};
+  return fmt::format("Value {} is too large: expected a whole number to {}", text,
+                     std::numeric_limits<std::uint64_t>::max());
 }
 
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
@@ -225,15 +233,15 @@ void RankingFlags::add_to(CLI::App& command) {
                       "torsional_balance, reliability, authors_efficiency and transmission. Within "
                       "the fronts of --objectives if these are given, otherwise alone")
           ->default_str("authors");
-  command.add_flag("--uncertainty", uncertainty,
-                   "Draw the friction coefficients from their ranges and give each design's rank "
-                   "as a distribution");
+  CLI::Option* drawn = command.add_flag(
+      "--uncertainty", uncertainty,
+      "Draw the friction coefficients from their ranges and give each design's rank "
+      "as a distribution");
   command.add_option("--draws", draws, "Draws for --uncertainty")
+      ->needs(drawn)
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the draws")
-      ->check(not_negative)
-      ->capture_default_str();
+  command.add_option("--seed", seed, "Seed of the draws")->check(is_seed)->capture_default_str();
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

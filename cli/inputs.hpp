@@ -45,8 +45,9 @@ auto for_name(const std::string& start, Read read) {
   }
 }
 
-// A check of CLI11's for seeds: its conversion would take -1 for the greatest number.
-std::string not_negative(const std::string& text);
+// A check of CLI11's for seeds: its conversion would take -1 and what is too large for the greatest
+// number.
+std::string is_seed(const std::string& text);
 
 struct HardwareOption {
   CLI::Option* add_to(CLI::App& command);

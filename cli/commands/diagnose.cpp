@@ -197,7 +197,7 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
       ->capture_default_str();
   command
       .add_option("--seed", settings.seed, "Seed: which runs are held out, and what chance draws")
-      ->check(not_negative)
+      ->check(is_seed)
       ->capture_default_str();
   flags.replicates_given =
       command

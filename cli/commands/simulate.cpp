@@ -185,7 +185,7 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
                   ->allow_extra_args(false);
   flags.hardware.add_to(command);
   command.add_option("--seed", flags.seed, "Seed of the conditions and the noise")
-      ->check(not_negative)
+      ->check(is_seed)
       ->capture_default_str();
   flags.out_given =
       command.add_option("-o,--output", flags.out, "CSV file (default: standard output)");

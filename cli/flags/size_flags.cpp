@@ -33,7 +33,7 @@ void add_search(CLI::App& command, SizeFlags& flags) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
       ->capture_default_str();
   command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
-      ->check(not_negative)
+      ->check(is_seed)
       ->capture_default_str();
   command.add_option("--starts", search.starts, "Local searches, besides the global one")
       ->check(CLI::Range(1, 1000))

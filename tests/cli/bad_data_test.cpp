@@ -111,6 +111,9 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
       option("--hold-out", "-0.1", "--hold-out: Value -0.1" + hold_out),
       option("--hold-out", "1", "--hold-out: Value 1" + hold_out),
       option("--seed", "-1", "--seed: Value -1 is negative: expected a whole number from 0"),
+      option("--seed", "18446744073709551616",
+             "--seed: Value 18446744073709551616 is too large: expected a whole number to "
+             "18446744073709551615"),
       option("--replicates", "98", "--replicates: "),
       option("--replicates", "100001", "--replicates: "),
       option("--replicates", "-1", "--replicates: "),
