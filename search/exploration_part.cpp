@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/judge/evaluation.hpp"
+#include "search/routing_source.hpp"
 
 namespace reeve::search {
 namespace {
@@ -97,6 +99,13 @@ std::vector<ConstraintReach> unmet(const ExplorationPart& part) {
   return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
 }
 
+// What the first constraints reject for parts alone.
+std::uint64_t pruned_designs(const ExplorationPart& part, const ExploreOptions& options) {
+  const auto begin = part.constraint_failures.begin();
+  const auto many = static_cast<std::ptrdiff_t>(pruning_constraints(options));
+  return std::accumulate(begin, begin + many, std::uint64_t{0});
+}
+
 // Beyond these nothing of the ranking is shown.
 void complete_listed(Archive::Content& content, const ExploreOptions& options,
                      Evaluators& evaluators) {
@@ -140,7 +149,7 @@ ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& 
   part.unconverged = record.unconverged;
   part.seconds = record.seconds;
   part.constraint_failures = record.constraint_failures;
-  part.reaches = ConstraintReaches(record.reaches);
+  if (pruning_constraints(options) == 0) part.reaches = ConstraintReaches(record.reaches);
   part.references = record.references;
   std::vector<std::string> words;
   for (const ArchivedWord& archived : record.archive) words.push_back(archived.word);
@@ -160,7 +169,7 @@ ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& 
 
 ExplorationPart::ExplorationPart(const ExploreOptions& options)
     : constraint_failures(options.constraints.size(), 0),
-      reaches(options.constraints.size()),
+      reaches(pruning_constraints(options) > 0 ? 0 : options.constraints.size()),
       references(options.references.size()),
       archive(options.order, options.top),
       ladder(options.order, options.ladder.by),
@@ -227,6 +236,7 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   result.evaluated = part.evaluated;
   result.seconds = part.seconds;
   result.rejected = rejections(part);
+  result.pruned = pruned_designs(part, options);
   Archive::Content content = part.archive.content();
   Evaluators evaluators(options);
   complete_listed(content, options, evaluators);
@@ -249,11 +259,15 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   return result;
 }
 
-ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options) {
+ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options,
+                       const Supervision& supervision) {
   Evaluators evaluators(options);
   ExplorationPart whole(options);
   for (const ShardRecord& shard : shards) whole.absorb(evaluated_part(shard, options, evaluators));
-  return conclude(std::move(whole), options);
+  const bool told = find_reaches(whole, options, supervision);
+  ExploreResult result = conclude(std::move(whole), options);
+  result.partial |= !told;
+  return result;
 }
 
 }  // namespace reeve::search
