@@ -140,6 +140,13 @@ void place_kept(ExploreResult& result, const Archive::Content& content,
   }
 }
 
+// Where they are not known they are empty.
+std::vector<ConstraintReach> recorded_reaches(const ExplorationPart& part) {
+  std::vector<ConstraintReach> reaches = part.reaches.list();
+  reaches.resize(part.constraint_failures.size());
+  return reaches;
+}
+
 ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& options,
                                Evaluators& evaluators) {
   ExplorationPart part(options);
@@ -208,7 +215,7 @@ ShardRecord record_of(ExplorationPart& part) {
                      part.unconverged,
                      part.seconds,
                      part.constraint_failures,
-                     part.reaches.list(),
+                     recorded_reaches(part),
                      part.references,
                      {},
                      {},

@@ -11,13 +11,13 @@
 namespace reeve::search {
 
 LimitedTendons::LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers,
-                               bool one_tendon)
+                               bool one_tendon, std::uint64_t longest_list)
     : classes_(classes),
       one_tendon_(one_tendon),
       shapes_(tendon_counts(parts, fingers, FingerIdentity::identical)),
       shape_counts_(shape_counts(classes, parts, fingers)),
       set_counts_(shape_sets(classes, shape_counts_)),
-      listed_(classes, parts, shapes_) {
+      listed_(classes, parts, shapes_, longest_list) {
   for (ClassCounts& counts : shape_counts_) counts = of_trees(classes, counts);
   for (int largest = 0; largest <= fingers; ++largest) {
     sets_.push_back(tendon_sets(shapes_, largest, FingerIdentity::identical));

@@ -22,7 +22,8 @@ namespace reeve::search {
 class LimitedTendons {
  public:
   // Of up to so many fingers; with one tendon, of just these. Keeps the classes.
-  LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers, bool one_tendon);
+  LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers, bool one_tendon,
+                 std::uint64_t longest_list = ListedShapes::default_longest);
 
   std::uint64_t total(int fingers) const;
   const ClassCounts& counts(int fingers) const;

@@ -22,9 +22,12 @@ struct ListedShape {
 
 class ListedShapes {
  public:
+  // Of some 200 bytes each.
+  static constexpr std::uint64_t default_longest = 16384;
+
   // Keeps the classes, which have to outlive it. counts[size]: how many shapes there are.
   ListedShapes(const PartClasses& classes, const PartSet& parts,
-               const std::vector<std::uint64_t>& counts, std::uint64_t longest_list = 16384);
+               const std::vector<std::uint64_t>& counts, std::uint64_t longest_list = default_longest);
 
   std::uint64_t count(int size) const { return counts_[static_cast<std::size_t>(size)]; }
 
