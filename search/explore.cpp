@@ -15,6 +15,7 @@
 #include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
+#include "search/left_out.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
@@ -68,9 +69,8 @@ class Exploration {
   Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
       : options_(options),
         keeping_(keeping),
-        prunes_(pruning_constraints(options) > 0),
-        tells_reaches_(look == Look::at_all || !prunes_),
-        source_(options, prunes_ && look == Look::at_what_may_be_kept && !keeping.design),
+        tells_reaches_(look == Look::at_all || pruning_constraints(options) == 0),
+        source_(options, !tells_reaches_ && !keeping.design),
         range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)) {
@@ -98,9 +98,7 @@ class Exploration {
     }
     part_.total = range_.end - range_.begin;
     go_on();
-    for (const Routing& routing : options.references) {
-      left_out_references_.push_back(source_.place_left_out(routing));
-    }
+    left_out_.emplace(options, source_, range_, generated_);
   }
 
   ExplorationPart run(const Supervision& supervision) {
@@ -131,7 +129,6 @@ class Exploration {
   // What was counted before is the first worker's.
   void go_on() {
     generated_ = part_.generated;
-    counted_ = generated_;
     seconds_before_ = part_.seconds;
     reaches_.front() = part_.reaches;
     for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
@@ -180,7 +177,8 @@ class Exploration {
     slot.values = evaluator.evaluate(slot.routing);
     slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
-    if (slot.failed_constraint > 0 && tells_reaches_) reaches_[worker].add(options_.constraints, slot.values);
+    if (slot.failed_constraint > 0 && tells_reaches_)
+      reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
@@ -252,7 +250,7 @@ class Exploration {
   // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
-    count_left_out();
+    left_out_->add_to(part_, generated_);
     const auto elapsed = std::chrono::steady_clock::now() - start_;
     part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
     if (tells_reaches_) {
@@ -266,32 +264,15 @@ class Exploration {
     }
   }
 
-  // What was not made for its parts counts as what was made and rejected for them.
-  void count_left_out() {
-    const std::vector<std::uint64_t> left_out =
-        source_.left_out(range_.begin + counted_, range_.begin + generated_);
-    counted_ = generated_;
-    for (std::size_t c = 0; c < left_out.size(); ++c) {
-      part_.constraint_failures[c] += left_out[c];
-      part_.evaluated += left_out[c];
-    }
-    for (std::size_t r = 0; r < left_out_references_.size(); ++r) {
-      const auto& left = left_out_references_[r];
-      if (!left || left->place < range_.begin || left->place >= range_.begin + generated_) continue;
-      part_.references[r].generated = true;
-      part_.references[r].rejected_by = left->constraint;
-    }
-  }
-
   const ExploreOptions& options_;
   const Keeping& keeping_;
-  const bool prunes_;
   const bool tells_reaches_;
   const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double seconds_before_ = 0;
   RoutingSource source_;
   ShardRange range_;
+  std::optional<LeftOut> left_out_;
   Workers workers_;
   ExplorationPart part_;
   const std::atomic<bool>* stop_ = nullptr;
@@ -304,8 +285,6 @@ class Exploration {
   Batch next_;                                         // that is generated meanwhile
   std::uint64_t filled_ = 0;                           // routings generated
   std::uint64_t generated_ = 0;                        // … up to the last that was evaluated
-  std::uint64_t counted_ = 0;                          // … with what was left out among them
-  std::vector<std::optional<RoutingSource::LeftOut>> left_out_references_;
 };
 
 }  // namespace
@@ -341,8 +320,7 @@ ExploreResult explore(const ExploreOptions& options, const Supervision& supervis
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
-  ExplorationPart part =
-      Exploration(options, keeping, Look::at_what_may_be_kept).run(supervision);
+  ExplorationPart part = Exploration(options, keeping, Look::at_what_may_be_kept).run(supervision);
   const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
   ExploreResult result = conclude(std::move(part), options);
   result.partial |= !told;

@@ -95,11 +95,11 @@ struct ExploreResult {
   std::uint64_t front_equals_left_out = 0;
   std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;
-  Ladder ladder;                       // without rungs where there is no design
+  Ladder ladder;  // without rungs where there is no design
   // Parallel to the constraints, if nothing meets all of them; of a shard with constraints on parts
   // alone not known.
   std::vector<ConstraintReach> unmet;
-  std::optional<ShardRecord> record;   // if it was asked for
+  std::optional<ShardRecord> record;  // if it was asked for
 };
 
 // Goes on where what is kept ends, to the same result as if it had not been stopped there.

@@ -46,12 +46,12 @@ std::vector<std::uint64_t> RoutingSource::left_out(std::uint64_t begin, std::uin
   return rejected;
 }
 
-std::optional<RoutingSource::LeftOut> RoutingSource::place_left_out(const Routing& routing) {
+std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {
   if (!limited_) return std::nullopt;
   const std::size_t verdict = limited_->verdict(routing);
   if (verdict < failing(0)) return std::nullopt;
   const auto place = limited_->place_of(routing);
-  return place ? std::optional(LeftOut{*place, verdict - failing(0)}) : std::nullopt;
+  return place ? std::optional(LeftOutPlace{*place, verdict - failing(0)}) : std::nullopt;
 }
 
 }  // namespace reeve::search

@@ -34,12 +34,12 @@ class RoutingSource {
   // pruning constraints is the first to reject.
   std::vector<std::uint64_t> left_out(std::uint64_t begin, std::uint64_t end);
 
-  struct LeftOut {
+  struct LeftOutPlace {
     std::uint64_t place = 0;
     std::size_t constraint = 0;
   };
   // Where it is not given for a constraint, if it is among all. Canonical.
-  std::optional<LeftOut> place_left_out(const Routing& routing);
+  std::optional<LeftOutPlace> place_left_out(const Routing& routing);
 
  private:
   RoutingGenerator all_;

@@ -115,8 +115,8 @@ ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
   for (std::size_t before = 0; before < classes.count(); ++before) {
     for (std::size_t c = 0; c < counts.size() && !set.test(before); ++c) {
       if (counts[c] == 0) continue;
-      set.set(before, wanted.test(classes.plus(static_cast<PartClass>(before),
-                                               static_cast<PartClass>(c))));
+      set.set(before,
+              wanted.test(classes.plus(static_cast<PartClass>(before), static_cast<PartClass>(c))));
     }
   }
   return set;

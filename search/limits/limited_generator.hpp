@@ -31,7 +31,9 @@ class LimitedGenerator {
   // Of the routings at places below this one, by their verdicts (part_classes.hpp): admitted, not
   // actuated, and for each constraint those that it is the first to reject.
   std::vector<std::uint64_t> verdicts_before(std::uint64_t place);
-  std::size_t verdict(const Routing& routing) const { return classes_.verdict(classes_.of(routing)); }
+  std::size_t verdict(const Routing& routing) const {
+    return classes_.verdict(classes_.of(routing));
+  }
 
   // Of a canonical routing, whatever its parts, if it is among all.
   std::optional<std::uint64_t> place_of(const Routing& routing);

@@ -134,9 +134,8 @@ bool LimitedTendons::advance() {
 // Routings that begin alike and whose next tendon has the size of this shape, from there on.
 std::uint64_t LimitedTendons::of_size_from(const ListedShape& shape, int open) const {
   const std::uint64_t smaller =
-      one_tendon_
-          ? 0
-          : sets_[static_cast<std::size_t>(shape.size) - 1][static_cast<std::size_t>(open)];
+      one_tendon_ ? 0
+                  : sets_[static_cast<std::size_t>(shape.size) - 1][static_cast<std::size_t>(open)];
   return from(shape, open) - smaller;
 }
 
@@ -202,7 +201,8 @@ std::uint64_t LimitedTendons::place() const {
 
 void LimitedTendons::write(Routing& routing) const {
   routing.tendons.resize(at_.depth);
-  for (std::size_t t = 0; t < at_.depth; ++t) routing.tendons[t] = listed_.tendon(at_.levels[t].shape);
+  for (std::size_t t = 0; t < at_.depth; ++t)
+    routing.tendons[t] = listed_.tendon(at_.levels[t].shape);
   number_in_order(routing);
 }
 

@@ -89,8 +89,7 @@ void LimitedTrees::seek(std::uint64_t index) {
   const std::uint64_t rest = digits.take(trees_.cells()[cell_].tendons);
   next_set_ = digits.rest();
   if (rest == 0) return;
-  set_ = NumberedParts::Found{next_set_,
-                              parts_.numbered().parts_of(cells_[cell_].sets, next_set_)};
+  set_ = NumberedParts::Found{next_set_, parts_.numbered().parts_of(cells_[cell_].sets, next_set_)};
   ++next_set_;
   start_beside(rest);
 }

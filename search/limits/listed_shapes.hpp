@@ -27,7 +27,8 @@ class ListedShapes {
 
   // Keeps the classes, which have to outlive it. counts[size]: how many shapes there are.
   ListedShapes(const PartClasses& classes, const PartSet& parts,
-               const std::vector<std::uint64_t>& counts, std::uint64_t longest_list = default_longest);
+               const std::vector<std::uint64_t>& counts,
+               std::uint64_t longest_list = default_longest);
 
   std::uint64_t count(int size) const { return counts_[static_cast<std::size_t>(size)]; }
 
@@ -48,9 +49,7 @@ class ListedShapes {
   };
 
   const List* list(int size) const;
-  PartClass parts_of(const Tendon& tendon) const {
-    return classes_.of_tree(classes_.of(tendon));
-  }
+  PartClass parts_of(const Tendon& tendon) const { return classes_.of_tree(classes_.of(tendon)); }
 
   const PartClasses& classes_;
   PartSet parts_;

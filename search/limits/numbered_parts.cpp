@@ -56,8 +56,7 @@ NumberedParts::Sort NumberedParts::trees(Sort sort) {
 
 PartClass NumberedParts::parts_of(const Choice& choice, std::uint64_t index) const {
   if (choice.many == 0) return PartClasses::none;
-  const std::uint64_t greatest =
-      greatest_of_multiset(choice.below, as_number(choice.many), index);
+  const std::uint64_t greatest = greatest_of_multiset(choice.below, as_number(choice.many), index);
   return classes_.plus(parts_of(choice.of, greatest),
                        parts_of(Choice{choice.of, choice.many - 1, greatest + 1}, index));
 }
@@ -90,14 +89,12 @@ PartClass NumberedParts::parts_of(Sort sort, std::uint64_t index) const {
 
 ClassCounts NumberedParts::counts_before(const Choice& choice, std::uint64_t index) const {
   if (choice.many == 0 || index == 0) return no_counts(classes_);
-  const std::uint64_t greatest =
-      greatest_of_multiset(choice.below, as_number(choice.many), index);
-  ClassCounts counts =
-      search::multisets(classes_, counts_before(choice.of, greatest), choice.many);
-  search::add(counts,
-              shifted(classes_,
-                      counts_before(Choice{choice.of, choice.many - 1, greatest + 1}, index),
-                      parts_of(choice.of, greatest)));
+  const std::uint64_t greatest = greatest_of_multiset(choice.below, as_number(choice.many), index);
+  ClassCounts counts = search::multisets(classes_, counts_before(choice.of, greatest), choice.many);
+  search::add(
+      counts,
+      shifted(classes_, counts_before(Choice{choice.of, choice.many - 1, greatest + 1}, index),
+              parts_of(choice.of, greatest)));
   return counts;
 }
 
@@ -124,7 +121,8 @@ ClassCounts NumberedParts::counts_before(Sort sort, std::uint64_t index) const {
       Digits digits(index);
       ClassCounts counts = no_counts(classes_);
       std::size_t i = 0;
-      for (; !digits.is_among(size(node.of[i])); ++i) search::add(counts, nodes_[node.of[i]].counts);
+      for (; !digits.is_among(size(node.of[i])); ++i)
+        search::add(counts, nodes_[node.of[i]].counts);
       search::add(counts, counts_before(node.of[i], digits.rest()));
       return counts;
     }

@@ -77,8 +77,7 @@ class NumberedParts {
 
   std::optional<Found> first(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
   std::optional<Found> first_of_kinds(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
-  std::optional<Found> first_of_several(Sort sort, std::uint64_t from, PartClass beside,
-                                        Goal goal);
+  std::optional<Found> first_of_several(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
   std::optional<Found> first_of_both(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
   std::optional<Found> first_of_choice(const Choice& choice, std::uint64_t from, PartClass beside,
                                        Goal goal);

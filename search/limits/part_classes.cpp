@@ -22,8 +22,7 @@ double most_counted(const GeneratorOptions& generator) {
 
 // The least number that is above the bound, or above all that there can be.
 std::size_t first_above(double bound, const GeneratorOptions& generator) {
-  return static_cast<std::size_t>(
-      std::clamp(std::floor(bound) + 1, 0.0, most_counted(generator)));
+  return static_cast<std::size_t>(std::clamp(std::floor(bound) + 1, 0.0, most_counted(generator)));
 }
 
 PartCount parts_of_token(const Token& token) {
@@ -131,7 +130,7 @@ PartClasses::PartClasses(const std::vector<Constraint>& constraints,
   loop_ = of(knot, false);
   for (std::size_t whole = 0; whole < count_; ++whole) {
     verdicts_.push_back(judged(static_cast<PartClass>(whole)));
-    if (verdicts_.back() == admitted) admitted_.set(whole);
+    if (verdicts_.back() == within_limits) admitted_.set(whole);
   }
 }
 
@@ -189,7 +188,7 @@ std::size_t PartClasses::judged(PartClass whole) const {
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     if (!constraints_[c].admits(values)) return failing(c);
   }
-  return admitted;
+  return within_limits;
 }
 
 }  // namespace reeve::search

@@ -26,7 +26,7 @@ inline constexpr std::size_t most_classes = 256;
 using ClassSet = std::bitset<most_classes>;
 
 // What becomes of a routing: its constraint c, from 0, is the first that it fails.
-inline constexpr std::size_t admitted = 0;
+inline constexpr std::size_t within_limits = 0;
 inline constexpr std::size_t not_actuated = 1;
 constexpr std::size_t failing(std::size_t c) { return c + 2; }
 
@@ -56,7 +56,7 @@ class PartClasses {
   // Of a routing without blocks, or tree by tree of one with blocks.
   PartClass of(const Routing& routing) const;
 
-  // admitted, not_actuated or failing(c): of a whole routing.
+  // within_limits, not_actuated or failing(c): of a whole routing.
   std::size_t verdict(PartClass whole) const { return verdicts_[whole]; }
   const ClassSet& admitted_classes() const { return admitted_; }
 

@@ -122,7 +122,8 @@ TreeParts::Sort TreeParts::branch(TreeSize size) {
     if (size.fingers == 0 || size.blocks == 0) return nothing_;
     std::vector<Sort> sorts;
     if (size.blocks == 1) sorts.push_back(loop_through_pass(size.fingers));
-    append_pairs(size - TreeSize{0, 1}, [&](TreeSize member) { return half(member); }, sorts);
+    append_pairs(
+        size - TreeSize{0, 1}, [&](TreeSize member) { return half(member); }, sorts);
     return numbered_.with(numbered_.one_after_the_other(sorts),
                           classes_.of(block(TokenKind::block_pass, 0)));
   });
@@ -162,9 +163,9 @@ TreeParts::Sort TreeParts::sets_from(std::size_t first, TreeSize size) {
   std::vector<Sort> by_many;
   for (int many = 0; is_within(of_many(many, sizes_[first]), size); ++many) {
     const Sort others = sets_from(first + 1, size - of_many(many, sizes_[first]));
-    by_many.push_back(
-        many == 0 ? others
-                  : numbered_.both(numbered_.multisets(tree(sizes_[first]), many), others));
+    by_many.push_back(many == 0
+                          ? others
+                          : numbered_.both(numbered_.multisets(tree(sizes_[first]), many), others));
   }
   return sets_[key] = numbered_.one_after_the_other(by_many);
 }

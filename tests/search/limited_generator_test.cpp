@@ -37,7 +37,7 @@ std::size_t looked_up_verdict(const Routing& routing, const std::vector<Constrai
   for (std::size_t c = 0; c < constraints.size(); ++c) {
     if (!constraints[c].admits(values)) return failing(c);
   }
-  return admitted;
+  return within_limits;
 }
 
 // Everything that there is, in its order.
@@ -66,7 +66,7 @@ void expect_from(LimitedGenerator& limited, const All& all, std::uint64_t begin)
   Routing routing;
   std::uint64_t place = 0;
   for (std::size_t i = begin; i < all.routings.size(); ++i) {
-    if (all.verdicts[i] != admitted) continue;
+    if (all.verdicts[i] != within_limits) continue;
     ASSERT_TRUE(limited.next(routing, place)) << "from " << begin << " to " << i;
     ASSERT_EQ(place, i) << "from " << begin;
     ASSERT_EQ(to_word(routing), to_word(all.routings[i]));
