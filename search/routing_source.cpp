@@ -3,6 +3,15 @@
 #include "search/judge/evaluation.hpp"
 
 namespace reeve::search {
+namespace {
+
+// Without blocks, to pass over tendons that hang on no motor is cheaper than to make them; with
+// blocks it is not.
+bool is_limited(const GeneratorOptions& generator, bool prunes) {
+  return prunes || (generator.identity == FingerIdentity::identical && generator.parts.blocks == 0);
+}
+
+}  // namespace
 
 std::size_t pruning_constraints(const ExploreOptions& options) {
   if (options.generator.identity == FingerIdentity::distinct || may_not_converge(options.model)) {
@@ -11,8 +20,10 @@ std::size_t pruning_constraints(const ExploreOptions& options) {
   return decided_by_parts(options.constraints, options.generator);
 }
 
-RoutingSource::RoutingSource(const ExploreOptions& options, bool prunes) : all_(options.generator) {
-  if (prunes) limited_.emplace(options.generator, options.constraints);
+RoutingSource::RoutingSource(const ExploreOptions& options, bool prunes)
+    : all_(options.generator), prunes_(prunes) {
+  if (!is_limited(options.generator, prunes)) return;
+  limited_.emplace(options.generator, prunes ? options.constraints : std::vector<Constraint>{});
 }
 
 void RoutingSource::seek(std::uint64_t begin, std::uint64_t end) {
@@ -36,7 +47,7 @@ bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
 }
 
 std::vector<std::uint64_t> RoutingSource::left_out(std::uint64_t begin, std::uint64_t end) {
-  if (!limited_) return {};
+  if (!prunes_) return {};
   const std::vector<std::uint64_t> before = limited_->verdicts_before(begin);
   const std::vector<std::uint64_t> until = limited_->verdicts_before(end);
   std::vector<std::uint64_t> rejected;
@@ -47,7 +58,7 @@ std::vector<std::uint64_t> RoutingSource::left_out(std::uint64_t begin, std::uin
 }
 
 std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {
-  if (!limited_) return std::nullopt;
+  if (!prunes_) return std::nullopt;
   const std::size_t verdict = limited_->verdict(routing);
   if (verdict < failing(0)) return std::nullopt;
   const auto place = limited_->place_of(routing);

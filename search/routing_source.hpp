@@ -43,6 +43,7 @@ class RoutingSource {
 
  private:
   RoutingGenerator all_;
+  bool prunes_;
   std::optional<LimitedGenerator> limited_;
   std::uint64_t place_ = 0;
   std::uint64_t end_ = 0;
