@@ -52,7 +52,7 @@ std::uint64_t LimitedTendons::from(const ListedShape& shape, int open) const {
 }
 
 ClassCounts LimitedTendons::counts_from(const ListedShape& shape, int open) const {
-  const ClassCounts shapes = listed_.counts_from(shape.size, shape.index);
+  ClassCounts shapes = listed_.counts_from(shape.size, shape.index);
   if (one_tendon_) return shapes;
   const std::vector<ClassCounts>& smaller = set_counts_[static_cast<std::size_t>(shape.size) - 1];
   ClassCounts sum = no_counts(classes_);

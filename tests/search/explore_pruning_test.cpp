@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "causes/library.hpp"
 #include "search/exploration_part.hpp"
 #include "search/routing_source.hpp"
 #include "tests/search/generated.hpp"
@@ -279,6 +280,16 @@ TEST(ExplorePruning, IsOfTheFirstConstraintsThatPartsDecide) {
   constrain(options, {"sheaths<=3"});
   options.generator.identity = FingerIdentity::distinct;
   EXPECT_EQ(pruning_constraints(options), 0U);
+}
+
+// How many of all solves did not converge is said of designs that are rejected, too.
+TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeEverythingIsMade) {
+  ExploreOptions options = pruned_options(paper_parts(), 2);
+  constrain(options, {"sheaths<=2"});
+  EXPECT_EQ(pruning_constraints(options), 1U);
+  add_effect(options.model, {find_cause("load_dependent_friction"), {}, {0.2}});
+  EXPECT_EQ(pruning_constraints(options), 0U);
+  EXPECT_EQ(explore(options).pruned, 0U);
 }
 
 TEST(ExplorePruning, WithDistinctFingersEverythingIsMade) {
