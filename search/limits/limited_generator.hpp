@@ -28,8 +28,8 @@ class LimitedGenerator {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Of the routings at places below this one, by their verdicts (part_classes.hpp): admitted, not
-  // actuated, and for each constraint those that it is the first to reject.
+  // Of the routings at places below this one, by their verdicts (part_classes.hpp): within the
+  // limits, not actuated, and for each constraint those that it is the first to reject.
   std::vector<std::uint64_t> verdicts_before(std::uint64_t place);
   std::size_t verdict(const Routing& routing) const {
     return classes_.verdict(classes_.of(routing));
@@ -38,8 +38,7 @@ class LimitedGenerator {
   // Of a canonical routing, whatever its parts, if it is among all.
   std::optional<std::uint64_t> place_of(const Routing& routing);
 
-  // Tendons and sets of trees that were looked at: what the search cost, at most some of each
-  // routing that it gave.
+  // Tendons and sets of trees that were looked at, given or not.
   std::uint64_t steps() const { return tendons_.steps() + (trees_ ? trees_->steps() : 0); }
 
  private:
