@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/judge/evaluation.hpp"
+#include "search/routing_source.hpp"
 
 namespace reeve::search {
 namespace {
@@ -97,6 +99,13 @@ std::vector<ConstraintReach> unmet(const ExplorationPart& part) {
   return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
 }
 
+// What the first constraints reject for parts alone.
+std::uint64_t pruned_designs(const ExplorationPart& part, const ExploreOptions& options) {
+  const auto begin = part.constraint_failures.begin();
+  const auto many = static_cast<std::ptrdiff_t>(pruning_constraints(options));
+  return std::accumulate(begin, begin + many, std::uint64_t{0});
+}
+
 // Beyond these nothing of the ranking is shown.
 void complete_listed(Archive::Content& content, const ExploreOptions& options,
                      Evaluators& evaluators) {
@@ -131,6 +140,13 @@ void place_kept(ExploreResult& result, const Archive::Content& content,
   }
 }
 
+// Where they are not known they are empty.
+std::vector<ConstraintReach> recorded_reaches(const ExplorationPart& part) {
+  std::vector<ConstraintReach> reaches = part.reaches.list();
+  reaches.resize(part.constraint_failures.size());
+  return reaches;
+}
+
 ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& options,
                                Evaluators& evaluators) {
   ExplorationPart part(options);
@@ -140,7 +156,7 @@ ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& 
   part.unconverged = record.unconverged;
   part.seconds = record.seconds;
   part.constraint_failures = record.constraint_failures;
-  part.reaches = ConstraintReaches(record.reaches);
+  if (pruning_constraints(options) == 0) part.reaches = ConstraintReaches(record.reaches);
   part.references = record.references;
   std::vector<std::string> words;
   for (const ArchivedWord& archived : record.archive) words.push_back(archived.word);
@@ -160,7 +176,7 @@ ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& 
 
 ExplorationPart::ExplorationPart(const ExploreOptions& options)
     : constraint_failures(options.constraints.size(), 0),
-      reaches(options.constraints.size()),
+      reaches(pruning_constraints(options) > 0 ? 0 : options.constraints.size()),
       references(options.references.size()),
       archive(options.order, options.top),
       ladder(options.order, options.ladder.by),
@@ -199,7 +215,7 @@ ShardRecord record_of(ExplorationPart& part) {
                      part.unconverged,
                      part.seconds,
                      part.constraint_failures,
-                     part.reaches.list(),
+                     recorded_reaches(part),
                      part.references,
                      {},
                      {},
@@ -227,6 +243,7 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   result.evaluated = part.evaluated;
   result.seconds = part.seconds;
   result.rejected = rejections(part);
+  result.pruned = pruned_designs(part, options);
   Archive::Content content = part.archive.content();
   Evaluators evaluators(options);
   complete_listed(content, options, evaluators);
@@ -249,11 +266,15 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   return result;
 }
 
-ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options) {
+ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options,
+                       const Supervision& supervision) {
   Evaluators evaluators(options);
   ExplorationPart whole(options);
   for (const ShardRecord& shard : shards) whole.absorb(evaluated_part(shard, options, evaluators));
-  return conclude(std::move(whole), options);
+  const bool told = find_reaches(whole, options, supervision);
+  ExploreResult result = conclude(std::move(whole), options);
+  result.partial |= !told;
+  return result;
 }
 
 }  // namespace reeve::search

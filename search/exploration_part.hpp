@@ -27,7 +27,7 @@ struct ExplorationPart {
   std::uint64_t unconverged = 0;  // tension solves that decide what is kept
   double seconds = 0;
   std::vector<std::uint64_t> constraint_failures;  // parallel to the constraints
-  ConstraintReaches reaches;
+  ConstraintReaches reaches;  // of no constraint where designs are left out for their parts
   std::vector<ReferenceCount> references;  // parallel to those of the options
   // Designs in archive and ladder need have no values but those by which they are kept.
   Archive archive;
@@ -47,6 +47,12 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options);
 
 // All shards of an exploration, whose options these are, each once. Throws InputError on a word
 // that is no routing of theirs.
-ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options);
+ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options,
+                       const Supervision& supervision = {});
+
+// How near the designs come to constraints that none of them meets: where some were left out for
+// their parts, all are looked at again, one by one. False if that was stopped.
+bool find_reaches(ExplorationPart& part, const ExploreOptions& options,
+                  const Supervision& supervision);
 
 }  // namespace reeve::search

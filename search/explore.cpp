@@ -15,6 +15,8 @@
 #include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
+#include "search/left_out.hpp"
+#include "search/routing_source.hpp"
 
 namespace reeve::search {
 namespace {
@@ -58,13 +60,18 @@ struct Batch {
   std::uint64_t generated = 0;  // routings up to its last one
 };
 
+// Whether designs are left out that constraints reject for their parts alone, or all are looked at
+// to say how near they come.
+enum class Look : std::uint8_t { at_what_may_be_kept, at_all };
+
 class Exploration {
  public:
-  Exploration(const ExploreOptions& options, const Keeping& keeping)
+  Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
       : options_(options),
         keeping_(keeping),
-        generator_(options.generator),
-        range_(shard_range(generator_.total(), options.shard.index, options.shard.count)),
+        tells_reaches_(look == Look::at_all || pruning_constraints(options) == 0),
+        source_(options, !tells_reaches_ && !keeping.design),
+        range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
@@ -91,11 +98,12 @@ class Exploration {
     }
     part_.total = range_.end - range_.begin;
     go_on();
+    left_out_.emplace(options, source_, range_, generated_);
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
-    generator_.seek(range_.begin + generated_);
+    source_.seek(range_.begin + generated_, range_.end);
     filled_ = generated_;
     const std::uint64_t before = generated_;
     fill(next_);
@@ -139,11 +147,13 @@ class Exploration {
     batch.actuated = 0;
     while (batch.actuated < batch.slots.size() && filled_ < part_.total) {
       Slot& slot = batch.slots[batch.actuated];
-      generator_.next(slot.routing);
-      slot.place = range_.begin + filled_;
+      if (!source_.next(slot.routing, slot.place)) {
+        filled_ = part_.total;
+        break;
+      }
       slot.done = false;
-      ++filled_;
-      if (is_actuated(slot.routing)) ++batch.actuated;
+      filled_ = slot.place + 1 - range_.begin;
+      ++batch.actuated;
     }
     batch.generated = filled_;
   }
@@ -167,7 +177,8 @@ class Exploration {
     slot.values = evaluator.evaluate(slot.routing);
     slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
-    if (slot.failed_constraint > 0) reaches_[worker].add(options_.constraints, slot.values);
+    if (slot.failed_constraint > 0 && tells_reaches_)
+      reaches_[worker].add(options_.constraints, slot.values);
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
@@ -239,10 +250,13 @@ class Exploration {
   // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
+    left_out_->add_to(part_, generated_);
     const auto elapsed = std::chrono::steady_clock::now() - start_;
     part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
-    part_.reaches = ConstraintReaches(options_.constraints.size());
-    for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
+    if (tells_reaches_) {
+      part_.reaches = ConstraintReaches(options_.constraints.size());
+      for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
+    }
     for (std::size_t r = 0; r < reference_goodness_.size(); ++r) {
       std::int64_t sum = 0;
       for (const std::vector<std::int64_t>& dominators : dominators_) sum += dominators[r];
@@ -252,11 +266,13 @@ class Exploration {
 
   const ExploreOptions& options_;
   const Keeping& keeping_;
+  const bool tells_reaches_;
   const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double seconds_before_ = 0;
-  RoutingGenerator generator_;
+  RoutingSource source_;
   ShardRange range_;
+  std::optional<LeftOut> left_out_;
   Workers workers_;
   ExplorationPart part_;
   const std::atomic<bool>* stop_ = nullptr;
@@ -288,12 +304,26 @@ Shard parse_shard(const std::string& text) {
       {.what = "shard", .value = text, .expected = "i/N with 1 <= i <= N, such as 2/8"});
 }
 
+bool find_reaches(ExplorationPart& part, const ExploreOptions& options,
+                  const Supervision& supervision) {
+  const bool are_known = pruning_constraints(options) == 0;
+  const bool is_whole = part.generated == part.total;
+  if (are_known || !is_whole || part.evaluated == 0 || !part.archive.members().empty()) return true;
+  const ExplorationPart all = Exploration(options, {}, Look::at_all).run(supervision);
+  if (all.generated < all.total) return false;
+  part.reaches = all.reaches;
+  return true;
+}
+
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision,
                       const Keeping& keeping) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
-  ExploreResult result = conclude(Exploration(options, keeping).run(supervision), options);
+  ExplorationPart part = Exploration(options, keeping, Look::at_what_may_be_kept).run(supervision);
+  const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
+  ExploreResult result = conclude(std::move(part), options);
+  result.partial |= !told;
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();
   if (keeping.before) result.seconds += keeping.before->seconds;

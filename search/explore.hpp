@@ -82,6 +82,9 @@ struct ExploreResult {
   std::uint64_t generated = 0;  // less than total if stopped
   std::vector<Rejection> rejected;
   std::uint64_t evaluated = 0;
+  // Of the evaluated, those that constraints on parts alone reject: counted, not made, unless
+  // somebody keeps all designs (routing_source.hpp).
+  std::uint64_t pruned = 0;
   bool partial = false;
   double seconds = 0;
   std::vector<RankedDesign> front;
@@ -92,9 +95,11 @@ struct ExploreResult {
   std::uint64_t front_equals_left_out = 0;
   std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
   std::vector<ReferenceStanding> references;
-  Ladder ladder;                       // without rungs where there is no design
-  std::vector<ConstraintReach> unmet;  // parallel to the constraints, if nothing meets all of them
-  std::optional<ShardRecord> record;   // if it was asked for
+  Ladder ladder;  // without rungs where there is no design
+  // Parallel to the constraints, if nothing meets all of them; of a shard with constraints on parts
+  // alone not known.
+  std::vector<ConstraintReach> unmet;
+  std::optional<ShardRecord> record;  // if it was asked for
 };
 
 // Goes on where what is kept ends, to the same result as if it had not been stopped there.

@@ -48,7 +48,8 @@ void write_constraints(SQLite::Database& database, std::int64_t shard, const Exp
                        const Description& description) {
   RowWriter rows(database, "INSERT INTO constraints VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", shard);
   for (std::size_t c = 0; c < part.constraint_failures.size(); ++c) {
-    const ConstraintReach& reach = part.reaches.list()[c];
+    const std::vector<ConstraintReach>& reaches = part.reaches.list();
+    const ConstraintReach reach = c < reaches.size() ? reaches[c] : ConstraintReach{};
     rows.row().add(whole_number(c)).add(description.limits.at(c));
     rows.add(whole_number(part.constraint_failures[c])).add(std::int64_t{reach.met});
     rows.add(reach.of_all.below).add(reach.of_all.above);

@@ -122,8 +122,8 @@ ExploreReport merged_study(const ExploreOptions& options,
                            const std::optional<UncertaintyOptions>& uncertainty,
                            const std::vector<ShardRecord>& shards, const Catalogue& catalogue,
                            const StudySupervision& supervision) {
-  return with_distributions(options, conclude(shards, options), uncertainty, catalogue,
-                            supervision);
+  return with_distributions(options, conclude(shards, options, supervision.during("exploring")),
+                            uncertainty, catalogue, supervision);
 }
 
 std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {

@@ -133,7 +133,8 @@ int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<Sh
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
-  return report.result.unmet.empty() ? done : answer_is_no;
+  const bool none_is_left = report.result.evaluated > 0 && report.result.top.empty();
+  return none_is_left ? answer_is_no : done;
 }
 
 // The command that the shards are parts of.

@@ -27,7 +27,8 @@ std::vector<ListedDesign> first(const std::vector<ListedDesign>& designs, std::s
 }
 
 double rate(const ExploreResult& result) {
-  return result.seconds > 0 ? static_cast<double>(result.evaluated) / result.seconds : 0;
+  const auto evaluated = static_cast<double>(result.evaluated - result.pruned);
+  return result.seconds > 0 ? evaluated / result.seconds : 0;
 }
 
 std::string counts_text(const ExploreReport& report) {
@@ -37,7 +38,9 @@ std::string counts_text(const ExploreReport& report) {
     text += fmt::format(", {} rejected ({})", rejection.count,
                         rejection_text(rejection, report.options));
   }
-  return text + fmt::format(", {} evaluated", result.evaluated);
+  text += fmt::format(", {} evaluated", result.evaluated);
+  if (result.pruned == 0) return text;
+  return text + fmt::format(", {} of them by their parts alone", result.pruned);
 }
 
 std::vector<Objective> objectives_to_show(const ExploreReport& report) {
@@ -214,6 +217,9 @@ std::string partial_note(const ExploreReport& report) {
     return "stopped while sweeping; there is no sweep";
   }
   if (!report.result.partial) return "";
+  if (report.result.generated == report.result.total) {
+    return "stopped while it was worked out how near designs come to the constraints";
+  }
   return fmt::format("stopped after {} of {} routings; ranks are among these",
                      report.result.generated, report.result.total);
 }
@@ -257,6 +263,7 @@ std::string explore_summary_json(const ExploreReport& report) {
     json["rejected"][rejection_text(rejection, report.options)] = rejection.count;
   }
   json["evaluated"] = result.evaluated;
+  json["pruned"] = result.pruned;
   json["partial"] = !partial_note(report).empty();
   json["notes"] = notes(report);
   json["total"] = result.total;

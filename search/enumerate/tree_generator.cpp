@@ -87,6 +87,26 @@ void TreeGenerator::advance() {
 }
 
 void TreeGenerator::start_set() {
+  decode_set();
+  beside_.tendons.clear();
+  const Cell& cell = cells_[cell_];
+  if (cell.size.fingers < options_.fingers) others(cell).seek(tendons_);
+  set_is_listed_ = true;
+}
+
+void TreeGenerator::make(std::size_t cell, std::uint64_t set, const Routing& of_others,
+                         Routing& routing) {
+  if (!set_is_listed_ || cell_ != cell || set_ != set) {
+    cell_ = cell;
+    set_ = set;
+    decode_set();
+    set_is_listed_ = true;
+  }
+  beside_ = of_others;
+  write(routing);
+}
+
+void TreeGenerator::decode_set() {
   const Cell& cell = cells_[cell_];
   Digits digits(set_);
   other_fingers_ = fingers_up_to(options_.fingers, options_.identity);
@@ -97,9 +117,6 @@ void TreeGenerator::start_set() {
     sets_.decode(cell.size, digits.rest(), fingers, trees_);
   }
   list_trees();
-  beside_.tendons.clear();
-  if (cell.size.fingers < options_.fingers) others(cell).seek(tendons_);
-  set_is_listed_ = true;
 }
 
 void TreeGenerator::list_trees() {

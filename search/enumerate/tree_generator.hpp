@@ -18,6 +18,13 @@ namespace reeve::search {
 
 class TreeGenerator {
  public:
+  // Routings whose trees with blocks have this size in all.
+  struct Cell {
+    TreeSize size;
+    std::uint64_t sets = 0;     // of trees, on any of the fingers
+    std::uint64_t tendons = 0;  // routings of the other fingers
+  };
+
   // Throws InputError if there are too many to count.
   explicit TreeGenerator(const GeneratorOptions& options);
   // Its parts point at each other.
@@ -32,13 +39,14 @@ class TreeGenerator {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing);
 
+  // In the order of the routings: a cell's sets follow by their indices, and with each the routings
+  // of the other fingers.
+  const std::vector<Cell>& cells() const { return cells_; }
+  // The routing of a cell's set of trees and of such a one, which the cell may not have; where
+  // next() stands does not survive it.
+  void make(std::size_t cell, std::uint64_t set, const Routing& of_others, Routing& routing);
+
  private:
-  // Routings whose trees with blocks have this size in all.
-  struct Cell {
-    TreeSize size;
-    std::uint64_t sets = 0;     // of trees, on any of the fingers
-    std::uint64_t tendons = 0;  // routings of the other fingers
-  };
   // A tree's part of the list.
   struct Span {
     int fingers = 0;
@@ -50,6 +58,7 @@ class TreeGenerator {
   std::uint64_t sets_of(TreeSize size) const;
   TendonGenerator& others(const Cell& cell);
   void start_set();
+  void decode_set();
   void list_trees();
   bool precedes(const Span& a, const Span& b) const;
   void advance();

@@ -29,6 +29,11 @@ Extent extent_for(const std::vector<Objective>& objectives, const Score& score) 
   return {counts(Objective::round_trip_efficiency), any_of_terms(authors_score(), counts), hand};
 }
 
+bool may_not_converge(const Model& model) {
+  return reaches(model, Reach::contact) || reaches(model, Reach::load) ||
+         reaches(model, Reach::conditions);
+}
+
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
     : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
 
@@ -41,9 +46,7 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       grasps_(std::move(grasps)),
       score_(std::move(score)),
       prices_(std::move(prices)) {
-  if (needs_word_ || reaches(model, Reach::load) || reaches(model, Reach::conditions)) {
-    model_solver_.emplace(*model_);
-  }
+  if (search::may_not_converge(model)) model_solver_.emplace(*model_);
 }
 
 const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {

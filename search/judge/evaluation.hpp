@@ -34,6 +34,9 @@ struct Extent {
 // What these objectives need, the score that of its terms.
 Extent extent_for(const std::vector<Objective>& objectives, const Score& score);
 
+// Whether a tension solve with this model can fail to converge at all.
+bool may_not_converge(const Model& model);
+
 // Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
 // One for each thread. (With a seized contact, evaluating allocates.)
 class DesignEvaluator {

@@ -107,6 +107,11 @@ INSTANTIATE_TEST_SUITE_P(
         MergedCase{
             "NothingThatMeetsThem",
             {"--fingers", "3", "--constraint", "uniformity>=2", "--constraint", "sheaths<=1"}},
+        MergedCase{
+            "NothingThatMeetsThemThoughPartsDo",
+            {"--fingers", "3", "--constraint", "sheaths<=1", "--constraint", "uniformity>=0.9999"}},
+        MergedCase{"FewPartsWithBlocks",
+                   {"--fingers", "2", "--parts", "all", "--constraint", "sheaths<=1"}},
         MergedCase{"KnownRoutingsThatAreRejected",
                    {"--constraint", "sheaths<=2", "--constraint", "jams<=0"}},
         MergedCase{"Uncertainty",
@@ -226,6 +231,16 @@ TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
   EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));
   run({"explore", "--out", "s1"}, folder_.path());
   EXPECT_FALSE(fs::exists(folder_.path() / "s1/shard.json"));
+}
+
+// How near others come is for the whole to say: to know it, all that is left out would be made.
+TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
+  const ProcessResult result =
+      run({"explore", "--fingers", "4", "--constraint", "sheaths<=1", "--shard", "5/5"},
+          folder_.path());
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("228 evaluated, 228 of them by their parts alone"), std::string::npos);
+  EXPECT_NE(result.out.find("No design of this shard meets the constraints"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// How many things there are of each class of parts (part_classes.hpp).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/limits/part_classes.hpp"
+
+namespace reeve::search {
+
+using ClassCounts = std::vector<std::uint64_t>;  // [class]
+
+ClassCounts no_counts(const PartClasses& classes);
+// One thing of this class.
+ClassCounts one_of(const PartClasses& classes, PartClass of);
+// One thing of each.
+ClassCounts each_of(const PartClasses& classes, const std::vector<PartClass>& things);
+
+std::uint64_t sum_of(const ClassCounts& counts);
+ClassSet support(const ClassCounts& counts);
+
+void add(ClassCounts& to, const ClassCounts& counts, std::uint64_t times = 1);
+void subtract(ClassCounts& from, const ClassCounts& counts);
+// All numbers must be multiples.
+void divide(ClassCounts& counts, std::uint64_t by);
+
+// One of the first and one of the second.
+ClassCounts product(const PartClasses& classes, const ClassCounts& a, const ClassCounts& b);
+ClassCounts shifted(const PartClasses& classes, const ClassCounts& counts, PartClass by);
+// The same thing so many times.
+ClassCounts repeated(const PartClasses& classes, const ClassCounts& counts, int times);
+// So many things, each chosen for itself.
+ClassCounts power(const PartClasses& classes, const ClassCounts& counts, int exponent);
+// Multisets of so many things.
+ClassCounts multisets(const PartClasses& classes, const ClassCounts& counts, int many);
+// Sums that some of these things complete to a wanted one.
+ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
+                        const ClassSet& wanted);
+// Trees as they stand among others: PartClasses::of_tree.
+ClassCounts of_trees(const PartClasses& classes, const ClassCounts& trees);
+
+}  // namespace reeve::search

@@ -1,0 +1,95 @@
+// The routings without floating blocks whose parts are within limits, in the order and at the
+// places of all of them (enumerate/tendon_generator.hpp), for identical fingers.
+//
+// A routing is a sequence of tendons, none before the one in front of it. As soon as the tendons
+// that are chosen leave no way to fill the other fingers within the limits, none is tried: which
+// sums of parts any number of fingers can still come to is counted beforehand (shape_counts.hpp).
+// What is passed over is not made either to know how much it is: of the sequences that begin alike,
+// those whose next tendon is shape i of size s or a later one are
+//   N(s, i) = Σ_m multichoose(shapes(s) - i, m) sets(tendons below s, fingers - m s),
+// so the place of a routing is the sum over its tendons of N(first choice) - N(this choice).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/routing.hpp"
+#include "search/limits/listed_shapes.hpp"
+
+namespace reeve::search {
+
+class LimitedTendons {
+ public:
+  // Of up to so many fingers; with one tendon, of just these. Keeps the classes.
+  LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers, bool one_tendon,
+                 std::uint64_t longest_list = ListedShapes::default_longest);
+
+  std::uint64_t total(int fingers) const;
+  const ClassCounts& counts(int fingers) const;
+  // Of those with an index below this one.
+  ClassCounts counts_before(int fingers, std::uint64_t index);
+
+  // The next call of next() gives the first routing from this index on that is within the limits
+  // together with what is beside it.
+  void seek(int fingers, PartClass beside, std::uint64_t index);
+  // False when all have been given. Keeps the memory of `routing`.
+  bool next(Routing& routing, std::uint64_t& place);
+
+  // Of a canonical routing, whatever its parts, if it is among all.
+  std::optional<std::uint64_t> place_of(const Routing& routing) const;
+
+  // Tendons that were looked at.
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  struct Level {
+    ListedShape first;  // that it could have been
+    ListedShape shape;
+    int open = 0;                        // fingers that it and those behind it fill
+    PartClass base = PartClasses::none;  // of what is chosen before
+    PartClass sum = PartClasses::none;   // … and of itself
+    std::uint64_t before = 0;            // routings that begin alike, up to this choice
+
+    int rest() const { return open - shape.size; }
+  };
+
+  enum class Position { at_unread, at_read, behind_last };
+  struct State {
+    int fingers = 0;
+    PartClass beside = PartClasses::none;
+    std::vector<Level> levels;  // the first `depth` are in use
+    std::size_t depth = 0;
+    Position position = Position::behind_last;
+  };
+
+  std::uint64_t from(const ListedShape& shape, int open) const;
+  std::uint64_t of_size_from(const ListedShape& shape, int open) const;
+  ClassCounts counts_from(const ListedShape& shape, int open) const;
+  int open() const { return at_.depth == 0 ? at_.fingers : at_.levels[at_.depth - 1].rest(); }
+  bool start_at_most(ListedShape& shape, int size);
+  bool enter();
+  bool step(Level& level);
+  bool can_be_filled(const Level& level) const;
+  bool settle(Level& level);
+  bool fill();
+  bool advance();
+  void descend(std::uint64_t index);
+  void choose(Level& level, std::uint64_t& index);
+  std::uint64_t place() const;
+  void write(Routing& routing) const;
+
+  const PartClasses& classes_;
+  bool one_tendon_;
+  std::vector<std::uint64_t> shapes_;             // [size]
+  std::vector<std::vector<std::uint64_t>> sets_;  // [largest][fingers]
+  std::vector<ClassCounts> shape_counts_;
+  std::vector<std::vector<ClassCounts>> set_counts_;
+  std::vector<std::vector<ClassSet>> can_be_filled_;  // [largest][fingers]: sums before
+  ListedShapes listed_;
+
+  State at_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace reeve::search

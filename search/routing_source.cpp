@@ -1,0 +1,68 @@
+#include "search/routing_source.hpp"
+
+#include "search/judge/evaluation.hpp"
+
+namespace reeve::search {
+namespace {
+
+// Without blocks, to pass over tendons that hang on no motor is cheaper than to make them; with
+// blocks it is not.
+bool is_limited(const GeneratorOptions& generator, bool prunes) {
+  return prunes || (generator.identity == FingerIdentity::identical && generator.parts.blocks == 0);
+}
+
+}  // namespace
+
+std::size_t pruning_constraints(const ExploreOptions& options) {
+  if (options.generator.identity == FingerIdentity::distinct || may_not_converge(options.model)) {
+    return 0;
+  }
+  return decided_by_parts(options.constraints, options.generator);
+}
+
+RoutingSource::RoutingSource(const ExploreOptions& options, bool prunes)
+    : all_(options.generator), prunes_(prunes) {
+  if (!is_limited(options.generator, prunes)) return;
+  limited_.emplace(options.generator, prunes ? options.constraints : std::vector<Constraint>{});
+}
+
+void RoutingSource::seek(std::uint64_t begin, std::uint64_t end) {
+  place_ = begin;
+  end_ = end;
+  if (limited_) {
+    limited_->seek(begin);
+  } else {
+    all_.seek(begin);
+  }
+}
+
+bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
+  if (limited_) return limited_->next(routing, place) && place < end_;
+  while (place_ < end_) {
+    all_.next(routing);
+    place = place_++;
+    if (is_actuated(routing)) return true;
+  }
+  return false;
+}
+
+std::vector<std::uint64_t> RoutingSource::left_out(std::uint64_t begin, std::uint64_t end) {
+  if (!prunes_) return {};
+  const std::vector<std::uint64_t> before = limited_->verdicts_before(begin);
+  const std::vector<std::uint64_t> until = limited_->verdicts_before(end);
+  std::vector<std::uint64_t> rejected;
+  for (std::size_t verdict = failing(0); verdict < until.size(); ++verdict) {
+    rejected.push_back(until[verdict] - before[verdict]);
+  }
+  return rejected;
+}
+
+std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {
+  if (!prunes_) return std::nullopt;
+  const std::size_t verdict = limited_->verdict(routing);
+  if (verdict < failing(0)) return std::nullopt;
+  const auto place = limited_->place_of(routing);
+  return place ? std::optional(LeftOutPlace{*place, verdict - failing(0)}) : std::nullopt;
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,164 @@
+// Limits on parts, against a look at every routing.
+#include "search/limits/limited_generator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/network.hpp"
+#include "core/performance.hpp"
+#include "search/judge/objectives.hpp"
+#include "tests/search/generated.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::vector<Constraint> constraints_of(const std::vector<std::string>& texts) {
+  std::vector<Constraint> constraints;
+  for (const std::string& text : texts) constraints.push_back(parse_constraint(text));
+  return constraints;
+}
+
+// By the parts of the routing's network.
+std::size_t looked_up_verdict(const Routing& routing, const std::vector<Constraint>& constraints) {
+  if (!is_actuated(routing)) return not_actuated;
+  DesignOutcome outcome;
+  Network network;
+  expand(routing, network);
+  outcome.parts = parts(network);
+  ObjectiveValues values{};
+  for (const Constraint& constraint : constraints) {
+    values[static_cast<std::size_t>(constraint.objective)] =
+        row(constraint.objective).compute(outcome);
+  }
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (!constraints[c].admits(values)) return failing(c);
+  }
+  return within_limits;
+}
+
+// Everything that there is, in its order.
+struct All {
+  std::vector<Routing> routings;
+  std::vector<std::size_t> verdicts;
+};
+
+All everything(const GeneratorOptions& options, const std::vector<Constraint>& constraints) {
+  All all;
+  for_each_generated(options, [&](const Routing& routing) {
+    all.routings.push_back(routing);
+    all.verdicts.push_back(looked_up_verdict(routing, constraints));
+  });
+  return all;
+}
+
+std::vector<std::uint64_t> tally(const All& all, std::size_t verdicts, std::uint64_t end) {
+  std::vector<std::uint64_t> counts(verdicts, 0);
+  for (std::size_t i = 0; i < end; ++i) ++counts[all.verdicts[i]];
+  return counts;
+}
+
+void expect_from(LimitedGenerator& limited, const All& all, std::uint64_t begin) {
+  limited.seek(begin);
+  Routing routing;
+  std::uint64_t place = 0;
+  for (std::size_t i = begin; i < all.routings.size(); ++i) {
+    if (all.verdicts[i] != within_limits) continue;
+    ASSERT_TRUE(limited.next(routing, place)) << "from " << begin << " to " << i;
+    ASSERT_EQ(place, i) << "from " << begin;
+    ASSERT_EQ(to_word(routing), to_word(all.routings[i]));
+    ASSERT_EQ(routing, all.routings[i]);
+  }
+  EXPECT_FALSE(limited.next(routing, place));
+  EXPECT_FALSE(limited.next(routing, place));
+}
+
+void expect_all(const GeneratorOptions& options, const std::vector<std::string>& texts,
+                std::uint64_t seeks = 12) {
+  SCOPED_TRACE(label_of(options) + ": " + (texts.empty() ? "" : texts.front()) +
+               (texts.size() > 1 ? " " + texts[1] : ""));
+  const std::vector<Constraint> constraints = constraints_of(texts);
+  const All all = everything(options, constraints);
+  LimitedGenerator limited(options, constraints);
+  ASSERT_EQ(limited.total(), all.routings.size());
+  expect_from(limited, all, 0);
+  const std::uint64_t n = all.routings.size();
+  for (std::uint64_t s = 0; s <= seeks; ++s) {
+    const std::uint64_t place = n * s / seeks;
+    ASSERT_EQ(limited.verdicts_before(place), tally(all, constraints.size() + 2, place)) << place;
+    if (place < n) {
+      ASSERT_EQ(limited.place_of(all.routings[place]), place) << to_word(all.routings[place]);
+    }
+    expect_from(limited, all, place);
+  }
+}
+
+TEST(LimitedGenerator, GivesOfOneOrMoreTendonsThoseWithinTheLimits) {
+  for (const int fingers : {1, 2, 3, 4}) {
+    for (const PartSet& parts : {paper_parts(), full_parts(), anchored(full_parts())}) {
+      for (const bool one_tendon : {false, true}) {
+        const GeneratorOptions options = generating(parts, fingers, identical, one_tendon);
+        expect_all(options, {"sheaths<=2"});
+        expect_all(options, {"pulleys>=3", "sheaths<3"});
+        expect_all(options, {"parts==5"});
+        expect_all(options, {"knots>0", "sheaths<=2"});
+      }
+    }
+  }
+}
+
+TEST(LimitedGenerator, GivesOfOddPartsThoseWithinTheLimits) {
+  for (const PartSet& parts : odd_parts()) {
+    for (const int fingers : {1, 2, 4}) {
+      expect_all(generating(parts, fingers, identical), {"sheaths<=2", "pulleys<=3"});
+      expect_all(generating(with_blocks(anchored(parts), 2), fingers > 2 ? 3 : fingers, identical),
+                 {"sheaths<=2", "pulleys<=3"});
+    }
+  }
+}
+
+TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
+  for (const int fingers : {1, 2, 3}) {
+    for (const int blocks : {1, 2, 3}) {
+      for (const bool one_tree : {false, true}) {
+        const GeneratorOptions options =
+            generating(with_blocks(anchored(paper_parts()), blocks), fingers, identical, one_tree);
+        expect_all(options, {"sheaths<=2"});
+        expect_all(options, {"blocks>=2", "sheaths==1"});
+        expect_all(options, {"parts<=4"});
+        expect_all(options, {"knots>=1", "pulleys<1"});
+      }
+    }
+  }
+  expect_all(generating(with_blocks(all_parts(), 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
+  expect_all(generating(with_blocks(anchored(paper_parts()), 4), 4, identical), {"sheaths<=1"}, 3);
+}
+
+TEST(LimitedGenerator, KeepsToLimitsThatChanceSays) {
+  std::mt19937 random(7);
+  const auto one_of = [&](const std::vector<std::string>& words) {
+    return words[random() % words.size()];
+  };
+  for (int i = 0; i < 60; ++i) {
+    std::vector<std::string> texts;
+    for (std::uint64_t c = 1 + random() % 3; c > 0; --c) {
+      texts.push_back(one_of({"sheaths", "pulleys", "knots", "blocks", "parts"}) +
+                      one_of({"<=", ">=", "<", ">", "=="}) + std::to_string(random() % 7) +
+                      one_of({"", ".5"}));
+    }
+    const int blocks = static_cast<int>(random() % 3);
+    PartSet parts = random() % 2 == 0 ? full_parts() : paper_parts();
+    parts.anchored = blocks > 0 || random() % 2 == 0;
+    parts.blocks = blocks;
+    const int fingers = 1 + static_cast<int>(random() % (blocks > 0 ? 3 : 4));
+    const GeneratorOptions options = generating(parts, fingers, identical, random() % 4 == 0);
+    if (decided_by_parts(constraints_of(texts), options) < texts.size()) continue;
+    expect_all(options, texts, 5);
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
