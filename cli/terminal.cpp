@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "numerics/processes.hpp"
+
 namespace reeve::cli {
 namespace {
 
@@ -31,7 +33,8 @@ std::size_t width_of(int descriptor) {
 
 Terminal terminal(int descriptor) {
   Terminal result;
-  if (::isatty(descriptor) != 1) return result;
+  // mpirun reads what its processes print from a terminal of its own.
+  if (::isatty(descriptor) != 1 || launch_in_environment().by_launcher) return result;
   const std::string kind = variable("TERM");
   result.is_one = true;
   result.obeys_codes = !kind.empty() && kind != "dumb";

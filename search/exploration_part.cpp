@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/judge/evaluation.hpp"
+#include "search/pieces.hpp"
 
 namespace reeve::search {
 namespace {
@@ -217,6 +219,12 @@ ShardRecord record_of(ExplorationPart& part) {
 ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options) {
   Evaluators evaluators(options);
   return evaluated_part(record, options, evaluators);
+}
+
+RecordReading record_reading(const ExploreOptions& options) {
+  return [options, evaluators = std::make_shared<Evaluators>(options)](const ShardRecord& record) {
+    return evaluated_part(record, options, *evaluators);
+  };
 }
 
 ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
