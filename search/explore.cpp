@@ -19,16 +19,7 @@
 #include "search/pieces.hpp"
 
 namespace reeve::search {
-namespace {
 
-// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
-// Ctrl-C; a grain is some tenths of a millisecond.
-constexpr std::size_t batch_size = 8192;
-// Where a kill costs what is in flight.
-constexpr std::size_t kept_batch_size = 2048;
-constexpr std::size_t grain = 64;
-
-// All that a routing is kept or left for.
 std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
   std::vector<Objective> objectives = within_front_objectives(options.order);
   objectives.push_back(options.ladder.by);
@@ -38,6 +29,15 @@ std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
   }
   return objectives;
 }
+
+namespace {
+
+// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
+// Ctrl-C; a grain is some tenths of a millisecond.
+constexpr std::size_t batch_size = 8192;
+// Where a kill costs what is in flight.
+constexpr std::size_t kept_batch_size = 2048;
+constexpr std::size_t grain = 64;
 
 // What became of one routing of a batch.
 struct Slot {

@@ -19,8 +19,10 @@ namespace reeve::search {
 using PieceSearch = std::function<ExplorationPart(const ShardRange&, const Supervision&)>;
 PieceSearch piece_search(const ExploreOptions& options);
 
-// part_of, of one record after the other.
-using RecordReading = std::function<ExplorationPart(const ShardRecord&)>;
-RecordReading record_reading(const ExploreOptions& options);
+// Puts one record after the other to what there is, in the order of their places. Designs that
+// enough of what there is dominate are left out; the others have the values by which they are kept,
+// or all of them.
+using RecordAbsorbing = std::function<void(ExplorationPart&, const ShardRecord&)>;
+RecordAbsorbing record_absorbing(const ExploreOptions& options, bool with_all_values);
 
 }  // namespace reeve::search

@@ -32,7 +32,7 @@ SharedSearch::SharedSearch(Processes& processes, std::string exploration, const 
       supervision_(supervision),
       keeping_(keeping),
       explore_here_(piece_search(options)),
-      reading_(record_reading(options)),
+      absorb_(record_absorbing(options, static_cast<bool>(keeping.save))),
       whole_(part_before(keeping, options)),
       left_(shard_range(RoutingGenerator(options.generator).total(), options.shard.index,
                         options.shard.count)),
@@ -142,7 +142,7 @@ void SharedSearch::put_together() {
   for (auto next = brought_.find(together_); next != brought_.end();
        next = brought_.find(together_)) {
     together_ += next->second.generated;
-    whole_.absorb(reading_(next->second));
+    absorb_(whole_, next->second);
     brought_.erase(next);
   }
   whole_.total = total;

@@ -44,7 +44,7 @@ class SharedSearch {
   const Supervision& supervision_;
   const Keeping& keeping_;
   PieceSearch explore_here_;
-  RecordReading reading_;
+  RecordAbsorbing absorb_;
   ExplorationPart whole_;     // of the places before `together_`
   ShardRange left_;           // that nobody has in hand
   std::uint64_t begin_ = 0;   // of the shard
