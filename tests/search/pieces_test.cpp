@@ -25,7 +25,7 @@ std::vector<BroughtPiece> brought_pieces(const ExploreOptions& options, std::siz
   std::vector<BroughtPiece> pieces;
   const std::uint64_t total = RoutingGenerator(options.generator).total();
   for (std::uint64_t begin = 0; begin < total;) {
-    const std::uint64_t length = std::uint64_t{1} << (pieces.size() * 5 % 15);
+    const std::uint64_t length = std::uint64_t{1} << (pieces.size() * 7 % 15);
     const ShardRange places{begin, std::min(total, begin + length)};
     ExplorationPart part = searches[pieces.size() % searchers](places, {});
     pieces.push_back({places, record_of(part)});
