@@ -129,6 +129,9 @@ class Exploration {
     count_from_zero();
     ExplorationPart part = run(supervision);
     seen_->absorb(part);
+    // What is asked for is thinned out, and keeps off what comes after it.
+    seen_->archive.members();
+    seen_->ladder.candidates();
     return part;
   }
 
