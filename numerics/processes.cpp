@@ -33,7 +33,7 @@ Launch launch_in_environment() {
         LaunchVariables{"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}}) {
     const std::optional<int> rank = number_in_environment(rank_name);
     const std::optional<int> size = number_in_environment(size_name);
-    if (rank && size && *rank < *size) return {*rank, *size, true};
+    if (rank && size && *rank < *size) return {*rank, *size};
   }
   return {};
 }

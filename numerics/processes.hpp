@@ -1,9 +1,9 @@
 // Processes that one launcher (mpirun, srun) started to do one job, and messages between them.
 //
 // The messages go by MPI, which stands in a module of its own (mpi/). A process loads it when it
-// finds itself started with others, and no other ever does: libmpi brings a dozen libraries, of
-// which each start of a program that is linked with it pays a good part of a millisecond, and
-// without which such a program would not start at all.
+// finds itself started with others, and no other ever does: a program that is linked with libmpi
+// loads seven libraries more, takes almost twice as long to start (docs/scale.md), and does not
+// start at all where they are not installed.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,6 @@ namespace reeve::numerics {
 struct Launch {
   int rank = 0;
   int size = 1;
-  bool by_launcher = false;
 };
 
 // Open MPI's mpirun, MPICH's, and srun (with PMIx or PMI-2).
