@@ -1,6 +1,6 @@
 // Processes that share one exploration: the first leads, the others follow.
 //
-// The leader cuts pieces off the places that are left, half a second of work each, and goes through
+// The leader cuts pieces off the places that are left, some seconds of work each, and goes through
 // pieces of its own. A follower has two in hand, and gets another one when it has brought what it
 // kept of one. The leader puts together what it is brought in the order of the places; so at any
 // moment it has what a search by one process would have had at some place (search/pieces.hpp), and

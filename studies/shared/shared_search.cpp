@@ -11,9 +11,11 @@
 namespace reeve::studies {
 namespace {
 
-// Short enough for all to be done at about the same time and for a kill to cost little, long enough
-// for the messages not to matter.
-constexpr double seconds_of_a_piece = 0.5;
+// Of a piece: short enough for a kill to cost little, and long enough for what each piece costs
+// besides (some hundredths of a second) not to matter where there is much to do.
+constexpr double least_seconds = 0.5;
+constexpr double most_seconds = 5;
+constexpr double part_of_elapsed = 0.05;
 constexpr std::uint64_t least_piece = 2048;
 constexpr auto patience = std::chrono::microseconds(200);
 
@@ -68,8 +70,8 @@ ExplorationPart SharedSearch::run() {
 // The last ones are short, and so are the first, when nobody knows how fast it goes.
 ShardRange SharedSearch::cut_piece(int rank) {
   const std::uint64_t left = left_.end - left_.begin;
-  const auto in_time =
-      static_cast<std::uint64_t>(pace_[static_cast<std::size_t>(rank)] * seconds_of_a_piece);
+  const double seconds = std::clamp(part_of_elapsed * elapsed(), least_seconds, most_seconds);
+  const auto in_time = static_cast<std::uint64_t>(pace_[static_cast<std::size_t>(rank)] * seconds);
   const std::uint64_t share = left / (2 * pace_.size());
   const std::uint64_t length = std::min(left, std::max(least_piece, std::min(in_time, share)));
   const ShardRange piece{left_.begin, left_.begin + length};
@@ -153,9 +155,12 @@ void SharedSearch::save_if_due() {
 }
 
 void SharedSearch::save() {
-  const auto elapsed = std::chrono::steady_clock::now() - start_;
-  whole_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
+  whole_.seconds = seconds_before_ + elapsed();
   keeping_.save(whole_);
+}
+
+double SharedSearch::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 void SharedSearch::report(std::uint64_t done_here) {

@@ -36,6 +36,7 @@ class SharedSearch {
   void put_together();
   void save_if_due();
   void save();
+  double elapsed() const;
   void report(std::uint64_t done_here);
 
   Processes& processes_;
