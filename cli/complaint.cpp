@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t longest_line = 800;
 constexpr std::size_t longest_message = 20000;
 
+bool is_silent = false;
+
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 // The first two thirds of `most` bytes and the rest from the end, no UTF-8 character cut.
@@ -74,9 +76,11 @@ std::string shortened(std::string_view message) {
 }
 
 int complain(const std::string& message, int exit_code) {
-  std::cerr << "reeve: " << shortened(message) << '\n';
+  if (!is_silent) std::cerr << "reeve: " << shortened(message) << '\n';
   return exit_code;
 }
+
+void leave_complaints_to_others() { is_silent = true; }
 
 int complain_of_memory() {
   say("reeve: not enough memory\n");

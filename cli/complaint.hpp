@@ -11,6 +11,9 @@ namespace reeve::cli {
 // "reeve: …", shortened where what the user gave is longer than anybody reads.
 int complain(const std::string& message, int exit_code);
 
+// From here on `complain` says nothing: another process says the same.
+void leave_complaints_to_others();
+
 // Each line's beginning and end, and how many bytes were left out.
 std::string shortened(std::string_view message);
 

@@ -9,11 +9,14 @@
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/complaint.hpp"
+#include "cli/launched.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
 #include "core/version.hpp"
 #include "numerics/parallel.hpp"
+#include "numerics/processes.hpp"
+#include "studies/shared/crew.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -48,6 +51,7 @@ int run(int argc, char** argv) {
   CLI::App program(description, "reeve");
   int exit_code = done;
   bool answered = false;  // by the help or the version
+  const Launch launch = launched();
   program.require_subcommand(0, 1);
   program.set_version_flag("--version", version_text());
   add_explore(program, exit_code);
@@ -63,6 +67,9 @@ int run(int argc, char** argv) {
   add_merge(program, exit_code);
   add_export(program, exit_code);
   refuse_leading_zeros(program);
+  program.parse_complete_callback([&] {
+    if (!program.got_subcommand("explore")) require_alone(launch);
+  });
   core::set_waiting_notice(say_what_is_waited_for);
   program.footer(
       "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
@@ -73,7 +80,7 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
       return complain(std::string(error.what()) + "; see reeve --help", bad_input);
     }
-    program.exit(error);
+    if (!follows_another()) program.exit(error);
     answered = true;
   }
   if (program.get_subcommands().empty() && !answered) {
@@ -84,20 +91,18 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
-}  // namespace
-}  // namespace reeve::cli
-
-int main(int argc, char** argv) {
-  using namespace reeve::cli;
+int run_to_last_words(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const reeve::core::InputError& error) {
+  } catch (const InputError& error) {
     return complain(error.what(), bad_input);
-  } catch (const reeve::core::OutOfRange& error) {
+  } catch (const OutOfRange& error) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);
-  } catch (const reeve::numerics::NoThreads&) {
+  } catch (const FollowerFailed& error) {
+    return complain(error.what(), interrupted);
+  } catch (const NoThreads&) {
     return complain_of_threads();
   } catch (const std::bad_alloc&) {
     return complain_of_memory();
@@ -106,4 +111,16 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(std::string("internal error: ") + error.what(), interrupted);
   }
+}
+
+}  // namespace
+}  // namespace reeve::cli
+
+int main(int argc, char** argv) {
+  using namespace reeve::cli;
+  if (!follows_another()) return run_to_last_words(argc, argv);
+  leave_complaints_to_others();
+  run_to_last_words(argc, argv);
+  // Another one would have mpirun end the process that has something to say.
+  return done;
 }

@@ -14,7 +14,12 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
-void request_stop(int) { stop_requested.store(true); }
+std::atomic<bool> terminated{false};
+
+void request_stop(int signal) {
+  if (signal == SIGTERM) terminated.store(true);
+  stop_requested.store(true);
+}
 
 // In place of the line that stands there. One column stays free: a full line moves some terminals
 // on to the next.
@@ -32,7 +37,15 @@ const std::atomic<bool>& stop_on_interrupt() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGUSR1, &action, nullptr);
   return stop_requested;
+}
+
+const std::atomic<bool>& was_terminated() { return terminated; }
+
+void leave_interrupts_to_others() {
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGUSR1, SIG_IGN);
 }
 
 ProgressLine::ProgressLine(std::string what)

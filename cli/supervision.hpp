@@ -17,10 +17,16 @@ namespace reeve::cli {
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(const std::string& what) : std::runtime_error("interrupted: " + what) {}
 };
 
-// From here on the first Ctrl-C (or SIGTERM) only sets the flag; a second one ends the process.
+// From here on the first Ctrl-C (or SIGTERM, or SIGUSR1, which mpirun passes on) only sets the
+// flag; a second one ends the process.
 const std::atomic<bool>& stop_on_interrupt();
+// Whether SIGTERM was among them.
+const std::atomic<bool>& was_terminated();
+// Ctrl-C and SIGUSR1 are for somebody else.
+void leave_interrupts_to_others();
 
 // A bar, share done, rate and time left on stderr; silent where stderr is no terminal.
 class ProgressLine {

@@ -31,7 +31,8 @@ std::size_t width_of(int descriptor) {
 
 Terminal terminal(int descriptor) {
   Terminal result;
-  if (::isatty(descriptor) != 1) return result;
+  // Open MPI's mpirun reads what its processes print from a terminal of its own.
+  if (::isatty(descriptor) != 1 || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return result;
   const std::string kind = variable("TERM");
   result.is_one = true;
   result.obeys_codes = !kind.empty() && kind != "dumb";

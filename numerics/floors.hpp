@@ -7,6 +7,9 @@
 namespace reeve {
 
 namespace numerics {}
+namespace mpi {
+using namespace numerics;
+}  // namespace mpi
 namespace core {
 using namespace numerics;
 }  // namespace core

@@ -15,6 +15,8 @@ PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chro
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
 PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy python3-matplotlib python3-pip python3-venv
   python3-setuptools python3-wheel)
+# For `mpirun reeve` and its tests; where they are not installed neither is built.
+PACKAGES_MPI=(libopenmpi-dev openmpi-bin)
 # SciPy for a notebook.
 PACKAGES_CI=(clang-format clang-tidy python3-scipy)
 # For scripts/fuzz.

@@ -1,14 +1,12 @@
 #include "search/exploration_part.hpp"
 
-#include <fmt/format.h>
-
 #include <numeric>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/judge/evaluation.hpp"
+#include "search/record_parts.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
@@ -55,21 +53,6 @@ class Evaluators {
   Workers workers_;
   std::vector<DesignEvaluator> evaluators_;
 };
-
-Routing generated_routing(const std::string& word, const ExploreOptions& options) {
-  Routing routing = parse_routing(word);
-  if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
-  throw InputError({.what = "routing",
-                    .value = word,
-                    .expected = fmt::format("one of {} fingers that the motor pulls",
-                                            options.generator.fingers)});
-}
-
-std::vector<Routing> parsed(const std::vector<std::string>& words, const ExploreOptions& options) {
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(generated_routing(word, options));
-  return routings;
-}
 
 // Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
 ReferenceStanding standing(Design design, const ReferenceCount& count,
@@ -149,26 +132,14 @@ std::vector<ConstraintReach> recorded_reaches(const ExplorationPart& part) {
 
 ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& options,
                                Evaluators& evaluators) {
-  ExplorationPart part(options);
-  part.total = record.total;
-  part.generated = record.generated;
-  part.evaluated = record.evaluated;
-  part.unconverged = record.unconverged;
-  part.seconds = record.seconds;
-  part.constraint_failures = record.constraint_failures;
-  if (pruning_constraints(options) == 0) part.reaches = ConstraintReaches(record.reaches);
-  part.references = record.references;
-  std::vector<std::string> words;
-  for (const ArchivedWord& archived : record.archive) words.push_back(archived.word);
-  std::vector<Design> designs = evaluators.evaluate(parsed(words, options));
+  ExplorationPart part = counted_part(record, options);
+  std::vector<Design> designs =
+      evaluators.evaluate(generated_routings(archived_words(record), options));
   for (std::size_t i = 0; i < designs.size(); ++i) {
     part.archive.add(std::move(designs[i]), record.archive[i].equals_left_out);
   }
-  for (Design& rung : evaluators.evaluate(parsed(record.rungs, options)))
+  for (Design& rung : evaluators.evaluate(generated_routings(record.rungs, options)))
     part.ladder.add(std::move(rung));
-  for (const SampledWord& sampled : record.sample) {
-    part.sample.add(sampled.place, generated_routing(sampled.word, options));
-  }
   return part;
 }
 

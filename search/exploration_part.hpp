@@ -38,6 +38,9 @@ struct ExplorationPart {
   void absorb(ExplorationPart other);
 };
 
+// All that a routing is kept or left for.
+std::vector<Objective> deciding_objectives(const ExploreOptions& options);
+
 // As words, and back. Throws InputError on a word that is no routing of this exploration.
 ShardRecord record_of(ExplorationPart& part);
 ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options);

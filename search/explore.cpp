@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -16,19 +17,11 @@
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
 #include "search/left_out.hpp"
+#include "search/pieces.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
-namespace {
 
-// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
-// Ctrl-C; a grain is some tenths of a millisecond.
-constexpr std::size_t batch_size = 8192;
-// Where a kill costs what is in flight.
-constexpr std::size_t kept_batch_size = 2048;
-constexpr std::size_t grain = 64;
-
-// All that a routing is kept or left for.
 std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
   std::vector<Objective> objectives = within_front_objectives(options.order);
   objectives.push_back(options.ladder.by);
@@ -38,6 +31,15 @@ std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
   }
   return objectives;
 }
+
+namespace {
+
+// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
+// Ctrl-C; a grain is some tenths of a millisecond.
+constexpr std::size_t batch_size = 8192;
+// Where a kill costs what is in flight.
+constexpr std::size_t kept_batch_size = 2048;
+constexpr std::size_t grain = 64;
 
 // What became of one routing of a batch.
 struct Slot {
@@ -83,8 +85,7 @@ class Exploration {
       reference_goodness_.push_back(
           goodness(of_references.evaluate(routing), options.order.objectives));
     }
-    reaches_.assign(workers_.count(), ConstraintReaches(options.constraints.size()));
-    dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
+    count_from_zero();
     if (keeps_) {
       for (std::size_t w = 0; w < workers_.count(); ++w) {
         whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
@@ -125,7 +126,30 @@ class Exploration {
     return std::move(part_);
   }
 
+  // One of the pieces that it is given one after the other (pieces.hpp).
+  ExplorationPart run_through(const ShardRange& piece, const Supervision& supervision) {
+    if (!seen_) seen_.emplace(options_);
+    range_ = piece;
+    generated_ = 0;
+    start_ = std::chrono::steady_clock::now();
+    part_ = ExplorationPart(options_);
+    part_.total = piece.end - piece.begin;
+    count_from_zero();
+    left_out_->go_on_with(piece);
+    ExplorationPart part = run(supervision);
+    seen_->absorb(part);
+    // What is asked for is thinned out, and keeps off what comes after it.
+    seen_->archive.members();
+    seen_->ladder.candidates();
+    return part;
+  }
+
  private:
+  void count_from_zero() {
+    reaches_.assign(workers_.count(), ConstraintReaches(options_.constraints.size()));
+    dominators_.assign(workers_.count(), std::vector<std::int64_t>(reference_goodness_.size(), 0));
+  }
+
   // What was counted before is the first worker's.
   void go_on() {
     generated_ = part_.generated;
@@ -182,6 +206,7 @@ class Exploration {
     slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
     slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
+    if (seen_) hold_against_seen(slot);
     if (slot.may_rank || slot.may_be_rung || keeping_.design) {
       slot.word = to_word(slot.routing);
       // Who reads what is kept asks for any of them.
@@ -189,6 +214,12 @@ class Exploration {
     }
     compare_with_references(slot, dominators_[worker], 1);
     slot.done = true;
+  }
+
+  void hold_against_seen(Slot& slot) const {
+    slot.may_rank = slot.may_rank && seen_->archive.may_rank(slot.values);
+    slot.may_be_rung = slot.may_be_rung && seen_->ladder.may_be_rung(slot.values);
+    slot.sampled = slot.sampled && seen_->sample.would_enter(slot.place);
   }
 
   std::size_t first_not_done() const {
@@ -275,6 +306,7 @@ class Exploration {
   std::optional<LeftOut> left_out_;
   Workers workers_;
   ExplorationPart part_;
+  std::optional<ExplorationPart> seen_;  // in the pieces before
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
   std::vector<DesignEvaluator> whole_;      // for a store
@@ -287,7 +319,23 @@ class Exploration {
   std::uint64_t generated_ = 0;                        // … up to the last that was evaluated
 };
 
+// With what it refers to.
+struct OwnExploration {
+  explicit OwnExploration(const ExploreOptions& asked) : options(asked) {}
+
+  ExploreOptions options;
+  Keeping nothing_kept;
+  Exploration exploration{options, nothing_kept, Look::at_what_may_be_kept};
+};
+
 }  // namespace
+
+PieceSearch piece_search(const ExploreOptions& options) {
+  return [own = std::make_shared<OwnExploration>(options)](const ShardRange& piece,
+                                                           const Supervision& supervision) {
+    return own->exploration.run_through(piece, supervision);
+  };
+}
 
 Shard parse_shard(const std::string& text) {
   Shard shard{0, 0};
@@ -316,11 +364,13 @@ bool find_reaches(ExplorationPart& part, const ExploreOptions& options,
 }
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision,
-                      const Keeping& keeping) {
+                      const Keeping& keeping, const Searcher& search) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
-  ExplorationPart part = Exploration(options, keeping, Look::at_what_may_be_kept).run(supervision);
+  ExplorationPart part =
+      search ? search(options, supervision, keeping)
+             : Exploration(options, keeping, Look::at_what_may_be_kept).run(supervision);
   const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
   ExploreResult result = conclude(std::move(part), options);
   result.partial |= !told;

@@ -102,8 +102,14 @@ struct ExploreResult {
   std::optional<ShardRecord> record;  // if it was asked for
 };
 
-// Goes on where what is kept ends, to the same result as if it had not been stopped there.
+// Who goes through the routings of the shard, from where what is kept ends; what is kept of all of
+// them then.
+using Searcher =
+    std::function<ExplorationPart(const ExploreOptions&, const Supervision&, const Keeping&)>;
+
+// Goes on where what is kept ends, to the same result as if it had not been stopped there. Without
+// a search this process goes through them alone.
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {},
-                      const Keeping& keeping = {});
+                      const Keeping& keeping = {}, const Searcher& search = {});
 
 }  // namespace reeve::search

@@ -10,6 +10,11 @@ LeftOut::LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRang
   }
 }
 
+void LeftOut::go_on_with(ShardRange range) {
+  range_ = range;
+  counted_ = 0;
+}
+
 void LeftOut::add_to(ExplorationPart& part, std::uint64_t generated) {
   const std::vector<std::uint64_t> rejected =
       source_.left_out(range_.begin + counted_, range_.begin + generated);

@@ -18,6 +18,9 @@ class LeftOut {
   LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
           std::uint64_t counted);
 
+  // Another range, of which nothing is counted yet.
+  void go_on_with(ShardRange range);
+
   // Those among the first `generated` that were not added before.
   void add_to(ExplorationPart& part, std::uint64_t generated);
 

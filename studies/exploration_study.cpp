@@ -113,8 +113,9 @@ ExploreReport planned_report(const ExploreOptions& options,
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue, const StudySupervision& supervision,
-                                const Keeping& keeping) {
-  return with_distributions(options, explore(options, supervision.during("exploring"), keeping),
+                                const Keeping& keeping, const Searcher& search) {
+  return with_distributions(options,
+                            explore(options, supervision.during("exploring"), keeping, search),
                             uncertainty, catalogue, supervision);
 }
 

@@ -38,11 +38,12 @@ std::vector<Routing> known_routings(const GeneratorOptions& options, const Catal
 
 // With `uncertainty` also the spread of ranks and objectives, of the longer of top and front, and
 // of the objectives of known routings beyond. What was stopped says so, and holds what there was.
+// `search` as of explore.
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,
                                 const StudySupervision& supervision = {},
-                                const Keeping& keeping = {});
+                                const Keeping& keeping = {}, const Searcher& search = {});
 
 // The same of shards that were explored elsewhere, all of them. Throws InputError on words that are
 // no routings of this exploration.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,16 +16,20 @@
 #include "cli/flags/parsed_explore.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
+#include "cli/launched.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/hand/hand.hpp"
+#include "reports/exploration/exploration_id.hpp"
+#include "reports/exploration/shard_file.hpp"
 #include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/explore_report.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
+#include "studies/shared/crew.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -82,11 +87,13 @@ class OpenedStore {
 };
 
 ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& records,
-                   const Keeping& keeping, const StudySupervision& supervision) {
-  ExploreReport report = records.empty() ? exploration_study(inputs.options, inputs.uncertainty,
-                                                             inputs.catalogue, supervision, keeping)
-                                         : merged_study(inputs.options, inputs.uncertainty, records,
-                                                        inputs.catalogue, supervision);
+                   const Keeping& keeping, const StudySupervision& supervision,
+                   const Searcher& search = {}) {
+  ExploreReport report = records.empty()
+                             ? exploration_study(inputs.options, inputs.uncertainty,
+                                                 inputs.catalogue, supervision, keeping, search)
+                             : merged_study(inputs.options, inputs.uncertainty, records,
+                                            inputs.catalogue, supervision);
   if (inputs.over) {
     add_sweep(report, {inputs.drawn, inputs.uncertainty.has_value(), *inputs.over}, supervision);
   }
@@ -113,16 +120,33 @@ void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::Ap
   write_exploration(report, command, shipped_catalogue(), flags.details, flags.out);
 }
 
-// What is printed and written is the same of one exploration and of its shards.
-int run(const ExploreFlags& flags, const CLI::App& command, const std::vector<ShardFile>& shards) {
-  const ExploreInputs inputs = read(flags);
-  const std::vector<ShardRecord> records = records_of(shards, inputs);
+[[noreturn]] void refuse_to_keep_all() {
+  throw InputError({.what = "--keep",
+                    .value = "all",
+                    .expected = "best under mpirun, where every design would pass through one "
+                                "process; --shard with a store for each keeps all"});
+}
+
+// Who started the processes ends them by SIGTERM, also when one of them has died.
+void require_all_present(const ExploreReport& report, const ExploreFlags& flags) {
+  if (!was_terminated() || partial_note(report).empty()) return;
+  const std::string why = "one of the processes died, or all were ended from outside; ";
+  throw Interrupted(why + (flags.store.is_given() ? "the same command goes on where the store ends"
+                                                  : "nothing was written"));
+}
+
+// What is printed and written is the same of one exploration, of its shards, and of one that
+// several processes search for.
+int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& command,
+        const std::vector<ShardRecord>& records, const Searcher& shared = {}) {
   prepare_folder(flags.out);
   OpenedStore store(flags, command, inputs);
   const Keeping keeping = store.keeping();
+  if (shared && keeping.design) refuse_to_keep_all();
   const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    return made(inputs, records, keeping, supervision);
+    return made(inputs, records, keeping, supervision, shared);
   });
+  if (shared) require_all_present(report, flags);
   write_exploration(report, command, inputs.catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json")
                     ? explore_summary_json(report)
@@ -149,6 +173,41 @@ ParsedExplore parsed_merge(const std::vector<ShardFile>& shards,
   return parsed_merge(shards.front().arguments, here, shards.front().name);
 }
 
+ExploreInputs read_by(const Processes& processes, const ExploreFlags& flags) {
+  ExploreInputs inputs = read(flags);
+  inputs.options.threads = threads_of_one(processes, inputs.options.threads);
+  return inputs;
+}
+
+constexpr RecordText as_json{record_json, read_record_json};
+
+// The first of several processes does all that one alone would do; the others search for it.
+int lead(const ExploreFlags& flags, const CLI::App& command, Processes& processes) {
+  Leader leader(processes, was_terminated());
+  const ExploreInputs inputs = read_by(processes, flags);
+  if (flags.store.asks_for_all()) refuse_to_keep_all();
+  return run(inputs, flags, command, {}, leader.search(exploration_id(planned(inputs)), as_json));
+}
+
+int follow(const ExploreFlags& flags, Processes& processes) {
+  leave_interrupts_to_others();
+  Follower follower(processes);
+  try {
+    const ExploreInputs inputs = read_by(processes, flags);
+    follower.follow(inputs.options, exploration_id(planned(inputs)), as_json);
+  } catch (const std::exception& failure) {
+    follower.report_failure(failure);
+  }
+  follower.go_home();
+  return done;
+}
+
+int run_launched(const ExploreFlags& flags, const CLI::App& command) {
+  if (launched().size == 1) return run(read(flags), flags, command, {});
+  const std::unique_ptr<Processes> processes = connected();
+  return processes->rank() == 0 ? lead(flags, command, *processes) : follow(flags, *processes);
+}
+
 void add_options(CLI::App& command, ExploreFlags& flags) { flags.add_to(command); }
 
 }  // namespace
@@ -158,7 +217,7 @@ void add_explore(CLI::App& program, int& exit_code) {
       "explore", "Every routing that a set of parts allows: evaluated, ranked, written to files");
   auto flags = std::make_shared<ExploreFlags>();
   flags->add_to(*command);
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command, {}); });
+  command->callback([flags, command, &exit_code] { exit_code = run_launched(*flags, *command); });
 }
 
 ExploreReport asked_exploration(const Arguments& arguments, const StudySupervision& supervision) {
@@ -189,7 +248,8 @@ void write_merged(const ExploreReport& report, const std::vector<std::string>& a
 
 int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {
   const ParsedExplore explore = parsed_merge(shards, here);
-  return run(explore.flags, explore.command, shards);
+  const ExploreInputs inputs = read(explore.flags);
+  return run(inputs, explore.flags, explore.command, records_of(shards, inputs));
 }
 
 }  // namespace reeve::cli

@@ -17,6 +17,7 @@ class StoreFlags {
  public:
   void add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0; }
+  bool asks_for_all() const { return is_given() && keep_ == "all"; }
 
   // Of the exploration that is planned. Throws InputError.
   void open(std::optional<ExplorationStore>& store, const ExploreReport& planned,

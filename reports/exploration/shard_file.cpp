@@ -156,6 +156,20 @@ std::string shard_json(const ExploreReport& report, const std::vector<std::strin
   return print(json);
 }
 
+std::string record_json(const ShardRecord& record) {
+  Json json;
+  add_record(json, record);
+  return json.dump();
+}
+
+ShardRecord read_record_json(const std::string& text) {
+  const Json json = Json::parse(text);
+  ShardRecord record;
+  read_counts(json, record);
+  read_designs(json, record);
+  return record;
+}
+
 ShardFile read_shard_json(const std::string& text, const std::string& name) {
   ShardFile file;
   file.name = name;

@@ -25,6 +25,10 @@ struct ShardFile {
 // Of a report that holds its record.
 std::string shard_json(const ExploreReport& report, const std::vector<std::string>& arguments);
 
+// The record alone, and back; the numbers are the same to the last bit.
+std::string record_json(const ShardRecord& record);
+ShardRecord read_record_json(const std::string& text);
+
 // Throws InputError that begins with the name.
 ShardFile read_shard_json(const std::string& text, const std::string& name);
 

@@ -2,49 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <string>
 #include <vector>
 
 #include "search/exploration_part.hpp"
 #include "search/explore.hpp"
 #include "search/judge/evaluation.hpp"
-#include "tests/search/generated.hpp"
+#include "tests/search/kept_exploration.hpp"
 
 namespace reeve::testing {
 namespace {
-
-ExploreOptions kept_options(int threads) {
-  ExploreOptions options;
-  options.generator.fingers = 5;
-  options.generator.parts = full_parts();
-  options.grasps = single_grasps(5);
-  options.top = 20;
-  options.sample = 50;
-  options.threads = threads;
-  options.constraints = {parse_constraint("sheaths<=4"), parse_constraint("jams<=3")};
-  options.references = {parse_routing("M-1-T-2-T-3-T-4-T-5-F")};
-  options.keeps_record = true;
-  return options;
-}
-
-void expect_same(const ExploreResult& a, const ExploreResult& b) {
-  EXPECT_EQ(a.generated, b.generated);
-  EXPECT_EQ(a.evaluated, b.evaluated);
-  EXPECT_EQ(a.unconverged, b.unconverged);
-  for (std::size_t i = 0; i < b.rejected.size(); ++i) {
-    EXPECT_EQ(a.rejected[i].count, b.rejected[i].count);
-  }
-  EXPECT_EQ(a.references[0].dominated_by, b.references[0].dominated_by);
-  EXPECT_EQ(a.references[0].generated, b.references[0].generated);
-  ASSERT_EQ(a.top.size(), b.top.size());
-  for (std::size_t i = 0; i < b.top.size(); ++i) {
-    EXPECT_EQ(a.top[i].design.word, b.top[i].design.word);
-    EXPECT_EQ(a.top[i].design.values, b.top[i].design.values);
-  }
-  ASSERT_EQ(a.sample.size(), b.sample.size());
-  for (std::size_t i = 0; i < b.sample.size(); ++i) EXPECT_EQ(a.sample[i].word, b.sample[i].word);
-  EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);
-}
 
 TEST(ExploreKeeping, GoesOnFromEverySaveToTheSameResult) {
   const ExploreResult whole = explore(kept_options(2));

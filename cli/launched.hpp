@@ -1,0 +1,25 @@
+// Whether mpirun or srun started this process together with others, and what follows from that.
+#pragma once
+
+#include <memory>
+
+#include "numerics/processes.hpp"
+
+namespace reeve::cli {
+
+// As the environment says; alone where REEVE_MPI is off. Throws InputError if that is anything
+// else.
+Launch launched();
+// Whether it is for another process to speak, and to return an exit code that means something.
+bool follows_another();
+
+// Throws InputError if there are others: all would do the same, and write the same files.
+void require_alone(const Launch& launch);
+
+// Throws InputError if this program or this machine cannot.
+std::unique_ptr<Processes> connected();
+
+// As many as were asked for; 0: this process's part of the cores that it may run on.
+int threads_of_one(const Processes& processes, int asked);
+
+}  // namespace reeve::cli

@@ -1,0 +1,28 @@
+// An exploration in pieces, for several that share it (studies/shared).
+//
+// Pieces are cut anywhere, as shards are (exploration_part.hpp). Whoever goes through several of
+// them, each behind the one before, knows designs of those before, so that soon few of a piece are
+// left that can be among the best of all: what it brings of a piece is short. Left out are designs
+// that enough designs of lower places dominate; so the pieces from the first to any one, put
+// together, give the part of the whole up to there.
+#pragma once
+
+#include <functional>
+
+#include "search/enumerate/generator.hpp"
+#include "search/exploration_part.hpp"
+
+namespace reeve::search {
+
+// Goes through the routings at these places of the enumeration, and keeps the memory of pieces
+// before.
+using PieceSearch = std::function<ExplorationPart(const ShardRange&, const Supervision&)>;
+PieceSearch piece_search(const ExploreOptions& options);
+
+// Puts one record after the other to what there is, in the order of their places. Designs that
+// enough of what there is dominate are left out; the others have the values by which they are kept,
+// or all of them.
+using RecordAbsorbing = std::function<void(ExplorationPart&, const ShardRecord&)>;
+RecordAbsorbing record_absorbing(const ExploreOptions& options, bool with_all_values);
+
+}  // namespace reeve::search
