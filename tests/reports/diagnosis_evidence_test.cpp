@@ -113,9 +113,10 @@ TEST(DiagnosisEvidence, CountsReadingsThatAreAlikeWhereManyStandApart) {
   report.data.readings[6].grasp = Grasp{0b10};
   report.data.readings[7].grasp = Grasp{0b11};
   EXPECT_THAT(without_apart_sentences(report).front(),
-              ::testing::StartsWith("Fitted to all readings but T4 of TR1, held none (3 readings), T4 of TR1 "
-                         "(line 9), T4 of TR1, held 1 (2 readings), T4 of TR1 (line 9) and 1 more: "
-                         "tube_friction"));
+              ::testing::StartsWith(
+                  "Fitted to all readings but T4 of TR1, held none (3 readings), T4 of TR1 "
+                  "(line 9), T4 of TR1, held 1 (2 readings), T4 of TR1 (line 9) and 1 more: "
+                  "tube_friction"));
 }
 
 TEST(DiagnosisEvidence, SaysNothingOfADistributionThatNoReadingHas) {
