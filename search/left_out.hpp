@@ -18,8 +18,8 @@ class LeftOut {
   LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
           std::uint64_t counted);
 
-  // Another range, of which nothing is counted yet.
-  void go_on_with(ShardRange range);
+  // Another range.
+  void go_on_with(ShardRange range, std::uint64_t counted = 0);
 
   // Those among the first `generated` that were not added before.
   void add_to(ExplorationPart& part, std::uint64_t generated);
@@ -27,7 +27,7 @@ class LeftOut {
  private:
   RoutingSource& source_;
   ShardRange range_;
-  std::uint64_t counted_;
+  std::vector<std::uint64_t> before_;  // of each constraint, at places counted already
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 

@@ -46,15 +46,11 @@ bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
   return false;
 }
 
-std::vector<std::uint64_t> RoutingSource::left_out(std::uint64_t begin, std::uint64_t end) {
+std::vector<std::uint64_t> RoutingSource::left_out_before(std::uint64_t place) {
   if (!prunes_) return {};
-  const std::vector<std::uint64_t> before = limited_->verdicts_before(begin);
-  const std::vector<std::uint64_t> until = limited_->verdicts_before(end);
-  std::vector<std::uint64_t> rejected;
-  for (std::size_t verdict = failing(0); verdict < until.size(); ++verdict) {
-    rejected.push_back(until[verdict] - before[verdict]);
-  }
-  return rejected;
+  std::vector<std::uint64_t> verdicts = limited_->verdicts_before(place);
+  verdicts.erase(verdicts.begin(), verdicts.begin() + static_cast<std::ptrdiff_t>(failing(0)));
+  return verdicts;
 }
 
 std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {

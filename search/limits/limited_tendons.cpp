@@ -51,8 +51,9 @@ std::uint64_t LimitedTendons::from(const ListedShape& shape, int open) const {
   return sum;
 }
 
-ClassCounts LimitedTendons::counts_from(const ListedShape& shape, int open) const {
-  ClassCounts shapes = listed_.counts_from(shape.size, shape.index);
+ClassCounts LimitedTendons::counts_from(const ListedShape& shape, int open) {
+  ClassCounts shapes = shape_counts_[static_cast<std::size_t>(shape.size)];
+  subtract(shapes, listed_.counts_before(shape.size, shape.index));
   if (one_tendon_) return shapes;
   const std::vector<ClassCounts>& smaller = set_counts_[static_cast<std::size_t>(shape.size) - 1];
   ClassCounts sum = no_counts(classes_);
@@ -224,7 +225,7 @@ ClassCounts LimitedTendons::counts_before(int fingers, std::uint64_t index) {
   return sum;
 }
 
-std::optional<std::uint64_t> LimitedTendons::place_of(const Routing& routing) const {
+std::optional<std::uint64_t> LimitedTendons::place_of(const Routing& routing) {
   if (one_tendon_ && routing.tendons.size() != 1) return std::nullopt;
   std::uint64_t sum = 0;
   int open = finger_count(routing);

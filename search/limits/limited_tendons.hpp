@@ -37,10 +37,10 @@ class LimitedTendons {
   bool next(Routing& routing, std::uint64_t& place);
 
   // Of a canonical routing, whatever its parts, if it is among all.
-  std::optional<std::uint64_t> place_of(const Routing& routing) const;
+  std::optional<std::uint64_t> place_of(const Routing& routing);
 
   // Tendons that were looked at.
-  std::uint64_t steps() const { return steps_; }
+  std::uint64_t steps() const { return steps_ + listed_.steps(); }
 
  private:
   struct Level {
@@ -65,7 +65,7 @@ class LimitedTendons {
 
   std::uint64_t from(const ListedShape& shape, int open) const;
   std::uint64_t of_size_from(const ListedShape& shape, int open) const;
-  ClassCounts counts_from(const ListedShape& shape, int open) const;
+  ClassCounts counts_from(const ListedShape& shape, int open);
   int open() const { return at_.depth == 0 ? at_.fingers : at_.levels[at_.depth - 1].rest(); }
   bool start_at_most(ListedShape& shape, int size);
   bool enter();

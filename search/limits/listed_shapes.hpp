@@ -1,7 +1,8 @@
 // The tendons without blocks of each size, by their index, with the class of their parts.
 //
 // Those of a size of which there are not too many are kept in a list; of others, of which a routing
-// has few, one steps from shape to shape.
+// has few, one steps from shape to shape. Whoever steps leaves milestones, from which others go on:
+// how many shapes of each class there are before one.
 #pragma once
 
 #include <cstdint>
@@ -34,13 +35,17 @@ class ListedShapes {
 
   // False if there is none.
   bool start(ListedShape& shape, int size) const;
-  bool next(ListedShape& shape) const;
-  // Steps on to this index, which is not before its own and below the count.
-  void advance_to(ListedShape& shape, std::uint64_t index) const;
+  bool next(ListedShape& shape);
+  // Goes on to this index, which is not before its own and below the count.
+  void advance_to(ListedShape& shape, std::uint64_t index);
   const Tendon& tendon(const ListedShape& shape) const;
 
-  // Of all the shapes of this size from that index on.
-  ClassCounts counts_from(int size, std::uint64_t index) const;
+  // Of all the shapes of this size before that index, which is at most their count. Where there is
+  // no list, from the last shape on that was passed.
+  ClassCounts counts_before(int size, std::uint64_t index);
+
+  // From shape to shape, where there is no list, but for those of next().
+  std::uint64_t steps() const { return steps_; }
 
  private:
   struct List {
@@ -48,13 +53,31 @@ class ListedShapes {
     std::vector<PartClass> parts;
   };
 
+  // The shapes before a cursor's.
+  struct Passed {
+    ShapeCursor cursor;
+    ClassCounts counts;
+  };
+  struct Walk {
+    std::vector<Passed> milestones;  // the first at the first shape
+    // Of the shapes before `next`, as far as somebody has stepped without a gap.
+    std::uint64_t next = 0;
+    ClassCounts counts;
+  };
+
   const List* list(int size) const;
+  Walk& walk(int size);
+  bool step(Passed& passed);
+  void pass(ListedShape& shape);
+  void leave_milestone(Walk& walk, const ShapeCursor& cursor, const ClassCounts& counts);
   PartClass parts_of(const Tendon& tendon) const { return classes_.of_tree(classes_.of(tendon)); }
 
   const PartClasses& classes_;
   PartSet parts_;
   std::vector<std::uint64_t> counts_;
   std::vector<List> lists_;  // [size]; empty: none
+  std::vector<Walk> walks_;  // [size]; empty: nobody has walked
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace reeve::search

@@ -160,5 +160,43 @@ TEST(LimitedGenerator, KeepsToLimitsThatChanceSays) {
   }
 }
 
+// Of seven fingers there are more tendons through all of them than a list has. Where a search
+// saves, or is stopped, or another one takes a piece, it must not begin at the first of them again.
+TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
+  const GeneratorOptions options = generating(full_parts(), 7, identical);
+  const std::vector<Constraint> constraints = constraints_of({"sheaths<=1"});
+  LimitedGenerator plain(options, constraints), limited(options, constraints);
+  Routing routing;
+  std::vector<std::uint64_t> places;
+  plain.seek(0);
+  for (std::uint64_t place = 0; plain.next(routing, place);) places.push_back(place);
+  ASSERT_GT(places.size(), 4000U);
+  ASSERT_GT(plain.steps(), 100000U);
+
+  limited.seek(0);
+  std::uint64_t place = 0;
+  std::uint64_t queries = 0;
+  std::vector<std::vector<std::uint64_t>> counted;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ASSERT_TRUE(limited.next(routing, place));
+    if (i % 100 != 50) continue;
+    // The one before: a search is a batch ahead of what it has put down.
+    counted.push_back(limited.verdicts_before(places[i - 50]));
+    EXPECT_EQ(counted.back()[within_limits], i - 50);
+    ++queries;
+  }
+  const std::uint64_t far = 1 << 15;
+  EXPECT_LT(limited.steps(), plain.steps() + queries * far);
+  const std::uint64_t before_seeks = limited.steps();
+  for (std::size_t i = 50; i < places.size(); i += 500) {
+    limited.seek(places[i]);
+    ASSERT_TRUE(limited.next(routing, place));
+    EXPECT_EQ(place, places[i]);
+    LimitedGenerator other(options, constraints);
+    EXPECT_EQ(other.verdicts_before(places[i - 50]), counted[i / 100]);
+  }
+  EXPECT_LT(limited.steps(), before_seeks + (places.size() / 500 + 1) * far);
+}
+
 }  // namespace
 }  // namespace reeve::testing
