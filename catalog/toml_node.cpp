@@ -232,6 +232,20 @@ void TomlNode::fail_at_key(const InputFault& fault) const { fail(*this, key_at, 
 
 void TomlNode::fail_at_value(const InputFault& fault) const { fail(*this, at, fault); }
 
+namespace {
+
+// toml++ reads numbers by a stream, which keeps to itself that there was no memory for it. What is
+// wrong with a text is wrong the second time, too.
+toml::table parsed_table(const std::string& text) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return toml::parse(text);
+  }
+}
+
+}  // namespace
+
 TomlNode read_toml(const std::filesystem::path& path) {
   return parse_toml(read_file(path), path.string());
 }
@@ -241,8 +255,7 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
   root.file = std::make_shared<const std::string>(name);
   require_short_lines(root, text);
   try {
-    const toml::table parsed = toml::parse(text);
-    convert_table(parsed, root, 0);
+    convert_table(parsed_table(text), root, 0);
   } catch (const toml::parse_error& error) {
     fail(root, position(error.source()),
          {.what = fmt::format("not valid TOML: {}", error.description())});
