@@ -36,13 +36,20 @@ class FileText:
         return f"{self.argument}, row {row}" if row >= 0 else f"{self.argument}, columns"
 
 
+# Up to here every whole number is one of its own in a column of floats.
+_WHOLE_BELOW = 2.0**53
+
+
+def _is_whole(column: Any) -> bool:
+    if column.dtype.kind != "f":
+        return False
+    numbers = column.dropna()
+    return bool(((numbers % 1 == 0) & (numbers.abs() < _WHOLE_BELOW)).all())
+
+
 def _csv(frame: Any) -> str:
     """The rows as a file has them: pandas reads whole numbers beside empty cells as 1.0 and 2.0."""
-    whole = {
-        name: "Int64"
-        for name, column in frame.items()
-        if column.dtype.kind == "f" and (column.dropna() % 1 == 0).all()
-    }
+    whole = {name: "Int64" for name, column in frame.items() if _is_whole(column)}
     simulated = "# simulated\n" if frame.attrs.get("simulated") else ""
     rows: str = frame.astype(whole).to_csv(index=False)
     return simulated + rows

@@ -75,3 +75,12 @@ def test_a_frame_of_files_with_empty_cells_is_the_file():
         assert compared.summary["data"]["simulated"]
         assert said(compared.residuals, "held") == [
             row["held"] for row in written(made.csv) for name in ("T1", "T2", "T3", "T4")]
+
+
+def test_a_whole_number_beyond_any_integer_is_a_number():
+    data = reeve.simulate("TR1", runs=2, rows=3).data.assign(humidity=1e20)
+    with pytest.warns(reeve.Notice, match="humidity"):
+        assert len(reeve.compare(data).residuals) == 24
+    data["T1_N"] = 1e20
+    with pytest.raises(reeve.InputError, match=r"\n  data, row 0: column 'T1_N' = '1e\+20'"):
+        reeve.compare(data)
