@@ -6,6 +6,7 @@ import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from numbers import Integral
 from pathlib import Path
 from typing import Any, Optional, Union
 
@@ -74,7 +75,7 @@ def _text(value: Any) -> str:
 
 
 def _values(name: str, value: Any) -> list[Any]:
-    if name not in _REPEATED or isinstance(value, (str, int)):
+    if name not in _REPEATED or isinstance(value, (str, Integral)):
         return [value]
     if isinstance(value, Mapping):
         return [f"{key}={_text(item)}" for key, item in value.items()]
