@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import secrets
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -82,6 +84,29 @@ def _values(name: str, value: Any) -> list[Any]:
     return list(value)
 
 
+def _is_there(path: Path, file: FileText) -> bool:
+    """Whether it need not be written; raises InputError where another one would be lost."""
+    if not os.path.lexists(path):
+        return False
+    if path.is_file() and path.read_bytes() == file.text.encode():
+        return True
+    expected = f"another folder, since {file.argument} is written to this file"
+    raise InputError(
+        f"{path}: already there, with other content: expected {expected}",
+        where=str(path), what=file.argument, expected=expected,
+    )
+
+
+def _put(path: Path, text: str) -> None:
+    """All of it or nothing, as the program writes its files."""
+    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        part.write_bytes(text.encode())
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
 class Request:
     """Positional and other arguments of a subcommand."""
 
@@ -151,8 +176,9 @@ class Request:
         return [*self._written(Path(folder)), f"--out={folder}"]
 
     def _written(self, folder: Path) -> list[str]:
-        for file in self.files():
-            (folder / file.name).write_text(file.text, encoding="utf-8")
+        missing = [file for file in self.files() if not _is_there(folder / file.name, file)]
+        for file in missing:
+            _put(folder / file.name, file.text)
         return self._arguments(folder)
 
     def named(self, text: str) -> str:
