@@ -105,11 +105,14 @@ def held_texts(held: Optional[Held]) -> Optional[list[str]]:
     """Each grasp as the command line has it."""
     if held is None:
         return None
-    if isinstance(held, (int, str)):
+    if isinstance(held, (str, int, Integral)):
         return [str(held)]
     if all(isinstance(finger, Integral) for finger in held):
-        return [",".join(map(str, held)) or "none"]
-    return [
-        str(grasp) if isinstance(grasp, (str, int)) else ",".join(map(str, grasp)) or "none"
-        for grasp in held
-    ]
+        return [_grasp_text(held)]
+    return [_grasp_text(grasp) for grasp in held]
+
+
+def _grasp_text(grasp: Any) -> str:
+    if isinstance(grasp, (str, Integral)):
+        return str(grasp)
+    return ",".join(map(str, grasp)) or "none"

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import io
+import re
 from typing import TYPE_CHECKING, Any
 
 from . import _core
 
 if TYPE_CHECKING:
     import pandas
+
+
+# Columns of names, which stay as they are written: 02 is no number, NA and nothing are no NaN.
+_WORDS = ("run", "routing", "held", "direction")
 
 
 def frame_of(columns: Any) -> "pandas.DataFrame":
@@ -25,7 +30,9 @@ def read_csv(csv: str) -> "pandas.DataFrame":
     """A file of the program; ``attrs["simulated"]`` as its comments say."""
     import pandas
 
-    frame = pandas.read_csv(io.StringIO(csv), comment="#")
-    comments = [line for line in csv.splitlines() if line.startswith("#")]
-    frame.attrs["simulated"] = any("simulated" in line.lower() for line in comments)
+    # Only above the header: further down it may be the name of a run that begins with #.
+    comments = re.match(r"(?:#[^\n]*\n)*", csv)[0]  # type: ignore[index]
+    rows = io.StringIO(csv[len(comments) :])
+    frame = pandas.read_csv(rows, converters=dict.fromkeys(_WORDS, str))
+    frame.attrs["simulated"] = "simulated" in comments.lower()
     return frame

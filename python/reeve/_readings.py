@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from numbers import Integral
 from typing import Optional, Union
 
 from . import _core
@@ -188,6 +189,6 @@ def import_log(
         As the program would complain.
     """
     options = options_of(import_log, locals(), "log")
-    if held is not None and not isinstance(held, (str, int)):
+    if held is not None and not isinstance(held, (str, int, Integral)):
         options["held"] = ";".join(map(str, held)) or "none"
     return made(SteadyReadings, _core.import_log, Request({"log": [log]}, options))

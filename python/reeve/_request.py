@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
+import secrets
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from numbers import Integral
 from pathlib import Path
 from typing import Any, Optional, Union
 
@@ -36,13 +39,20 @@ class FileText:
         return f"{self.argument}, row {row}" if row >= 0 else f"{self.argument}, columns"
 
 
+# Up to here every whole number is one of its own in a column of floats.
+_WHOLE_BELOW = 2.0**53
+
+
+def _is_whole(column: Any) -> bool:
+    if column.dtype.kind != "f":
+        return False
+    numbers = column.dropna()
+    return bool(((numbers % 1 == 0) & (numbers.abs() < _WHOLE_BELOW)).all())
+
+
 def _csv(frame: Any) -> str:
     """The rows as a file has them: pandas reads whole numbers beside empty cells as 1.0 and 2.0."""
-    whole = {
-        name: "Int64"
-        for name, column in frame.items()
-        if column.dtype.kind == "f" and (column.dropna() % 1 == 0).all()
-    }
+    whole = {name: "Int64" for name, column in frame.items() if _is_whole(column)}
     simulated = "# simulated\n" if frame.attrs.get("simulated") else ""
     rows: str = frame.astype(whole).to_csv(index=False)
     return simulated + rows
@@ -67,11 +77,34 @@ def _text(value: Any) -> str:
 
 
 def _values(name: str, value: Any) -> list[Any]:
-    if name not in _REPEATED or isinstance(value, (str, int)):
+    if name not in _REPEATED or isinstance(value, (str, Integral)):
         return [value]
     if isinstance(value, Mapping):
         return [f"{key}={_text(item)}" for key, item in value.items()]
     return list(value)
+
+
+def _is_there(path: Path, file: FileText) -> bool:
+    """Whether it need not be written; raises InputError where another one would be lost."""
+    if not os.path.lexists(path):
+        return False
+    if path.is_file() and path.read_bytes() == file.text.encode():
+        return True
+    expected = f"another folder, since {file.argument} is written to this file"
+    raise InputError(
+        f"{path}: already there, with other content: expected {expected}",
+        where=str(path), what=file.argument, expected=expected,
+    )
+
+
+def _put(path: Path, text: str) -> None:
+    """All of it or nothing, as the program writes its files."""
+    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        part.write_bytes(text.encode())
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
 
 
 class Request:
@@ -143,8 +176,9 @@ class Request:
         return [*self._written(Path(folder)), f"--out={folder}"]
 
     def _written(self, folder: Path) -> list[str]:
-        for file in self.files():
-            (folder / file.name).write_text(file.text, encoding="utf-8")
+        missing = [file for file in self.files() if not _is_there(folder / file.name, file)]
+        for file in missing:
+            _put(folder / file.name, file.text)
         return self._arguments(folder)
 
     def named(self, text: str) -> str:

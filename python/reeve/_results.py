@@ -61,7 +61,8 @@ class SavedResult(Result):
         """Writes the files and the page of the program's ``--out``, byte by byte.
 
         What was given as an object (a `Hardware`, a data frame) is put there as a file too, so
-        that the command on the page can be run again.
+        that the command on the page can be run again. Another file of that name stays: it is an
+        `InputError`, and nothing is written.
         """
         self._call_data(fspath(folder))
         try:

@@ -76,14 +76,6 @@ def test_simulated_readings_say_so():
     assert "sensor_gain[T3]" in made.csv
 
 
-def test_a_frame_is_the_file_that_it_was_read_from():
-    made = reeve.simulate(["TR1", "TR7"], runs=2, rows=4)
-    assert made.data["held"].dtype.kind == "f"  # grasps with empty cells among them
-    compared = reeve.compare(made.data)
-    assert compared.summary["data"]["simulated"]
-    assert len(compared.residuals) > 0
-
-
 def test_the_power_of_an_experiment_is_the_programs(program):
     planned = {"runs": 6, "rows": 10, "cause": {"sensor_gain[T3]": {"gain": 1.3}}}
     found = reeve.power(3, ["TR1", "TR7"], **planned)

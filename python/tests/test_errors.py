@@ -1,6 +1,7 @@
 """What is wrong with what is given, and where."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import reeve
 
@@ -73,6 +74,27 @@ def test_numbers_of_numpy_are_numbers():
         reeve.simulate("TR1", runs=2, rows=2, motor_tension=[5.0, 10.0]).csv)
     held = reeve.Routing("TR7").tensions(held=np.int64(1)).array
     assert np.array_equal(held, reeve.Routing("TR7").tensions(held=1).array)
+
+
+ONE, TWO = np.int64(1), np.int32(2)
+
+
+@pytest.mark.parametrize(("held", "same"), [
+    (ONE, 1), (np.array([1, 2]), [1, 2]),
+    ([ONE, "none"], [1, "none"]), ([[ONE, TWO], ONE], ["1,2", "1"]),
+])
+def test_fingers_of_numpy_are_fingers(held, same):
+    assert reeve.show("TR7", held=held).summary == reeve.show("TR7", held=same).summary
+    assert reeve.show("TR7", held=held).summary != reeve.show("TR7", held="none").summary
+
+
+@pytest.mark.filterwarnings("ignore::reeve.Notice")
+@pytest.mark.parametrize(("held", "same"), [(ONE, 1), (np.array([1, 2]), "1;2"), ([TWO], "2")])
+def test_a_log_holds_fingers_of_numpy(root, held, same):
+    log = pd.read_csv(root / "tests/golden/log.csv", comment="#").drop(columns="held")
+    ours, theirs = reeve.import_log(log, held=held), reeve.import_log(log, held=same)
+    assert ours.csv == theirs.csv and len(ours.data) > 0
+    assert set(ours.data["held"]) == {str(same)}
 
 
 def wrong(row=None, column="T1_N"):

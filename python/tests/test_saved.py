@@ -173,3 +173,51 @@ def test_a_frame_is_the_file_that_it_was_read_from(root, tmp_path):
     assert json.loads((tmp_path / "comparison.json").read_text())["data"]["file"] == str(
         tmp_path / "data.csv")
     assert of_a_frame.summary["data"]["file"] == "data"
+
+
+def given():
+    """Of each file that is put beside a result, one way to it."""
+    hardware, model = reeve.Hardware(tube_mu=0.05), reeve.Model(reeve.Hardware().to_toml())
+    data = reeve.simulate("TR1", runs=2, rows=3).data
+    return {"hardware.toml": reeve.show("TR1", hardware=hardware),
+            "model.toml": reeve.rank("TR1", model=model), "data.csv": reeve.compare(data)}
+
+
+@pytest.mark.parametrize("name", ["hardware.toml", "model.toml", "data.csv"])
+def test_a_file_of_the_user_stays(name, tmp_path):
+    (tmp_path / name).write_text("mine\n")
+    result = given()[name]
+    with pytest.raises(reeve.InputError, match="already there, with other content") as caught:
+        result.save(tmp_path)
+    assert caught.value.where == str(tmp_path / name) and str(caught.value).startswith(
+        caught.value.where)
+    assert [file.name for file in tmp_path.iterdir()] == [name]
+    assert (tmp_path / name).read_text() == "mine\n"
+    (tmp_path / name).unlink()
+    for _ in range(2):
+        result.save(tmp_path)
+    assert (tmp_path / name).read_text() != "mine\n"
+    assert not [file.name for file in tmp_path.iterdir() if file.name.startswith(".")]
+    assert (tmp_path / name).stat().st_mode == next(tmp_path.glob("*.json")).stat().st_mode
+
+
+def test_of_several_files_none_is_put_where_one_is_there(tmp_path):
+    data = reeve.simulate("TR1", runs=2, rows=3).data
+    compared = reeve.compare(data, hardware=reeve.Hardware(tube_mu=0.05))
+    for name in ("data.csv", "hardware.toml"):
+        folder = tmp_path / name
+        (folder / name).mkdir(parents=True)  # a folder is no file of ours either
+        with pytest.raises(reeve.InputError, match=f"{name}: already there"):
+            compared.save(folder)
+        assert [file.name for file in folder.iterdir()] == [name]
+
+
+def test_a_file_that_cannot_be_put_leaves_nothing(tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError("no space left")
+
+    result = given()["data.csv"]
+    monkeypatch.setattr("pathlib.Path.replace", full)
+    with pytest.raises(OSError, match="no space left"):
+        result.save(tmp_path)
+    assert not list(tmp_path.iterdir())
