@@ -183,6 +183,7 @@ constexpr RecordText as_json{record_json, read_record_json};
 
 // The first of several processes does all that one alone would do; the others search for it.
 int lead(const ExploreFlags& flags, const CLI::App& command, Processes& processes) {
+  stop_on_interrupt();  // also of what comes before the search
   Leader leader(processes, was_terminated());
   const ExploreInputs inputs = read_by(processes, flags);
   if (flags.store.asks_for_all()) refuse_to_keep_all();

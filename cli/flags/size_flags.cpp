@@ -51,8 +51,8 @@ void add_search(CLI::App& command, SizeFlags& flags) {
 
 void SizeFlags::add_to(CLI::App& command) {
   command.add_option("routing", routings, "Catalogue names or words");
-  from_given = command.add_option("--from", from,
-                                        "Folder of an exploration: also the best of its designs");
+  from_given =
+      command.add_option("--from", from, "Folder of an exploration: also the best of its designs");
   command.add_option("--top", top, "For --from: how many of them")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->needs(from_given)
@@ -71,7 +71,7 @@ void SizeFlags::add_to(CLI::App& command) {
   add_goal(command, *this);
   add_search(command, *this);
   save_given = command.add_option("--save-hardware", save,
-                                        "Write the hardware, as it is sized, as a TOML file");
+                                  "Write the hardware, as it is sized, as a TOML file");
   out.add_to(command, "a page, index.html, with sizing.json and figures/");
   model.add_to(command);
   tables.add_to(command, "the dimensions, or of the routings sized");

@@ -67,13 +67,13 @@ class ColumnReader {
  private:
   // As it is written in the file, where capitals need not be as in the option.
   std::optional<std::string> header_of(const std::string& wanted) const {
-    std::optional<std::string> alike;
+    std::vector<std::string> alike;
     for (const std::string_view field : csv_.header().fields) {
       const std::string name(trimmed(field));
       if (name == wanted) return name;
-      if (lower(name) == lower(wanted)) alike = name;
+      if (lower(name) == lower(wanted)) alike.push_back(name);
     }
-    return alike;
+    return alike.size() == 1 ? std::optional(alike.front()) : std::nullopt;
   }
 
   void fail(std::size_t line, InputFault fault) {

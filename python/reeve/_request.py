@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import os
 import re
 import secrets
@@ -54,7 +55,13 @@ def _csv(frame: Any) -> str:
     """The rows as a file has them: pandas reads whole numbers beside empty cells as 1.0 and 2.0."""
     whole = {name: "Int64" for name, column in frame.items() if _is_whole(column)}
     simulated = "# simulated\n" if frame.attrs.get("simulated") else ""
-    rows: str = frame.astype(whole).to_csv(index=False)
+    # A row that begins with # is a comment, but for one in quotes.
+    first = frame.iloc[:, 0] if frame.shape[1] > 0 else ()
+    quoting = (
+        csv.QUOTE_NONNUMERIC if any(str(cell).startswith("#") for cell in first)
+        else csv.QUOTE_MINIMAL
+    )
+    rows: str = frame.astype(whole).to_csv(index=False, quoting=quoting)
     return simulated + rows
 
 

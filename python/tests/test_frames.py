@@ -84,3 +84,11 @@ def test_a_whole_number_beyond_any_integer_is_a_number():
     data["T1_N"] = 1e20
     with pytest.raises(reeve.InputError, match=r"\n  data, row 0: column 'T1_N' = '1e\+20'"):
         reeve.compare(data)
+
+
+@pytest.mark.filterwarnings("ignore::reeve.Notice")
+def test_a_row_of_a_frame_that_begins_with_a_hash_is_no_comment():
+    runs = ["#1", "#2", "plain", "#3, late"]
+    frame = pd.DataFrame({"run": runs, "routing": ["TR1"] * 4, "T1_N": [10.0, 20, 30, 40],
+                          "T2_N": [5.0, 11, 16, 19], "motor_tension_N": [30, 60, 90, 110]})
+    assert list(reeve.compare(frame).residuals["run"].unique()) == runs

@@ -149,7 +149,8 @@ std::vector<std::string> loss_sentences(const DiagnosisReport& report) {
 namespace {
 
 // "T4 of TR1 (line 9)", "T2 of TR2, held 1 (238 readings)": in the order of the first of each.
-std::vector<std::string> places_text(const DiagnosisReport& report, const std::vector<Cell>& cells) {
+std::vector<std::string> places_text(const DiagnosisReport& report,
+                                     const std::vector<Cell>& cells) {
   using Place = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
   std::vector<std::pair<Place, std::vector<Cell>>> places;
   for (const Cell& cell : cells) {
@@ -163,11 +164,11 @@ std::vector<std::string> places_text(const DiagnosisReport& report, const std::v
   std::vector<std::string> texts;
   for (const auto& [place, of] : places) {
     const Reading& reading = report.data.readings[of.front().reading];
-    const std::string what =
-        fmt::format("{} of {}", report.data.channels[of.front().channel].name,
-                    routing_name(report, reading.routing));
-    const std::string circumstances = (is_bench(report.data) ? "" : ", held " + to_text(reading.grasp)) +
-                                      (reading.direction == Direction::pull ? "" : ", release");
+    const std::string what = fmt::format("{} of {}", report.data.channels[of.front().channel].name,
+                                         routing_name(report, reading.routing));
+    const std::string circumstances =
+        (is_bench(report.data) ? "" : ", held " + to_text(reading.grasp)) +
+        (reading.direction == Direction::pull ? "" : ", release");
     texts.push_back(of.size() == 1
                         ? fmt::format("{} (line {})", what, reading.line)
                         : fmt::format("{}{} ({} readings)", what, circumstances, of.size()));
@@ -205,7 +206,8 @@ std::vector<std::string> without_apart_sentences(const DiagnosisReport& report) 
     const std::string text = refitted_text(without, cause);
     if (!text.empty()) sizes += (sizes.empty() ? "" : "; ") + text;
   }
-  std::string text = fmt::format("Fitted to all readings but {}{}: {}", fmt::join(places, ", "), more, sizes);
+  std::string text =
+      fmt::format("Fitted to all readings but {}{}: {}", fmt::join(places, ", "), more, sizes);
   if (without.share_error) {
     text += fmt::format("; the tension distribution is then off by {} on average",
                         percent(*without.share_error));

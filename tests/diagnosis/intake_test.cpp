@@ -155,6 +155,11 @@ TEST(AColumnOfGroups, NeedNotHaveTheCapitalsOfTheOption) {
             std::vector<std::string>{"right"});
 }
 
+TEST(AColumnOfGroups, IsNotGuessedFromTwo) {
+  EXPECT_EQ(data_error("run,routing,Winch,winch,T1_N\nA,TR5,left,right,1\n", {{}, {}, "WINCH"}),
+            "d.csv:1: the header has no column 'WINCH': expected the column of groups");
+}
+
 TEST(AColumnOfGroups, HasNoOtherMeaning) {
   const std::string file = "run,routing,T1_N,T2 [lbf],Ta\nA,TR5,1,1,1\n";
   const auto expected = [](const char* column, const char* meaning) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 

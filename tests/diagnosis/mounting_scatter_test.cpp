@@ -31,8 +31,8 @@ struct Mountings {
         all(dataset(data, all_readings(data))),
         at(forecast(all, Model{})),
         modes(mounting_modes(all, Model{}, workers)),
-        readings(problem(all, 0.02 * at.reading_N + Eigen::VectorXd::Constant(at.reading_N.size(),
-                                                                              0.05))),
+        readings(problem(
+            all, 0.02 * at.reading_N + Eigen::VectorXd::Constant(at.reading_N.size(), 0.05))),
         equations(mounted_equations(readings, at, modes)) {}
 
   Eigen::MatrixXd dense() const {
@@ -88,8 +88,7 @@ TEST(MountingScatter, IsTheLikeliest) {
   const Mountings rig;
   ASSERT_GT(rig.equations.squares.size(), 1U);
   ASSERT_GT(rig.equations.shared.squaredNorm(), 0);
-  const MountingScatter found =
-      mounting_scatter(rig.readings, rig.at, rig.modes, std::nullopt);
+  const MountingScatter found = mounting_scatter(rig.readings, rig.at, rig.modes, std::nullopt);
   const double least = rig.surprise(found, found.relative);
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
     if (!found.present[k]) continue;
