@@ -118,7 +118,8 @@ TomlNode convert(const toml::node& from, const TomlNode& parent, TomlNode to, in
   if (to.kind == TomlKind::string) to.content = from.as_string()->get();
   if (to.kind == TomlKind::boolean) to.number = from.as_boolean()->get() ? 1 : 0;
   if (to.kind == TomlKind::integer) to.number = static_cast<double>(from.as_integer()->get());
-  if (to.kind == TomlKind::floating) to.number = from.as_floating_point()->get();
+  // Less than nothing at all is nothing: with a sign, it would be written as another file.
+  if (to.kind == TomlKind::floating) to.number = from.as_floating_point()->get() + 0.0;
   return to;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/support/input_error.hpp"
@@ -35,6 +36,12 @@ TEST(TomlNode, KnowsNamesAndPlacesInTheOrderOfTheFile) {
   EXPECT_EQ(array.at.column, 7U);
   EXPECT_EQ(array.items()[1].name, "b.c.a[2]");
   EXPECT_EQ(array.items()[1].at.column, 12U);
+}
+
+TEST(TomlNode, HasNoNothingWithASign) {
+  const TemporaryFolder folder;
+  const TomlNode root = read_toml(folder.write("t.toml", "z = -0.0\n"));
+  EXPECT_FALSE(std::signbit(root.find("z")->number));
 }
 
 TEST(TomlNode, ReportsUnknownKeysInTheOrderOfTheFile) {
