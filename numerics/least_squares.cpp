@@ -1,11 +1,11 @@
 #include "numerics/least_squares.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "numerics/matrices.hpp"
 
 namespace reeve::numerics {
 namespace {
@@ -99,7 +99,7 @@ class Descent {
       }
     }
     square.diagonal() *= 1 + damping_;
-    const VectorXd step = square.ldlt().solve(-slope);
+    const VectorXd step = solve_symmetric(square, -slope);
     std::vector<double> there = at_;
     for (std::size_t i = 0; i < there.size(); ++i) {
       const double moved = there[i] + step[static_cast<Index>(i)];

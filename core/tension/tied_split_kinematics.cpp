@@ -1,10 +1,9 @@
 #include "core/tension/tied_split_kinematics.hpp"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 
 #include "core/tension/tree_kinematics.hpp"
+#include "numerics/matrices.hpp"
 
 namespace reeve::core {
 namespace {
@@ -63,7 +62,7 @@ Settled with_active(const Constraints& c, const std::vector<bool>& active) {
     matrix.col(n + r).head(n) = -c.give.row(rows[static_cast<std::size_t>(r)]).transpose();
     right(n + r) = c.motor(rows[static_cast<std::size_t>(r)]);
   }
-  const Eigen::VectorXd solved = matrix.completeOrthogonalDecomposition().solve(right);
+  const Eigen::VectorXd solved = least_norm_solution(matrix, right);
   Settled settled{solved.head(n), Eigen::VectorXd::Zero(c.motor.size()), false};
   for (Eigen::Index r = 0; r < m; ++r) {
     settled.multiplier(rows[static_cast<std::size_t>(r)]) = solved(n + r);

@@ -1,9 +1,11 @@
 #include "core/tension/tree_kinematics.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
+
+#include "numerics/matrices.hpp"
 
 namespace reeve::core {
 namespace {
@@ -112,10 +114,10 @@ TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechan
     matrix(m + i, common) = matrix(common, m + i) = -1;
     matrix(common, common) += weight;
   }
-  const Eigen::VectorXd x = matrix.completeOrthogonalDecomposition().solve(right);
+  const Eigen::VectorXd x = least_norm_solution(matrix, right);
   const double miss = (tendons * x - right.tail(n)).cwiseAbs().maxCoeff();
   if (!(miss < length_tolerance)) return {};
-  const bool unique = tendons.leftCols(m).colPivHouseholderQr().rank() == m;
+  const bool unique = column_rank(tendons.leftCols(m)) == m;
   return {unique ? TreeState::moves : TreeState::undetermined,
           {x.data(), x.data() + m},
           {x.data() + m, x.data() + common}};

@@ -1,14 +1,12 @@
 #include "diagnosis/model/intervals.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "diagnosis/model/run_equations.hpp"
+#include "numerics/matrices.hpp"
 #include "numerics/student_t.hpp"
 
 namespace reeve::diagnosis {
@@ -26,9 +24,7 @@ constexpr double covered = 0.95;
 double two_sided_t(double degrees) { return student_t_quantile(0.5 + covered / 2, degrees); }
 
 MatrixXd inverse_square(const MatrixXd& jacobian) {
-  return MatrixXd(jacobian.transpose() * jacobian)
-      .ldlt()
-      .solve(MatrixXd::Identity(jacobian.cols(), jacobian.cols()));
+  return inverse_of_symmetric(jacobian.transpose() * jacobian);
 }
 
 // The variances of the parameters that readings would leave which share nothing.
@@ -56,11 +52,11 @@ ScatterOfAll scatter_of_all(const std::vector<RunEquations>& runs, const VectorX
   const double least = std::min(least_share, 0.1 / static_cast<double>(runs.size()));
   for (const RunEquations& run : runs) {
     const MatrixXd scaled = scale.asDiagonal() * run.square * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(scaled);
-    const VectorXd along = axes.eigenvectors().transpose() * (scale.asDiagonal() * run.along);
+    const SymmetricAxes axes = symmetric_axes(scaled);
+    const VectorXd along = axes.vectors.transpose() * (scale.asDiagonal() * run.along);
     for (Index i = 0; i < along.size(); ++i) {
-      if (axes.eigenvalues()[i] < least) continue;
-      shared.square += along[i] * along[i] / axes.eigenvalues()[i];
+      if (axes.values[i] < least) continue;
+      shared.square += along[i] * along[i] / axes.values[i];
       shared.degrees += 1;
     }
   }

@@ -1,10 +1,9 @@
 #include "diagnosis/model/null_model.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <utility>
 
+#include "numerics/matrices.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
@@ -23,9 +22,7 @@ Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
     const double size = scaled.col(c).norm();
     if (size > 0) scaled.col(c) /= size;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-  qr.setThreshold(rounding);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
+  return orthonormal_columns(scaled, rounding);
 }
 
 Projection::Projection(const Problem& problem, const Model& model, const Forecast& at)

@@ -1,13 +1,13 @@
 #include "diagnosis/model/scatter_samples.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
+
+#include "numerics/matrices.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -75,9 +75,7 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
   // What is the same in every row of a run is one with the runs' levels.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-  const Eigen::MatrixXd q =
-      qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), qr.rank());
+  const Eigen::MatrixXd q = orthonormal_columns(weighted);
   const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
   const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
   for (Eigen::Index i = 0; i < left.size(); ++i) {

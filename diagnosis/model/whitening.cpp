@@ -1,10 +1,9 @@
 #include "diagnosis/model/whitening.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <utility>
 
+#include "numerics/matrices.hpp"
 #include "numerics/random.hpp"
 
 namespace reeve::diagnosis {
@@ -17,14 +16,14 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
   // Of the readings' own noise: what scatters less than this is not worth an axis.
   constexpr double least = 1e-6;
   SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> across(MatrixXd(seen.transpose() * seen));
-  const VectorXd& squares = across.eigenvalues();  // S², ascending
+  const SymmetricAxes across = symmetric_axes(seen.transpose() * seen);
+  const VectorXd& squares = across.values;  // S², ascending
   const Index all = squares.size();
   Index used = 0;
   while (used < all && squares[all - 1 - used] > least) ++used;
   const VectorXd kept = squares.tail(used);
   result.axes =
-      seen * across.eigenvectors().rightCols(used) * kept.cwiseSqrt().cwiseInverse().asDiagonal();
+      seen * across.vectors.rightCols(used) * kept.cwiseSqrt().cwiseInverse().asDiagonal();
   result.shrunk = 1 - (1 + kept.array()).rsqrt();
   return result;
 }

@@ -1,6 +1,5 @@
 #include "diagnosis/plan/next_measurement.hpp"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "causes/model_solver.hpp"
+#include "numerics/matrices.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -230,7 +230,7 @@ MatrixXd jacobian(const MeasurementPlan& plan, const Reader& reader, const Model
 
 double width(const MatrixXd& information, Index parameter) {
   const MatrixXd damped = information + 1e-12 * MatrixXd(information.diagonal().asDiagonal());
-  const VectorXd column = damped.ldlt().solve(VectorXd::Unit(information.cols(), parameter));
+  const VectorXd column = solve_symmetric(damped, VectorXd::Unit(information.cols(), parameter));
   return 2 * normal_quantile * std::sqrt(std::max(column[parameter], 0.0));
 }
 

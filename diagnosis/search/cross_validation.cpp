@@ -1,8 +1,7 @@
 #include "diagnosis/search/cross_validation.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "diagnosis/model/run_equations.hpp"
+#include "numerics/matrices.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -34,9 +33,7 @@ class LeftOut {
       left[i] = residuals_[run.cells[static_cast<std::size_t>(i)]];
     }
     if (jacobian_.cols() == 0) return left.squaredNorm();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(square_ - run.square);
-    const VectorXd& known = axes.eigenvalues();
-    const MatrixXd& directions = axes.eigenvectors();
+    const auto [known, directions] = symmetric_axes(square_ - run.square);
     for (Eigen::Index k = 0; k < known.size(); ++k) {
       const double told = directions.col(k).dot(run.square * directions.col(k));
       if (known[k] < least_share && told >= least_share) return std::nullopt;

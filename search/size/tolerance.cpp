@@ -1,11 +1,11 @@
 #include "search/size/tolerance.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
+
+#include "numerics/matrices.hpp"
 
 namespace reeve::search {
 namespace {
@@ -224,9 +224,9 @@ std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const G
   }
   if (others.size() < 2) return flat;
   const Plain plain(problem, point, others);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(plain.curvature(goal.is_target()));
+  const SymmetricAxes axes = symmetric_axes(plain.curvature(goal.is_target()));
   for (Index k = 0; k < plain.size(); ++k) {
-    const FlatDirection here = plain.along(flat_move * in_one_way(solver.eigenvectors().col(k)));
+    const FlatDirection here = plain.along(flat_move * in_one_way(axes.vectors.col(k)));
     if (here.loss <= most) flat.push_back(here);
   }
   return flat;
