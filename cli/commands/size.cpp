@@ -185,6 +185,11 @@ struct SizeInputs {
   std::vector<std::string> columns;
 };
 
+Sheet shortest_sheet(const SizeInputs& inputs) {
+  return sizing_sheet(planned_sizing(inputs.routings, inputs.options, inputs.catalogue),
+                      inputs.columns);
+}
+
 SizeInputs read(const SizeFlags& flags) {
   SizeInputs inputs;
   inputs.catalogue = shipped_catalogue();
@@ -198,6 +203,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
   inputs.columns = read_columns(flags, hardware);
   flags.tables.require_width(flags.format);
+  flags.tables.require_room(flags.format, [&] { return shortest_sheet(inputs); });
   return inputs;
 }
 

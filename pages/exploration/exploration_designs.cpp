@@ -187,13 +187,14 @@ Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Obje
   return columns;
 }
 
-Json objectives_json(const std::vector<Objective>& shown) {
+Json objectives_json(const std::vector<Objective>& shown, const std::string& cost_unit) {
   Json list = Json::array();
   for (const Objective objective : shown) {
     const ObjectiveRow& row = search::row(objective);
     list.push_back({{"name", row.name},
                     {"title", objective_title(row)},
-                    {"unit", row.unit},
+                    {"unit", objective == Objective::cost && !cost_unit.empty() ? cost_unit
+                                                                                : row.unit},
                     {"better", row.better == Better::higher ? "higher" : "lower"},
                     {"least", value_or_null(row.least, number)},
                     {"greatest", value_or_null(row.greatest, number)},

@@ -38,13 +38,12 @@ std::string marks(const ListedLadder& ladder, std::size_t i) {
 }
 
 std::vector<TableColumn> columns(const Ladder& ladder, const std::string& cost_unit) {
-  const bool costs = ladder.options.by == Objective::cost;
   std::vector<TableColumn> columns{
-      number_column(row(ladder.options.by).heading, costs ? cost_unit : ""), text_column("name"),
-      text_column("routing")};
+      number_column(row(ladder.options.by).heading, objective_unit(ladder.options.by, cost_unit)),
+      text_column("name"), text_column("routing")};
   for (const Objective objective : ladder.objectives) {
     if (objective == ladder.options.by) continue;
-    columns.push_back(number_column(objective_heading(objective)));
+    columns.push_back(number_column(objective_heading(objective), objective_unit(objective, cost_unit)));
     columns.push_back(number_column("gain", "", 1));
   }
   columns.push_back(number_column("kept", "", 2));

@@ -70,7 +70,8 @@ void add_details(Json& json, const RankDetails& details) {
 
 }  // namespace
 
-Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
+Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
+  const ListColumns columns = priced(wanted, report.prices);
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
@@ -78,7 +79,7 @@ Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
                {"", design_table(shown, shown_objectives(report.order, report.score), columns),
-                alike_lines(shown)}}};
+                list_notes(shown)}}};
   if (report.designs.size() > 1) {
     std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
     for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);

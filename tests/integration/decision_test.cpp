@@ -141,7 +141,7 @@ TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
   EXPECT_GT(met, 0);
   EXPECT_NE(explored.file("designs.csv").find(",constraints_met,exploration\n"), std::string::npos);
   const std::string page = explored.file("index.html");
-  EXPECT_NE(page.find(">motor force</th>"), std::string::npos);
+  EXPECT_NE(page.find(">motor force, N</th>"), std::string::npos);
   EXPECT_NE(page.find("data-column=\"constraints_met\""), std::string::npos);
   EXPECT_NE(page.find("Constraints were judged at the nominal coefficients; in "),
             std::string::npos);
