@@ -66,7 +66,8 @@ ExploreInputs read(const ExploreFlags& flags) {
   inputs.drawn = flags.read_uncertainty(file, inputs.options);
   const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value(),
                         flags.ranking.uncertainty, !inputs.options.constraints.empty()};
-  inputs.columns = flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
+  inputs.columns =
+      flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
   flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) {
     validate(inputs.drawn, flags.top);

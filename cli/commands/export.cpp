@@ -29,7 +29,8 @@ std::string exported(const ExportFlags& flags) {
   const Hardware hardware = own ? *mechanism->hardware : flags.hardware.read().hardware;
   require_contacts_to_match(hardware, {routing});
   require_known_fingers(hardware, finger_count(routing));
-  const std::string source = own ? "the mechanism's own, from the catalogue" : flags.hardware.name();
+  const std::string source =
+      own ? "the mechanism's own, from the catalogue" : flags.hardware.name();
   return mjcf(routing, hardware, {name_of(catalogue, routing), source});
 }
 

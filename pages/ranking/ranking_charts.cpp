@@ -11,8 +11,8 @@
 #include "pages/routing/routing_parts.hpp"
 #include "pages/routing/tension_charts.hpp"
 #include "pages/uncertainty/band_spans.hpp"
-#include "reports/decision/decision_words.hpp"
 #include "reports/chart/chart_svg.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/sheet/text_table.hpp"
 
 namespace reeve::pages {

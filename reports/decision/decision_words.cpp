@@ -211,8 +211,7 @@ std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreR
     if (!reach.met && !least.empty()) {
       alone.push_back({fmt::format("No design meets {}: {}", constraint.text, least), true});
     }
-    const std::string others =
-        nearest_text(constraint, reach.of_those_that_meet_the_others, unit);
+    const std::string others = nearest_text(constraint, reach.of_those_that_meet_the_others, unit);
     if (!others.empty()) {
       together.push_back(
           {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});

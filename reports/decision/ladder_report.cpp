@@ -43,7 +43,8 @@ std::vector<TableColumn> columns(const Ladder& ladder, const std::string& cost_u
       text_column("name"), text_column("routing")};
   for (const Objective objective : ladder.objectives) {
     if (objective == ladder.options.by) continue;
-    columns.push_back(number_column(objective_heading(objective), objective_unit(objective, cost_unit)));
+    columns.push_back(
+        number_column(objective_heading(objective), objective_unit(objective, cost_unit)));
     columns.push_back(number_column("gain", "", 1));
   }
   columns.push_back(number_column("kept", "", 2));

@@ -158,8 +158,9 @@ std::string beside_hardware(const CalibratedCoefficient& coefficient) {
   if (coefficient.differs) return fmt::format("another than the hardware says ({})", hardware);
   const bool inside = parameter.low <= *parameter.nominal && *parameter.nominal <= parameter.high;
   if (inside) return fmt::format("as the hardware says ({})", hardware);
-  return fmt::format("perhaps another than the hardware says ({}), too little to name it (p = {:.2g})",
-                     hardware, coefficient.p_value);
+  return fmt::format(
+      "perhaps another than the hardware says ({}), too little to name it (p = {:.2g})", hardware,
+      coefficient.p_value);
 }
 
 }  // namespace
@@ -168,12 +169,11 @@ std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
   for (const CalibratedCoefficient& coefficient : result.calibration) {
     const EstimatedParameter& parameter = coefficient.parameter;
-    sentences.push_back(
-        fmt::format("{}: {} = {} ({} to {}{}), {}", coefficient.name, parameter.name,
-                    estimate(parameter, parameter.value), estimate(parameter, parameter.low),
-                    estimate(parameter, parameter.high),
-                    parameter.at_bound ? ", a bound of what is searched" : "",
-                    beside_hardware(coefficient)));
+    sentences.push_back(fmt::format(
+        "{}: {} = {} ({} to {}{}), {}", coefficient.name, parameter.name,
+        estimate(parameter, parameter.value), estimate(parameter, parameter.low),
+        estimate(parameter, parameter.high),
+        parameter.at_bound ? ", a bound of what is searched" : "", beside_hardware(coefficient)));
   }
   return sentences;
 }

@@ -70,8 +70,8 @@ std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& desig
 TableColumn objective_column(const ColumnRows& rows, bool apart, const std::string& cost_unit) {
   const ObjectiveRow& row = *rows.front();
   const std::string part = apart && *row.part != '\0' ? std::string(", ") + row.part : "";
-  TableColumn column = number_column(
-      row.heading + part, objective_unit(row.objective, cost_unit), row.dispensable);
+  TableColumn column =
+      number_column(row.heading + part, objective_unit(row.objective, cost_unit), row.dispensable);
   column.key = row.name;
   return column;
 }

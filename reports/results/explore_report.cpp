@@ -11,6 +11,7 @@
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -214,11 +215,14 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const Hardware hardware = effective_hardware(options.model);
   const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
                      hardware.fingers.empty() && hardware.contacts.empty();
-  if (alike || options.generator.identity == FingerIdentity::distinct) return {};
-  return {
-      "the grasps or the hardware tell the fingers apart, but routings were listed for identical "
-      "fingers: each was evaluated with the finger numbers of its word only; --distinct-fingers "
-      "evaluates all"};
+  std::vector<std::string> notes;
+  if (report.uncertainty) notes = range_notes(hardware, report.uncertainty->ranges);
+  if (alike || options.generator.identity == FingerIdentity::distinct) return notes;
+  notes.insert(notes.begin(),
+               "the grasps or the hardware tell the fingers apart, but routings were listed for "
+               "identical fingers: each was evaluated with the finger numbers of its word only; "
+               "--distinct-fingers evaluates all");
+  return notes;
 }
 
 std::string partial_note(const ExploreReport& report) {

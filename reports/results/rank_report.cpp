@@ -10,6 +10,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/results/show_report.hpp"
 #include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -73,6 +74,12 @@ void add_details(Json& json, const RankDetails& details) {
 Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.prices);
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  if (report.uncertainty) {
+    const Hardware nominal = effective_hardware(report.model);
+    for (const std::string& note : range_notes(nominal, report.uncertainty->ranges)) {
+      lines.push_back({"Note: " + note, true});
+    }
+  }
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});

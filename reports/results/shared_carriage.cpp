@@ -47,7 +47,7 @@ std::vector<SheetLine> shared_carriage_lines(const std::vector<ListedDesign>& sh
     if (tree_count(network) > 1) ranks.push_back(design.ranked.rank);
   }
   if (ranks.empty()) return {};
-  const std::string whose = ranks.size() == 1              ? fmt::format("Rank {} has", ranks.front())
+  const std::string whose = ranks.size() == 1 ? fmt::format("Rank {} has", ranks.front())
                             : ranks.size() == shown.size() ? "All of these have"
                                                            : listed_ranks(ranks) + " have";
   return {{fmt::format("{} several tendons on one carriage: their shares of its pull {}", whose,

@@ -51,10 +51,11 @@ void require_fits(const Sheet& sheet, double width_pt) {
   }
   const double takes_pt = least_width_pt(sheet);
   if (takes_pt <= width_pt) return;
-  throw InputError({.what = "--text-width",
-                    .value = fmt::format("{:.4g} mm", width_pt / pt_in_mm),
-                    .expected = fmt::format("{:.0f} mm or more, which the tables take, or --columns",
-                                            std::ceil(takes_pt / pt_in_mm))});
+  throw InputError(
+      {.what = "--text-width",
+       .value = fmt::format("{:.4g} mm", width_pt / pt_in_mm),
+       .expected = fmt::format("{:.0f} mm or more, which the tables take, or --columns",
+                               std::ceil(takes_pt / pt_in_mm))});
 }
 
 }  // namespace reeve::reports

@@ -14,9 +14,9 @@
 #include "reports/decision/decision_words.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/sheet/chosen_columns.hpp"
+#include "reports/sizing/sizing_objectives.hpp"
 #include "reports/sizing/sizing_words.hpp"
 #include "reports/telling_digits.hpp"
-#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -53,8 +53,8 @@ Table sized_table(const SizingReport& report, bool all) {
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     const ObjectiveRow& about = row(objectives[i]);
     const std::string part = *about.part == '\0' ? "" : std::string(", ") + about.part;
-    table.columns.push_back(number_column(
-        about.heading + part, objective_unit(about.objective), static_cast<unsigned>(i) + 1));
+    table.columns.push_back(number_column(about.heading + part, objective_unit(about.objective),
+                                          static_cast<unsigned>(i) + 1));
     table.columns.back().key = about.name;
   }
   for (const SizedRouting& routing : report.designs) {
@@ -194,9 +194,10 @@ SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
   }
   if (on_grid(*design.least_miss) == 0 && !options.robust) return {"The target is met"};
   const std::string here =
-      options.robust ? fmt::format("; those above, sized for the quantile over the draws, miss it "
-                                   "by {:.4g} there",
-                                   on_grid(design.after.nominal))
+      options.robust ? fmt::format(
+                           "; those above, sized for the quantile over the draws, miss it "
+                           "by {:.4g} there",
+                           on_grid(design.after.nominal))
                      : "";
   return {"The target is within reach: " + at_best + here};
 }
@@ -235,54 +236,6 @@ Section shares_section(const SizingReport& report) {
                fixed(design.after.shares[f], 4)});
   }
   return {"Shares of the fingers in all pull, at the nominal coefficients", table, {}};
-}
-
-// Those of the goal and what is always shown; of a hand also what its motor must do, whatever it
-// was sized for.
-std::vector<Objective> objectives_of(const SizingReport& report) {
-  std::vector<Objective> goal = report.options.goal.factors;
-  if (hand(report.options.nominal.hardware)) {
-    for (const Objective objective :
-         {Objective::motor_force, Objective::stroke, Objective::closure}) {
-      if (std::find(goal.begin(), goal.end(), objective) == goal.end()) goal.push_back(objective);
-    }
-  }
-  return shown_objectives(Order(goal), report.options.score);
-}
-
-// Dimensions that suit the goal may ask more of the motor than it has.
-std::vector<SheetLine> motor_lines(const SizingReport& report) {
-  const MotorParts& motor = report.options.nominal.hardware.motor;
-  const ObjectiveValues& values = report.designs.front().design.after.values;
-  std::vector<SheetLine> lines;
-  const auto compare = [&](const std::optional<double>& has, Objective objective,
-                           const char* what) {
-    const double needed = value(values, objective);
-    if (!has || needed <= *has) return;
-    lines.push_back({fmt::format("The motor's {} of {:.4g} {} is not enough as it is sized: {} {} "
-                                 "would be needed",
-                                 what, *has, row(objective).unit,
-                                 fixed(needed, row(objective).decimals), row(objective).unit),
-                     true});
-  };
-  if (!hand(report.options.nominal.hardware)) return lines;
-  compare(motor.force_N, Objective::motor_force, "force");
-  compare(motor.stroke_mm, Objective::stroke, "stroke");
-  return lines;
-}
-
-Section objective_section(const SizingReport& report) {
-  Table table{{text_column("objective"), text_column("unit"), number_column("before"),
-               number_column("sized")},
-              {}};
-  const SizedDesign& design = report.designs.front().design;
-  for (const Objective objective : objectives_of(report)) {
-    const ObjectiveRow& about = row(objective);
-    if (about.is_count()) continue;
-    table.add({about.name, about.unit, fixed(value(design.before.values, objective), about.decimals),
-               fixed(value(design.after.values, objective), about.decimals)});
-  }
-  return {"At the nominal coefficients", table, motor_lines(report)};
 }
 
 }  // namespace

@@ -30,9 +30,9 @@ std::string surest_text(const std::vector<ListedDesign>& shown) {
     return design.constraints_met.value_or(0) >= nearly_all;
   });
   if (sure == shown.begin()) return "";
-  const std::string start = fmt::format("{} meets all of them in {} of the draws; ",
-                                        short_name(shown.front()),
-                                        share_text(*shown.front().constraints_met));
+  const std::string start =
+      fmt::format("{} meets all of them in {} of the draws; ", short_name(shown.front()),
+                  share_text(*shown.front().constraints_met));
   if (sure == shown.end()) {
     return start + fmt::format("none of those shown does in {} or more", percent(nearly_all));
   }

@@ -33,7 +33,8 @@ TEST(Export, SaysAtItsHeadWhatItIsOf) {
   const std::string hand = head({"export", "M-1-F+M-2-F+M-3-F", "--hardware", file});
   EXPECT_NE(hand.find("The routing M-1-F+M-2-F+M-3-F without"), std::string::npos) << hand;
   EXPECT_NE(hand.find("\nHardware: " + file + ".\n"), std::string::npos) << hand;
-  EXPECT_NE(hand.find("\nSeveral trees of tendons hang on the carriage"), std::string::npos) << hand;
+  EXPECT_NE(hand.find("\nSeveral trees of tendons hang on the carriage"), std::string::npos)
+      << hand;
   EXPECT_NE(head({"export", "ExoGlovePoly"}).find("\nHardware: the mechanism's own"),
             std::string::npos);
 }

@@ -70,7 +70,8 @@ TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
   options.directory = folder.path();
   for (const Arguments& command :
        {Arguments{"rank", "--catalog", "--out", "page"}, Arguments{"explore", "--out", "page"},
-        Arguments{"explore", "--out", "page", "--columns", "routing,uniformity_mean,efficiency_mean"},
+        Arguments{"explore", "--out", "page", "--columns",
+                  "routing,uniformity_mean,efficiency_mean"},
         Arguments{"size", "TR5", "--vary", "sheath_angle=3..9", "--nominal", "--out", "page"}}) {
     const auto with = [&](const std::string& width) {
       Arguments arguments = command;
@@ -85,7 +86,9 @@ TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
     const std::string takes = refused.err.substr(refused.err.find("expected ") + 9);
     const ProcessResult wide = with(takes.substr(0, takes.find(' ')) + "mm");
     EXPECT_EQ(wide.exit_code, 0) << wide.err;
-    if (command.front() != "explore") EXPECT_EQ(wide.err, "");
+    if (command.front() != "explore") {
+      EXPECT_EQ(wide.err, "");
+    }
     std::filesystem::remove_all(folder.path() / "page");
   }
 }

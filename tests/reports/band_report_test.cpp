@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "reports/results/design_list.hpp"
+#include "reports/results/explore_report.hpp"
 #include "reports/sheet/sheet_text.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 
 namespace reeve {
@@ -82,13 +84,38 @@ TEST(BandSection, SaysHowConstraintsAreJudgedAndWhichDesignHoldsInNearlyAllDraws
       "listed, the nominal coefficients decide\n";
   shown[0].constraints_met = 0.56;
   shown[1].constraints_met = 0.9499;
-  EXPECT_EQ(lines(), judged + "A meets all of them in 56.0 % of the draws; none of those shown does "
-                              "in 95.0 % or more\n");
+  EXPECT_EQ(lines(), judged +
+                         "A meets all of them in 56.0 % of the draws; none of those shown does "
+                         "in 95.0 % or more\n");
   shown[1].constraints_met = 0.95;
-  EXPECT_EQ(lines(), judged + "A meets all of them in 56.0 % of the draws; the first that does in "
-                              "95.0 % or more is B, rank 2\n");
+  EXPECT_EQ(lines(), judged +
+                         "A meets all of them in 56.0 % of the draws; the first that does in "
+                         "95.0 % or more is B, rank 2\n");
   shown[0].constraints_met = 0.96;
   EXPECT_EQ(lines(), judged);
+}
+
+// Draws of another material than the hardware's say nothing of it.
+TEST(RangeNotes, NameACoefficientThatItsRangeLeavesOut) {
+  Hardware hardware;
+  UncertaintyRanges ranges;
+  hardware.tube.mu = ranges.tube_mu.high;
+  hardware.sheath.mu = ranges.sheath_mu.low;
+  EXPECT_TRUE(range_notes(hardware, ranges).empty());
+  hardware.tube.mu = 0.3;
+  EXPECT_EQ(
+      range_notes(hardware, ranges),
+      std::vector<std::string>{
+          "the nominal friction coefficient of tubes, 0.3, is outside the range that is drawn "
+          "from, 0.05 to 0.2: [uncertainty] of the hardware file gives another"});
+  hardware.sheath.mu = 0.04;
+  EXPECT_EQ(range_notes(hardware, ranges).size(), 2U);
+  ExploreReport report;
+  report.options.model.hardware = hardware;
+  report.options.grasps = single_grasps(2);
+  EXPECT_TRUE(notes(report).empty());
+  report.uncertainty = UncertaintyOptions{};
+  EXPECT_EQ(notes(report), range_notes(hardware, ranges));
 }
 
 TEST(DesignTable, HasBandsWhereTheyAreChosen) {

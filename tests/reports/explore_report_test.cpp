@@ -58,9 +58,10 @@ TEST(ExploreSheet, SaysWhichDesignsRestOnHowTheirTendonsShare) {
   report.top = {listed("M-1-T-2-F", 1), listed("M-Y1+1x-Y1-2x", 2)};
   EXPECT_EQ(text(explore_sheet(report)).find("on one carriage"), std::string::npos);
   report.top.push_back(listed("M-1-F+M-2-F", 3));
-  EXPECT_NE(text(explore_sheet(report)).find("\nRank 3 has several tendons on one carriage: their "
-                                             "shares of its pull are those of tendons of one "
-                                             "stiffness that are mounted without slack;"),
+  EXPECT_NE(text(explore_sheet(report))
+                .find("\nRank 3 has several tendons on one carriage: their "
+                      "shares of its pull are those of tendons of one "
+                      "stiffness that are mounted without slack;"),
             std::string::npos)
       << text(explore_sheet(report));
   report.top.push_back(listed("M-1-M+M-2-F", 4));

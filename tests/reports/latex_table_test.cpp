@@ -1,8 +1,9 @@
 // Tables for papers: chosen columns, decimal marks below each other, and a stated width.
+#include "reports/sheet/latex_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include "reports/sheet/chosen_columns.hpp"
-#include "reports/sheet/latex_table.hpp"
 #include "reports/sheet/latex_width.hpp"
 #include "reports/sheet/sheet_latex.hpp"
 #include "tests/support/svg.hpp"
@@ -99,7 +100,8 @@ TEST(LatexTables, StillTooWideAreRefusedBeforehandWithWhatFits) {
   EXPECT_NE(complaint(chosen, takes_mm - 0.01), "");
   // Of columns that nobody chose it is enough that each stands beside the first.
   EXPECT_EQ(complaint(list(), 26), "");
-  EXPECT_EQ(complaint(list(), 5).find("--text-width '5 mm': expected "), 0U) << complaint(list(), 5);
+  EXPECT_EQ(complaint(list(), 5).find("--text-width '5 mm': expected "), 0U)
+      << complaint(list(), 5);
   // What only the results show to be too wide goes on below.
   EXPECT_EQ(count(typeset(chosen, 26), "\\begin{tabular}"), 2U);
 }
