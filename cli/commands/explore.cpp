@@ -22,6 +22,7 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/hand/hand.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/files.hpp"
@@ -55,6 +56,7 @@ Sheet shortest_sheet(const ExploreInputs& inputs, const ListedWith& with) {
   ExploreReport report = planned(inputs);
   report.top = {shortest_line("M-1-F", inputs.options.order, with)};
   report.front = report.top;
+  report.ladder = shortest_ladder(report.top.front(), inputs.options.order, inputs.options.ladder);
   return explore_sheet(report, inputs.columns);
 }
 

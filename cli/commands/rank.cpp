@@ -243,6 +243,9 @@ Sheet shortest_sheet(const RankRequest& asked, const ListedWith& with, const Lis
   for (const Routing& routing : asked.routings) {
     report.designs.push_back(shortest_line(to_word(routing), asked.order, with));
   }
+  if (report.designs.size() > 1) {
+    report.ladder = shortest_ladder(report.designs.front(), asked.order, asked.ladder);
+  }
   return rank_sheet(report, columns);
 }
 

@@ -106,6 +106,19 @@ std::string csv_row(const ListedLadder& listed, std::size_t i) {
 
 }  // namespace
 
+ListedLadder shortest_ladder(const ListedDesign& line, const Order& order,
+                             const LadderOptions& options) {
+  ListedLadder ladder;
+  ladder.ladder.options = options;
+  ladder.ladder.objectives = ranked_by(order);
+  ladder.ladder.first = line.ranked.design;
+  Rung rung;
+  rung.design = line.ranked.design;
+  ladder.ladder.rungs = {rung, rung};
+  ladder.rungs = {line, line};
+  return ladder;
+}
+
 Section ladder_section(const ListedLadder& ladder) {
   const Ladder& all = ladder.ladder;
   if (all.rungs.size() < 2) return {};

@@ -78,7 +78,7 @@ std::string off(const std::optional<double>& way) { return way ? short_number(*w
 
 // Where no limit was found for it alone, what it was tried with is none either.
 std::string off_together(double way, const std::optional<double>& alone) {
-  return alone ? short_number(way) : short_number(way) + " or more";
+  return alone ? short_number(way) : "≥ " + short_number(way);
 }
 
 std::string stands(const SizedVariable& variable) {

@@ -114,15 +114,15 @@ TEST(Size, SaysUnitsAndWhatAnyMeans) {
                      "tip_angle=2..4", "--nominal", "--starts", "1"});
   const std::string headline = force.result.out.substr(force.result.out.find("M-1b"));
   EXPECT_NE(headline.substr(0, headline.find('\n')).find(" N ("), std::string::npos) << headline;
-  EXPECT_NE(force.result.out.find("any: alone, as far as its bounds and their width beyond; or "
-                                  "more: all at once it was tried no further than its other side's "
+  EXPECT_NE(force.result.out.find("any: alone, as far as its bounds and their width beyond; ≥: "
+                                  "all at once it was tried no further than its other side's "
                                   "tolerance"),
             std::string::npos)
       << force.result.out;
   // No number that reads as a limit stands beside "any".
   const std::string row = headline.substr(headline.find("\ntip_angle["));
   EXPECT_NE(row.substr(0, row.find('\n', 1)).find("any"), std::string::npos) << row;
-  EXPECT_NE(row.substr(0, row.find('\n', 1)).find(" or more"), std::string::npos) << row;
+  EXPECT_NE(row.substr(0, row.find('\n', 1)).find(" ≥ "), std::string::npos) << row;
 }
 
 // Longer arms ask for less force and more stroke than this motor has.
