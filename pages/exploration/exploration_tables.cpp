@@ -49,7 +49,7 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
 }
 
 Json objective_json(const ObjectiveRow& row, const std::string& cost_unit) {
-  const std::string unit = objective_unit(row.objective, cost_unit);
+  const std::string unit = shown_unit(objective_unit(row.objective, cost_unit));
   return {{"title", objective_title(row)},
           {"heading", objective_title(row) + (unit.empty() ? "" : ", " + unit)},
           {"meaning", row.meaning},

@@ -44,8 +44,8 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
   const std::vector<Objective> shown = shown_objectives(report.order, report.score);
   const std::string unit = cost_unit(report.prices);
   for (const Objective objective : shown) {
-    table.columns.push_back(
-        number_column(objective_title(row(objective)), objective_unit(objective, unit)));
+    table.columns.push_back(number_column(objective_title(row(objective)),
+                                          shown_unit(objective_unit(objective, unit))));
   }
   if (report.uncertainty) {
     for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {
