@@ -86,6 +86,8 @@ HardwareFile HardwareOption::read() const {
   return read_hardware_file(file_);
 }
 
+std::string HardwareOption::name() const { return is_given() ? file_ : default_hardware_name; }
+
 CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
   option_ = command.add_option("--family", family_, what);
   return option_;

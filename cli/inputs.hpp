@@ -49,10 +49,13 @@ auto for_name(const std::string& start, Read read) {
 // number.
 std::string is_seed(const std::string& text);
 
+inline constexpr const char* default_hardware_name = "the paper's, by default";
+
 struct HardwareOption {
   CLI::Option* add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0; }
   HardwareFile read() const;  // the paper's hardware if no file is given
+  std::string name() const;   // of where it comes from
 
  private:
   std::string file_;

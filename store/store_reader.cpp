@@ -40,12 +40,17 @@ std::vector<StoredShard> StoreReader::shards() const {
       const bool is_one =
           record && record->evaluated <= record->generated && record->generated <= record->total;
       if (!is_one) {
-        throw InputError({.what = fmt::format("shard {} of {}", shard.index, shard.count),
+        throw InputError({.where = file_.string(),
+                          .what = fmt::format("shard {} of {}", shard.index, shard.count),
                           .expected = "counts of routings that can be"});
       }
       shards.push_back({shard, std::move(*record)});
     }
-    return shards;
+    if (!shards.empty()) return shards;
+    throw InputError({.where = file_.string(),
+                      .what = "explore has saved nothing in it yet",
+                      .expected = "a store after its first save",
+                      .form = InputForm::unknown});
   });
 }
 

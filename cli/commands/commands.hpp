@@ -10,8 +10,8 @@ namespace reeve::cli {
 // What the process returns to the shell.
 enum ExitCode : int {
   done = 0,
-  // A check failed, a log holds no reading, a target is out of reach, no design meets the
-  // constraints.
+  // A check failed, a log holds no reading, readings are too few to diagnose, a target is out of
+  // reach, no design meets the constraints.
   answer_is_no = 1,
   bad_input = 2,
   interrupted = 3,  // or an internal error

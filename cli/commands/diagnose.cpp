@@ -153,7 +153,7 @@ std::string model_toml(const DiagnosisReport& report, const DiagnoseFlags& flags
   return extended_model_toml(report, flags.hardware.read().uncertainty);
 }
 
-void run(const DiagnoseFlags& flags, const CLI::App& command) {
+int run(const DiagnoseFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const DiagnosisReport result = watched_report(flags, catalogue);
   if (flags.out_given->count() > 0) {
@@ -168,6 +168,7 @@ void run(const DiagnoseFlags& flags, const CLI::App& command) {
     std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out,
                            flags.format);
   }
+  return result.result.verdict == Verdict::too_few ? answer_is_no : done;
 }
 
 // A check of CLI11's; it lets no NaN pass.
@@ -241,13 +242,13 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
 
 }  // namespace
 
-void add_diagnose(CLI::App& program, int&) {
+void add_diagnose(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "diagnose",
       "What the model gets wrong about measured tensions, which cause, and what to measure next");
   auto flags = std::make_shared<DiagnoseFlags>();
   add_options(*command, *flags);
-  command->callback([flags, command] { run(*flags, *command); });
+  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
 std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,

@@ -22,6 +22,7 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/hand/hand.hpp"
+#include "reports/decision/ladder_report.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/files.hpp"
@@ -44,6 +45,21 @@ struct ExploreInputs {
   ListColumns columns;
 };
 
+ExploreReport planned(const ExploreInputs& inputs) {
+  ExploreReport report = planned_report(inputs.options, inputs.uncertainty, inputs.catalogue);
+  report.sweep_over = inputs.over;
+  return report;
+}
+
+// With none of the catalogue's routings, which may not be among them.
+Sheet shortest_sheet(const ExploreInputs& inputs, const ListedWith& with) {
+  ExploreReport report = planned(inputs);
+  report.top = {shortest_line("M-1-F", inputs.options.order, with)};
+  report.front = report.top;
+  report.ladder = shortest_ladder(report.top.front(), inputs.options.order, inputs.options.ladder);
+  return explore_sheet(report, inputs.columns);
+}
+
 ExploreInputs read(const ExploreFlags& flags) {
   ExploreInputs inputs;
   inputs.catalogue = shipped_catalogue();
@@ -52,7 +68,8 @@ ExploreInputs read(const ExploreFlags& flags) {
   inputs.drawn = flags.read_uncertainty(file, inputs.options);
   const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value(),
                         flags.ranking.uncertainty, !inputs.options.constraints.empty()};
-  inputs.columns = flags.tables.read_columns(flags.format, list_column_names(with));
+  inputs.columns =
+      flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
   flags.tables.require_width(flags.format);
   if (flags.ranking.uncertainty) {
     validate(inputs.drawn, flags.top);
@@ -60,13 +77,8 @@ ExploreInputs read(const ExploreFlags& flags) {
   }
   inputs.over = flags.sweep.read();
   require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty);
+  flags.tables.require_room(flags.format, [&] { return shortest_sheet(inputs, with); });
   return inputs;
-}
-
-ExploreReport planned(const ExploreInputs& inputs) {
-  ExploreReport report = planned_report(inputs.options, inputs.uncertainty, inputs.catalogue);
-  report.sweep_over = inputs.over;
-  return report;
 }
 
 // Where the exploration goes on and is saved; nothing without --store.

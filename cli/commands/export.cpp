@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "catalog/names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -28,7 +29,9 @@ std::string exported(const ExportFlags& flags) {
   const Hardware hardware = own ? *mechanism->hardware : flags.hardware.read().hardware;
   require_contacts_to_match(hardware, {routing});
   require_known_fingers(hardware, finger_count(routing));
-  return mjcf(routing, hardware);
+  const std::string source =
+      own ? "the mechanism's own, from the catalogue" : flags.hardware.name();
+  return mjcf(routing, hardware, {name_of(catalogue, routing), source});
 }
 
 void run(const ExportFlags& flags) {

@@ -234,6 +234,21 @@ void add_distributions(RankReport& report, TensionDistributions distributions) {
   report.details->distributions = std::move(distributions);
 }
 
+Sheet shortest_sheet(const RankRequest& asked, const ListedWith& with, const ListColumns& columns) {
+  RankReport report;
+  report.order = asked.order;
+  report.score = asked.score;
+  report.prices = asked.prices;
+  if (asked.draws) report.uncertainty = uncertainty_of(asked);
+  for (const Routing& routing : asked.routings) {
+    report.designs.push_back(shortest_line(to_word(routing), asked.order, with));
+  }
+  if (report.designs.size() > 1) {
+    report.ladder = shortest_ladder(report.designs.front(), asked.order, asked.ladder);
+  }
+  return rank_sheet(report, columns);
+}
+
 int run(const RankFlags& flags, const CLI::App& command) {
   if (flags.stored.is_given()) {
     return rank_stored(command, flags.stored, flags.tables, flags.format);
@@ -243,8 +258,9 @@ int run(const RankFlags& flags, const CLI::App& command) {
   asked.details = flags.out.is_given();
   const ListedWith with{asked.prices.has_value(), hand(asked.model.hardware).has_value(),
                         asked.draws.has_value()};
-  const ListColumns columns = flags.tables.read_columns(flags.format, list_column_names(with));
-  flags.tables.require_width(flags.format);
+  const ListColumns columns =
+      flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
+  flags.tables.require_room(flags.format, [&] { return shortest_sheet(asked, with, columns); });
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
   std::filesystem::path folder;

@@ -25,6 +25,7 @@
 #include "reports/files.hpp"
 #include "reports/sizing/explored_settings.hpp"
 #include "reports/sizing/sizing_report.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "studies/sizing/explored_designs.hpp"
 #include "studies/sizing/sizing_study.hpp"
 
@@ -133,12 +134,16 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
 }
 
 std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options) {
-  if (flags.from_given->count() == 0) return {};
+  std::vector<std::string> notes;
+  if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
+  if (flags.from_given->count() == 0) return notes;
   const std::string differing =
       differing_settings(summary_of_one_exploration(flags.from), options.nominal, options.grasps);
-  if (differing.empty()) return {};
-  return {fmt::format("the exploration in {} was made with other settings than these: {}",
-                      flags.from, differing)};
+  if (differing.empty()) return notes;
+  notes.insert(notes.begin(),
+               fmt::format("the exploration in {} was made with other settings than these: {}",
+                           flags.from, differing));
+  return notes;
 }
 
 // Of the dimensions, or of the routings that are sized: whichever has the first.
@@ -185,6 +190,11 @@ struct SizeInputs {
   std::vector<std::string> columns;
 };
 
+Sheet shortest_sheet(const SizeInputs& inputs) {
+  return sizing_sheet(planned_sizing(inputs.routings, inputs.options, inputs.catalogue),
+                      inputs.columns);
+}
+
 SizeInputs read(const SizeFlags& flags) {
   SizeInputs inputs;
   inputs.catalogue = shipped_catalogue();
@@ -198,6 +208,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
   inputs.columns = read_columns(flags, hardware);
   flags.tables.require_width(flags.format);
+  flags.tables.require_room(flags.format, [&] { return shortest_sheet(inputs); });
   return inputs;
 }
 

@@ -135,8 +135,7 @@ StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& 
   if (as_listed) {
     as_listed(ListedWith{asked.prices.has_value(), hand(asked.model.hardware).has_value()});
   }
-  // Words that are no routings, for whatever reason.
-  return for_option(flags.store, [&] { return stored_ranking(reader, stored, asked, catalogue); });
+  return stored_ranking(reader, stored, asked, catalogue);
 }
 
 int rank_stored(const CLI::App& rank, const StoredRankingFlags& flags, const TableFlags& tables,

@@ -58,7 +58,8 @@ void TableFlags::add_to(CLI::App& command, const std::string& list) {
 }
 
 ListColumns TableFlags::read_columns(const FormatOption& format,
-                                     const std::vector<std::string>& known) const {
+                                     const std::vector<std::string>& known,
+                                     const std::vector<MissingColumns>& missing) const {
   ListColumns wanted{{}, format.is("latex")};
   if (columns_given_->count() == 0) return wanted;
   if (!is_table(format)) {
@@ -74,7 +75,7 @@ ListColumns TableFlags::read_columns(const FormatOption& format,
          .expected = fmt::format("names of columns with commas between them, any of {}",
                                  fmt::join(known, ", "))});
   }
-  wanted.chosen = for_name("--", [&] { return parse_columns(columns, known); });
+  wanted.chosen = for_name("--", [&] { return parse_columns(columns, known, missing); });
   return wanted;
 }
 
@@ -99,6 +100,12 @@ double TableFlags::read_width(const FormatOption& format) const {
              : fail(
                    "a whole number of characters from 20 to 1000; a length goes with --format "
                    "latex");
+}
+
+void TableFlags::require_room(const FormatOption& format,
+                              const std::function<Sheet()>& shortest) const {
+  const double width = read_width(format);
+  if (format.is("latex") && width > 0) require_fits(shortest(), width);
 }
 
 std::string TableFlags::printed(const Sheet& sheet, const FormatOption& format) const {

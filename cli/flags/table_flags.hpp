@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,12 @@ struct TableFlags {
   void add_to(CLI::App& command, const std::string& list);
 
   // Throw InputError, also where the format has nothing to choose.
-  ListColumns read_columns(const FormatOption& format, const std::vector<std::string>& known) const;
+  ListColumns read_columns(const FormatOption& format, const std::vector<std::string>& known,
+                           const std::vector<MissingColumns>& missing = {}) const;
   void require_width(const FormatOption& format) const { read_width(format); }
+  // Throws InputError where it is known before the work that tables cannot be so narrow: `shortest`
+  // makes the sheet with the shortest cells that it may come to have.
+  void require_room(const FormatOption& format, const std::function<Sheet()>& shortest) const;
 
   // As `printed` of printing.hpp, within the width.
   std::string printed(const Sheet& sheet, const FormatOption& format) const;

@@ -119,6 +119,7 @@ const explorationCards = (() => {
         "The page holds the values of this design only; the command draws it." }));
     }
     parts.append(valuesTable(row));
+    if (design?.shared) parts.append(element("p", { className: "soft", textContent: `${design.shared}.` }));
     made.append(parts, ...commands(word));
     return { made, tensions };
   }

@@ -30,7 +30,9 @@ const explorationPanel = (() => {
   function valueText(column, row, against) {
     const { values } = state.designs();
     const [own, other] = [values[column][row], values[column][against]];
-    const text = explorationCharts.cell(state.objectives[column], own);
+    const { unit, count } = state.objectives[column];
+    const text = explorationCharts.cell(state.objectives[column], own) +
+      (unit === "1" || count || own === null ? "" : ` ${unit}`);
     if (row === against || own === null || !other || own === other) return text;
     const change = ((100 * (own - other)) / Math.abs(other)).toFixed(1);
     return Number(change) === 0 ? text : `${text} (${change > 0 ? "+" : ""}${change} %)`;

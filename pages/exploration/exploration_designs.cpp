@@ -187,18 +187,19 @@ Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Obje
   return columns;
 }
 
-Json objectives_json(const std::vector<Objective>& shown) {
+Json objectives_json(const std::vector<Objective>& shown, const std::string& cost_unit) {
   Json list = Json::array();
   for (const Objective objective : shown) {
     const ObjectiveRow& row = search::row(objective);
-    list.push_back({{"name", row.name},
-                    {"title", objective_title(row)},
-                    {"unit", row.unit},
-                    {"better", row.better == Better::higher ? "higher" : "lower"},
-                    {"least", value_or_null(row.least, number)},
-                    {"greatest", value_or_null(row.greatest, number)},
-                    {"count", row.is_count()},
-                    {"meaning", row.meaning}});
+    list.push_back(
+        {{"name", row.name},
+         {"title", objective_title(row)},
+         {"unit", objective == Objective::cost && !cost_unit.empty() ? cost_unit : row.unit},
+         {"better", row.better == Better::higher ? "higher" : "lower"},
+         {"least", value_or_null(row.least, number)},
+         {"greatest", value_or_null(row.greatest, number)},
+         {"count", row.is_count()},
+         {"meaning", row.meaning}});
   }
   return list;
 }

@@ -59,6 +59,6 @@ Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Obje
 
 // [{"name", "title", "unit", "better", "least", "greatest", "count", "meaning"}], "least" and
 // "greatest" null where there is none, "count" where values are whole numbers.
-Json objectives_json(const std::vector<Objective>& shown);
+Json objectives_json(const std::vector<Objective>& shown, const std::string& cost_unit = "");
 
 }  // namespace reeve::pages

@@ -10,6 +10,7 @@
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "pages/shell/compressed.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
 namespace reeve::pages {
@@ -76,6 +77,9 @@ Json design_json(const ShownRouting& report, bool whole, Lines& lines) {
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
     json["segments"].push_back(segment_name(report.network.segments[i]));
     if (report.network.segments[i].kind == SegmentKind::strand) json["strands"].push_back(i);
+  }
+  if (std::string shared = shared_carriage_text(report.network); !shared.empty()) {
+    json["shared"] = std::move(shared);
   }
   json["grasps"] = Json::array();
   for (std::size_t i = 0; i < report.grasps.size(); ++i) {

@@ -52,15 +52,6 @@ std::string tied_text(const PartSet& parts) {
 
 }  // namespace
 
-// Only what the motor pulls is evaluated; the constraints look at the values.
-std::uint64_t ranked_designs(const ExploreReport& report) {
-  std::uint64_t count = report.result.evaluated;
-  for (const Rejection& rejection : report.result.rejected) {
-    if (rejection.constraint) count -= rejection.count;
-  }
-  return count;
-}
-
 std::vector<std::string> explored_words(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const GeneratorOptions& generator = options.generator;

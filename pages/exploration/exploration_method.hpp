@@ -1,16 +1,12 @@
 // How an exploration was made, in plain words: what was generated, how judged, what rejected.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "reports/results/explore_report.hpp"
 
 namespace reeve::pages {
-
-// How many were left to rank: evaluated, and no constraint rejected them.
-std::uint64_t ranked_designs(const ExploreReport& report);
 
 // Sentences.
 std::vector<std::string> explored_words(const ExploreReport& report);

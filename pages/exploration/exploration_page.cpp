@@ -21,6 +21,7 @@
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/uncertainty/sweep_figures.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/uncertainty/band_report.hpp"
 
@@ -144,7 +145,8 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
           "exploration_state.js exploration_columns.js exploration_table.js "
           "exploration_details.js exploration_cards.js exploration_panel.js "
           "exploration_brushes.js exploration.js",
-          {{"objectives", objectives_json(page_objectives(view.report))},
+          {{"objectives",
+            objectives_json(page_objectives(view.report), cost_unit(view.report.options.prices))},
            {"ranking", ranking_json(view.report)},
            {"specifications", specifications()},
            {"columns", held.packed},

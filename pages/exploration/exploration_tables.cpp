@@ -13,6 +13,7 @@
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
+#include "reports/decision/decision_words.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -47,14 +48,16 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
   return row;
 }
 
-Json objective_json(const ObjectiveRow& row) {
+Json objective_json(const ObjectiveRow& row, const std::string& cost_unit) {
+  const std::string unit = shown_unit(objective_unit(row.objective, cost_unit));
   return {{"title", objective_title(row)},
+          {"heading", objective_title(row) + (unit.empty() ? "" : ", " + unit)},
           {"meaning", row.meaning},
           {"better", row.better == Better::higher ? "higher" : "lower"}};
 }
 
-Json best_json(const SingleBest& best, const ListedDesign& first) {
-  Json json = objective_json(best.objective);
+Json best_json(const SingleBest& best, const ListedDesign& first, const std::string& cost_unit) {
+  Json json = objective_json(best.objective, cost_unit);
   json["value"] = cell(best.objective, best.design);
   json["first"] = cell(best.objective, first);
   json["design"] = design_label(best.design);
@@ -71,15 +74,16 @@ Json static_tables(const ExploreReport& report) {
       listed.size(), std::max(first_designs, std::min(front_designs, report.front.size())));
   Json json{{"objectives", Json::array()}, {"rows", Json::array()}, {"bests", Json::array()}};
   const std::vector<Objective> objectives = page_objectives(report);
+  const std::string unit = cost_unit(report.options.prices);
   for (std::size_t i = 0; i < objectives.size(); ++i) {
-    json["objectives"].push_back(objective_json(row(objectives[i])));
+    json["objectives"].push_back(objective_json(row(objectives[i]), unit));
     json["objectives"].back()["column"] = i;
   }
   for (std::size_t i = 0; i < listed.size() && json["rows"].size() < shown; ++i) {
     if (listed[i].same_as.empty()) json["rows"].push_back(design_row(listed[i], objectives));
   }
   for (const SingleBest& best : single_bests(report)) {
-    json["bests"].push_back(best_json(best, listed.front()));
+    json["bests"].push_back(best_json(best, listed.front(), unit));
   }
   json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
   json["constrained"] = !listed.empty() && listed.front().constraints_met.has_value();

@@ -13,7 +13,9 @@
 #include "reports/decision/decision_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
+#include "reports/results/design_list.hpp"
 #include "reports/results/explore_report.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "search/judge/shown_objectives.hpp"
 
 namespace reeve::pages {
@@ -212,6 +214,10 @@ std::vector<std::string> changes(const ExploreReport& report) {
         listed.size(), ranked_designs(report)));
   }
   text.push_back(draws_text(report, listed));
+  constexpr std::size_t best = 10;
+  std::vector<ListedDesign> first = one_of_each(listed);
+  if (first.size() > best) first.resize(best);
+  for (const SheetLine& line : shared_carriage_lines(first)) text.push_back(line.text + ".");
   return text;
 }
 

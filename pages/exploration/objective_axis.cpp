@@ -8,10 +8,10 @@
 
 namespace reeve::pages {
 
-chart::Axis objective_axis(Objective objective) {
+chart::Axis objective_axis(Objective objective, const std::string& cost_unit) {
   const ObjectiveRow& about = row(objective);
-  const std::string unit =
-      std::string_view(about.unit) == "1" ? "" : fmt::format(", {}", about.unit);
+  std::string unit = about.unit == std::string_view("1") ? "" : fmt::format(", {}", about.unit);
+  if (objective == Objective::cost && !cost_unit.empty()) unit = ", " + cost_unit;
   chart::Axis axis;
   axis.title = fmt::format("{}{} ({} is better)", objective_title(about), unit,
                            about.better == Better::higher ? "higher" : "lower");

@@ -9,6 +9,8 @@
 #include "pages/exploration/objective_title.hpp"
 #include "reports/decision/decision_words.hpp"
 #include "reports/results/data_text.hpp"
+#include "reports/results/design_list.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "reports/sheet/text_table.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "search/judge/shown_objectives.hpp"
@@ -98,6 +100,9 @@ Json decision(const RankReport& report) {
     lines.push_back(line.text + ".");
   }
   lines.erase(0);
+  for (const SheetLine& line : shared_carriage_lines(one_of_each(report.designs))) {
+    lines.push_back(line.text + ".");
+  }
   return lines;
 }
 

@@ -12,6 +12,7 @@
 #include "pages/routing/tension_charts.hpp"
 #include "pages/uncertainty/band_spans.hpp"
 #include "reports/chart/chart_svg.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/sheet/text_table.hpp"
 
 namespace reeve::pages {
@@ -112,8 +113,8 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
                "; the first two of them are drawn.";
   }
   chart::Panel panel;
-  panel.x = objective_axis(on.first);
-  panel.y = objective_axis(on.second);
+  panel.x = objective_axis(on.first, cost_unit(report.prices));
+  panel.y = objective_axis(on.second, cost_unit(report.prices));
   chart::Style best = design_style(Kind::front);
   chart::Style other = design_style(Kind::listed);
   best.size = other.size = 5;

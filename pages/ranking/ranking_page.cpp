@@ -18,6 +18,7 @@
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/uncertainty/sweep_figures.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/sheet/text_table.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "search/judge/shown_objectives.hpp"
@@ -41,8 +42,10 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
       {number_column("rank"), number_column("front"), text_column("routing"), text_column("word")},
       {}};
   const std::vector<Objective> shown = shown_objectives(report.order, report.score);
+  const std::string unit = cost_unit(report.prices);
   for (const Objective objective : shown) {
-    table.columns.push_back(number_column(objective_title(row(objective))));
+    table.columns.push_back(number_column(objective_title(row(objective)),
+                                          shown_unit(objective_unit(objective, unit))));
   }
   if (report.uncertainty) {
     for (const char* heading : {"first, %", "median rank", "rank, 5 %", "rank, 95 %"}) {

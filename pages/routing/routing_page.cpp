@@ -11,6 +11,7 @@
 #include "pages/shell/template.hpp"
 #include "reports/chart/chart_svg.hpp"
 #include "reports/hand/hand_report.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "reports/sheet/text_table.hpp"
 
 namespace reeve::pages {
@@ -95,6 +96,7 @@ RoutingPage routing_page(const ShownRouting& report, const std::string& command)
               {"canonical", report.canonical == report.word ? "" : report.canonical},
               {"verb", verb(report.direction)},
               {"summary", summary(report)},
+              {"shared", shared_carriage_text(report.network)},
               {"jams", jams(report)},
               {"objectives", html(objective_table(report))},
               {"first", first},

@@ -41,7 +41,9 @@ std::string exported(const BoundRouting& routing, const py::object& hardware) {
   const auto used = hardware_from(hardware);
   require_contacts(*used, {routing.routing});
   cli::require_known_fingers(used->file.hardware, routing.network.fingers);
-  return mjcf(routing.routing, used->file.hardware);
+  const std::string source = hardware.is_none() ? cli::default_hardware_name : "";
+  return mjcf(routing.routing, used->file.hardware,
+              {name_of(the_catalogue(), routing.routing), source});
 }
 
 BoundRouting bound(const py::object& word) {

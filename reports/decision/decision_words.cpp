@@ -39,19 +39,22 @@ std::string buys(Objective measure) {
   return fmt::format("{} buy{}", words_of(measure).more, measure == Objective::cost ? "s" : "");
 }
 
-std::string value_text(Objective objective, const ObjectiveValues& values) {
-  return objective_heading(objective) + " " +
-         fixed(value(values, objective), row(objective).decimals);
+std::string value_text(Objective objective, const ObjectiveValues& values,
+                       const std::string& cost_unit) {
+  const std::string unit = shown_unit(objective_unit(objective, cost_unit));
+  return fmt::format("{} {}{}{}", objective_heading(objective),
+                     fixed(value(values, objective), row(objective).decimals),
+                     unit.empty() ? "" : " ", unit);
 }
 
 // "uniformity 0.985 (-1.1 %)": the change against the first, whichever way is better.
 std::string change_text(Objective objective, const ObjectiveValues& values,
-                        const ObjectiveValues& first) {
+                        const ObjectiveValues& first, const std::string& cost_unit) {
   const double before = value(first, objective);
   const double now = value(values, objective);
-  if (before == now || before == 0) return value_text(objective, values);
-  return fmt::format("{} ({})", value_text(objective, values),
-                     signed_percent((now - before) / std::abs(before)));
+  std::string text = value_text(objective, values, cost_unit);
+  if (before == now || before == 0) return text;
+  return fmt::format("{} ({})", text, signed_percent((now - before) / std::abs(before)));
 }
 
 // "4 sheaths", "cost 61.90 EUR"
@@ -62,18 +65,22 @@ std::string measure_text(const ListedLadder& ladder, double amount) {
   return fmt::format("cost {}{}", fixed(amount, 2), unit);
 }
 
+bool stays_open(const ObjectiveValues& values) {
+  return has_hand(values) && value(values, Objective::closure) < 1;
+}
+
 // What it has of the measure, and the ranked objectives as changes against the first.
 std::string values_text(const ListedLadder& ladder, const ObjectiveValues& values) {
   const Objective by = ladder.ladder.options.by;
   std::string text = measure_text(ladder, value(values, by));
   for (const Objective objective : ladder.ladder.objectives) {
     if (objective == by) continue;
-    text += ", " + change_text(objective, values, ladder.ladder.first.values);
+    text += ", " + change_text(objective, values, ladder.ladder.first.values, ladder.cost_unit);
   }
   // Nobody ranks by it, and nobody wants less than all.
-  const double closure = value(values, Objective::closure);
-  if (has_hand(values) && closure < 1) {
-    text += fmt::format(", the hand closes to {} of its range only", percent(closure));
+  if (stays_open(values)) {
+    text += fmt::format(", the hand closes to {} of its range only",
+                        percent(value(values, Objective::closure)));
   }
   return text;
 }
@@ -97,12 +104,12 @@ std::string affordable_text(const ListedLadder& listed) {
 
 // "the least is 1", "the least is 37.66 N": rounded away from the bound, so that a design meets the
 // constraint with this bound.
-std::string nearest_text(const Constraint& constraint, const Nearest& nearest) {
+std::string nearest_text(const Constraint& constraint, const Nearest& nearest,
+                         const std::string& cost_unit) {
   const bool below = constraint.comparison.front() == '<';
   const bool above = constraint.comparison.front() == '>';
-  const ObjectiveRow& about = row(constraint.objective);
-  const bool has_unit = !about.is_count() && about.unit != std::string_view("1");
-  const std::string unit = has_unit ? std::string(" ") + about.unit : "";
+  const std::string own = objective_unit(constraint.objective, cost_unit);
+  const std::string unit = own.empty() ? "" : " " + own;
   const auto low = [&] { return rounded_text(*nearest.below, Rounding::down); };
   const auto high = [&] { return rounded_text(*nearest.above, Rounding::up) + unit; };
   if (below && nearest.above) return "the least is " + high();
@@ -125,6 +132,16 @@ std::string objective_heading(Objective objective) {
   const ObjectiveRow& about = row(objective);
   return about.part == std::string_view("worst") ? std::string("worst ") + about.heading
                                                  : about.heading;
+}
+
+std::string cost_unit(const std::optional<PartPrices>& prices) {
+  return prices ? prices->unit : "";
+}
+
+std::string objective_unit(Objective objective, const std::string& cost_unit) {
+  if (objective == Objective::cost) return cost_unit;
+  const ObjectiveRow& about = row(objective);
+  return about.is_count() || about.unit == std::string_view("1") ? "" : about.unit;
 }
 
 std::string signed_percent(double share) { return fmt::format("{:+.1f} %", 100 * share); }
@@ -161,6 +178,9 @@ std::vector<SheetLine> answer_lines(const std::vector<ListedDesign>& designs,
         {fmt::format("Knee of the ladder: {} at {}", design_name(ladder.rungs[*ladder.ladder.knee]),
                      measure_text(ladder, rung.at_most))});
   }
+  if (stays_open(designs.front().ranked.design.values)) {
+    lines.push_back({"Hands that close all the way: --constraint 'closure>=1'"});
+  }
   return lines;
 }
 
@@ -183,14 +203,15 @@ std::vector<SheetLine> alike_lines(const std::vector<ListedDesign>& shown) {
 std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreResult& result) {
   std::vector<SheetLine> alone;
   std::vector<SheetLine> together;
+  const std::string unit = cost_unit(options.prices);
   for (std::size_t c = 0; c < result.unmet.size(); ++c) {
     const Constraint& constraint = options.constraints[c];
     const ConstraintReach& reach = result.unmet[c];
-    const std::string least = nearest_text(constraint, reach.of_all);
+    const std::string least = nearest_text(constraint, reach.of_all, unit);
     if (!reach.met && !least.empty()) {
       alone.push_back({fmt::format("No design meets {}: {}", constraint.text, least), true});
     }
-    const std::string others = nearest_text(constraint, reach.of_those_that_meet_the_others);
+    const std::string others = nearest_text(constraint, reach.of_those_that_meet_the_others, unit);
     if (!others.empty()) {
       together.push_back(
           {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});

@@ -2,9 +2,11 @@
 // where the ladder bends, and why nothing is left where nothing is.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/parts/part_prices.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "search/explore.hpp"
 #include "studies/listed_design.hpp"
@@ -16,6 +18,12 @@ std::string design_name(const ListedDesign& design);
 
 // "uniformity", "worst uniformity": a heading that stands alone.
 std::string objective_heading(Objective objective);
+
+// "" if there are none, or nobody says.
+std::string cost_unit(const std::optional<PartPrices>& prices);
+
+// "N", "mm/mm"; of a cost the unit of its prices; "" of numbers of parts and what has none.
+std::string objective_unit(Objective objective, const std::string& cost_unit = "");
 
 std::string signed_percent(double share);               // "+1.3 %"
 std::string within_text(const LadderOptions& options);  // "within 2 %"

@@ -38,13 +38,13 @@ std::string marks(const ListedLadder& ladder, std::size_t i) {
 }
 
 std::vector<TableColumn> columns(const Ladder& ladder, const std::string& cost_unit) {
-  const bool costs = ladder.options.by == Objective::cost;
   std::vector<TableColumn> columns{
-      number_column(row(ladder.options.by).heading, costs ? cost_unit : ""), text_column("name"),
-      text_column("routing")};
+      number_column(row(ladder.options.by).heading, objective_unit(ladder.options.by, cost_unit)),
+      text_column("name"), text_column("routing")};
   for (const Objective objective : ladder.objectives) {
     if (objective == ladder.options.by) continue;
-    columns.push_back(number_column(objective_heading(objective)));
+    columns.push_back(
+        number_column(objective_heading(objective), objective_unit(objective, cost_unit)));
     columns.push_back(number_column("gain", "", 1));
   }
   columns.push_back(number_column("kept", "", 2));
@@ -105,6 +105,19 @@ std::string csv_row(const ListedLadder& listed, std::size_t i) {
 }
 
 }  // namespace
+
+ListedLadder shortest_ladder(const ListedDesign& line, const Order& order,
+                             const LadderOptions& options) {
+  ListedLadder ladder;
+  ladder.ladder.options = options;
+  ladder.ladder.objectives = ranked_by(order);
+  ladder.ladder.first = line.ranked.design;
+  Rung rung;
+  rung.design = line.ranked.design;
+  ladder.ladder.rungs = {rung, rung};
+  ladder.rungs = {line, line};
+  return ladder;
+}
 
 Section ladder_section(const ListedLadder& ladder) {
   const Ladder& all = ladder.ladder;

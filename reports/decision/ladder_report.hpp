@@ -10,6 +10,10 @@
 
 namespace reeve::reports {
 
+// Of two rungs with the shortest cells: for room that is asked about before there are designs.
+ListedLadder shortest_ladder(const ListedDesign& line, const Order& order,
+                             const LadderOptions& options);
+
 // Nothing of fewer than two rungs.
 Section ladder_section(const ListedLadder& ladder);
 

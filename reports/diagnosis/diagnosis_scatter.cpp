@@ -148,17 +148,32 @@ std::vector<std::string> not_named_sentences(const DiagnosisResult& result) {
   return sentences;
 }
 
+namespace {
+
+// An interval may leave the hardware's value out, and the coefficient be no named cause all the
+// same: that is asked at a stricter level, over all coefficients together.
+std::string beside_hardware(const CalibratedCoefficient& coefficient) {
+  const EstimatedParameter& parameter = coefficient.parameter;
+  const std::string hardware = estimate(parameter, *parameter.nominal);
+  if (coefficient.differs) return fmt::format("another than the hardware says ({})", hardware);
+  const bool inside = parameter.low <= *parameter.nominal && *parameter.nominal <= parameter.high;
+  if (inside) return fmt::format("as the hardware says ({})", hardware);
+  return fmt::format(
+      "perhaps another than the hardware says ({}), too little to name it (p = {:.2g})", hardware,
+      coefficient.p_value);
+}
+
+}  // namespace
+
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
   for (const CalibratedCoefficient& coefficient : result.calibration) {
     const EstimatedParameter& parameter = coefficient.parameter;
-    sentences.push_back(
-        fmt::format("{}: {} = {} ({} to {}{}), {} ({})", coefficient.name, parameter.name,
-                    estimate(parameter, parameter.value), estimate(parameter, parameter.low),
-                    estimate(parameter, parameter.high),
-                    parameter.at_bound ? ", a bound of what is searched" : "",
-                    coefficient.differs ? "another than the hardware says" : "as the hardware says",
-                    estimate(parameter, *parameter.nominal)));
+    sentences.push_back(fmt::format(
+        "{}: {} = {} ({} to {}{}), {}", coefficient.name, parameter.name,
+        estimate(parameter, parameter.value), estimate(parameter, parameter.low),
+        estimate(parameter, parameter.high),
+        parameter.at_bound ? ", a bound of what is searched" : "", beside_hardware(coefficient)));
   }
   return sentences;
 }

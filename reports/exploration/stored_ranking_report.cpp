@@ -82,8 +82,8 @@ Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& colu
   sheet.add(
       {fmt::format("Top {}", lines.size()),
        design_table(lines, shown_objectives(options.order, options.score, options.constraints),
-                    columns),
-       alike_lines(lines)});
+                    priced(columns, options.prices)),
+       list_notes(lines)});
   if (columns.chosen.empty()) sheet.add(ladder_section(report.ladder));
   return sheet;
 }

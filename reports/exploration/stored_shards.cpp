@@ -16,14 +16,6 @@ Json parsed(const std::string& text, const std::string& name, const std::string&
                     .form = InputForm::unknown});
 }
 
-std::vector<StoredShard> shards_of(const StoreReader& store, const std::string& name) {
-  try {
-    return store.shards();
-  } catch (const InputError& error) {
-    throw error.at(name);
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> stored_arguments(const Description& description, const std::string& name) {
@@ -45,18 +37,14 @@ std::vector<ShardFile> shard_files(const StoreReader& store, const std::string& 
     of_all.settings[setting.key] = parsed(setting.value, name, setting.key);
   }
   std::vector<ShardFile> files;
-  for (StoredShard& stored : shards_of(store, name)) {
+  for (StoredShard& stored : store.shards()) {
     ShardFile file = of_all;
     file.shard = stored.shard;
     file.record = std::move(stored.record);
     file.partial = file.record.generated != file.record.total;
     files.push_back(std::move(file));
   }
-  if (!files.empty()) return files;
-  throw InputError({.where = name,
-                    .what = "nothing has been stored in it yet",
-                    .expected = "the store of an exploration",
-                    .form = InputForm::unknown});
+  return files;
 }
 
 }  // namespace reeve::reports

@@ -41,10 +41,10 @@ double least_force(const ShownHand& hand, std::size_t place, Get get) {
 Table finger_table(const ShownHand& hand) {
   Table table{{number_column("finger"), number_column("excursion", "mm"),
                number_column("closes", "%"), number_column("wanted", "N"),
-               number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1)), "N")},
+               number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1)))},
               {}};
   const std::optional<double> limit = hand.motor.force_N;
-  if (limit) table.columns.push_back(number_column(fmt::format("at {:.4g} N", *limit), "N"));
+  if (limit) table.columns.push_back(number_column(fmt::format("at {:.4g} N", *limit)));
   for (std::size_t f = 0; f < hand.fingers.size(); ++f) {
     const ShownHandFinger& finger = hand.fingers[f];
     const auto at_demand = [](const ShownFingerForce& force) { return force.force_N; };

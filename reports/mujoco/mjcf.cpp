@@ -6,6 +6,7 @@
 #include "core/notation.hpp"
 #include "core/version.hpp"
 #include "reports/mujoco/mjcf_rig.hpp"
+#include "reports/results/shared_carriage.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -20,22 +21,49 @@ bool has_joints(const MjcfRig& rig) {
   return !rig.layout.fingers.empty() && !rig.layout.fingers.front().joints.empty();
 }
 
-std::string explanation(const std::string& word, const MjcfRig& rig) {
+// No comment of XML holds two hyphens, and none of ours a line that somebody else's name begins.
+std::string in_comment(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '-' && text.ends_with('-')) text += ' ';
+    text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return text;
+}
+
+std::string title(const std::string& word, const MjcfOrigin& origin) {
+  return origin.name.empty() ? word : fmt::format("{} ({})", in_comment(origin.name), word);
+}
+
+std::string hardware_line(const MjcfOrigin& origin) {
+  return origin.hardware.empty() ? "" : fmt::format("Hardware: {}.\n", in_comment(origin.hardware));
+}
+
+std::string trees_lines(const Network& network) {
+  if (tree_count(network) < 2) return "";
+  return "Several trees of tendons hang on the carriage: here they share its pull as the springs of\n"
+         "their fingers ask; reeve's own figures have them take up alike.\n";
+}
+
+std::string explanation(const std::string& word, const MjcfRig& rig, const MjcfOrigin& origin) {
   return fmt::format(
       " The routing {} without friction, by reeve {}.\n"
+      "{}"
       "Metres, kilograms, newtons, radians.\n"
       "MuJoCo's tendons have no capstan friction: the friction exponents of the contacts stand below\n"
       "as data (contact_..., friction_exponents) that nothing acts on, and the tensions are those of\n"
       "a routing whose contacts do not rub.\n"
       "{}\n"
+      "{}"
       "Masses and damping are not the hardware's: they bring the rig to rest.\n"
       "Activate the constraints hold_... to hold a finger. ",
-      word, version().number,
+      title(word, origin), version().number, hardware_line(origin),
       has_joints(rig)
           ? "What a finger's joints give up, their arms times their angles, is what its runner "
             "travels."
           : "The hardware has no joints: each finger is a slider on a spring that is not the "
-            "hardware's.");
+            "hardware's.",
+      trees_lines(rig.network));
 }
 
 std::string contact_name(const Network& network, const ContactEnds& ends) {
@@ -95,7 +123,7 @@ void write_motor(double pull_N, MjcfText& out) {
 
 }  // namespace
 
-std::string mjcf(const Routing& routing, const Hardware& hardware) {
+std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOrigin& origin) {
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
   RopePlan plan = rope_plan(routing, network);
@@ -104,7 +132,7 @@ std::string mjcf(const Routing& routing, const Hardware& hardware) {
   const std::string word = to_word(routing);
   MjcfText out;
   out.open("mujoco", {{"model", word}});
-  out.comment(explanation(word, rig));
+  out.comment(explanation(word, rig, origin));
   write_settings(out);
   out.open("custom");
   write_friction(rig, mechanics, out);

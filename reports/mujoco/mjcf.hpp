@@ -1,10 +1,9 @@
 // A routing as a model of MuJoCo (MJCF): a planar hand without friction.
 //
 //   finger      a chain of hinges with the ranges, springs and arms of the hardware, and a
-//   *runner*, a
-//               slider on which its strands hang: equality constraints hold the runner's travel to
-//               Σ r_j q_j, the tendon that joints with constant arms r_j give up. Without joints
-//               the runner alone, on a spring.
+//               *runner*, a slider on which its strands hang: equality constraints hold the
+//               runner's travel to Σ r_j q_j, the tendon that joints with constant arms r_j give
+//               up. Without joints the runner alone, on a spring.
 //   carriage    a slider that the actuator `motor` pulls
 //   block       a slider; a bar's arms are two more, held to its pivot's travel by
 //               z = (l u + r v)/(l + r), so that their tensions stand in the ratio l : r
@@ -25,8 +24,14 @@
 
 namespace reeve::reports {
 
+// What the file's first lines say it is of; "" is passed over.
+struct MjcfOrigin {
+  std::string name;      // the routing's, in the catalogue
+  std::string hardware;  // where it comes from: a file, the catalogue, the defaults
+};
+
 // Throws InputError of hardware that does not fit, OutOfRange where blocks are free to move against
 // each other.
-std::string mjcf(const Routing& routing, const Hardware& hardware);
+std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOrigin& origin = {});
 
 }  // namespace reeve::reports

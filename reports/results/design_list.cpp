@@ -6,11 +6,15 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "reports/csv_field.hpp"
+#include "reports/decision/decision_words.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/drawn_columns.hpp"
+#include "search/uncertainty/sweep.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -63,12 +67,11 @@ std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& desig
   return columns;
 }
 
-TableColumn objective_column(const ColumnRows& rows, bool apart) {
+TableColumn objective_column(const ColumnRows& rows, bool apart, const std::string& cost_unit) {
   const ObjectiveRow& row = *rows.front();
-  const std::string_view unit = row.unit;
-  const bool is_told = unit != "1" && !row.is_count();
   const std::string part = apart && *row.part != '\0' ? std::string(", ") + row.part : "";
-  TableColumn column = number_column(row.heading + part, is_told ? row.unit : "", row.dispensable);
+  TableColumn column =
+      number_column(row.heading + part, objective_unit(row.objective, cost_unit), row.dispensable);
   column.key = row.name;
   return column;
 }
@@ -81,12 +84,14 @@ std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values
   return cell;
 }
 
-std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike,
-                                 bool apart) {
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike, bool apart,
+                                 const std::string& cost_unit) {
   std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
                                    text_column("name"), text_column("routing")};
   if (alike) columns.push_back(number_column("alike", "", 1));
-  for (const ColumnRows& rows : objectives) columns.push_back(objective_column(rows, apart));
+  for (const ColumnRows& rows : objectives) {
+    columns.push_back(objective_column(rows, apart, cost_unit));
+  }
   return columns;
 }
 
@@ -119,12 +124,29 @@ std::vector<std::string> list_column_names(const ListedWith& with) {
   return names;
 }
 
+std::vector<MissingColumns> missing_columns(const ListedWith& with) {
+  ListedWith drawn = with;
+  drawn.draws = true;
+  ListedWith judged = drawn;
+  judged.constraints = true;
+  ListedWith priced = with;
+  priced.prices = true;
+  ListedWith handed = drawn;
+  handed.hand = true;
+  return {{list_column_names(drawn), "--uncertainty"},
+          {list_column_names(judged), "--constraint and --uncertainty of explore"},
+          {list_column_names(priced), "--cost"},
+          {list_column_names(handed), with.draws ? "a hand in the hardware file"
+                                                 : "a hand in the hardware file, for bands also "
+                                                   "--uncertainty"}};
+}
+
 Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objective> shown,
                    const ListColumns& wanted) {
   const bool all = !wanted.chosen.empty();
   const std::vector<ColumnRows> objectives = objective_columns(designs, std::move(shown), wanted);
   const bool alike = all || has_alike(designs);
-  Table table{columns(objectives, alike, all || wanted.apart), {}};
+  Table table{columns(objectives, alike, all || wanted.apart, wanted.cost_unit), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
         std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
@@ -140,11 +162,38 @@ Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objecti
   return with_columns(table, wanted.chosen);
 }
 
+ListedDesign shortest_line(const std::string& word, const Order& order, const ListedWith& with) {
+  ListedDesign line{};
+  line.ranked.design.word = word;
+  if (!with.prices) {
+    line.ranked.design.values[static_cast<std::size_t>(Objective::cost)] =
+        std::numeric_limits<double>::infinity();
+  }
+  if (!with.draws) return line;
+  line.distribution = RankDistribution{};
+  if (with.constraints) line.constraints_met = 0;
+  for (const Objective objective : swept_objectives(order)) {
+    line.bands.push_back({objective, {0, 0, 1}});
+  }
+  return line;
+}
+
+ListColumns priced(ListColumns wanted, const std::optional<PartPrices>& prices) {
+  wanted.cost_unit = cost_unit(prices);
+  return wanted;
+}
+
 std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs) {
   std::vector<ListedDesign> firsts;
   std::copy_if(designs.begin(), designs.end(), std::back_inserter(firsts),
                [](const ListedDesign& design) { return design.same_as.empty(); });
   return firsts;
+}
+
+std::vector<SheetLine> list_notes(const std::vector<ListedDesign>& shown) {
+  std::vector<SheetLine> lines = alike_lines(shown);
+  for (SheetLine& line : shared_carriage_lines(shown)) lines.push_back(std::move(line));
+  return lines;
 }
 
 std::string objective_headings(const ObjectiveValues& values) {

@@ -1,9 +1,11 @@
 // A list of ranked designs as table, CSV and JSON: what `rank` and `explore` have in common.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/parts/part_prices.hpp"
 #include "reports/json.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
@@ -17,6 +19,9 @@ namespace reeve::reports {
 Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objective> shown,
                    const ListColumns& wanted = {});
 
+// The same columns, which head costs with the unit of the prices.
+ListColumns priced(ListColumns wanted, const std::optional<PartPrices>& prices);
+
 // What can be chosen, of designs that were judged so.
 struct ListedWith {
   bool prices = false;
@@ -25,9 +30,18 @@ struct ListedWith {
   bool constraints = false;
 };
 std::vector<std::string> list_column_names(const ListedWith& with);
+// What could be, had more been asked for.
+std::vector<MissingColumns> missing_columns(const ListedWith& with);
+
+// The shortest that a line of such a list may be: for room that is asked about before there are
+// designs.
+ListedDesign shortest_line(const std::string& word, const Order& order, const ListedWith& with);
 
 // Without those for which another one stands: a line of a table is for all designs that are alike.
 std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs);
+
+// Below such a table: which designs stand for others, and which rest on how their tendons share.
+std::vector<SheetLine> list_notes(const std::vector<ListedDesign>& shown);
 
 // ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
 std::string objective_headings(const ObjectiveValues& values);

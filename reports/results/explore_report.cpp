@@ -11,6 +11,7 @@
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -31,16 +32,28 @@ double rate(const ExploreResult& result) {
   return result.seconds > 0 ? evaluated / result.seconds : 0;
 }
 
+// Each routing in one class, so that the numbers add up to those generated.
 std::string counts_text(const ExploreReport& report) {
   const ExploreResult& result = report.result;
-  std::string text = fmt::format("{} of {} routings generated", result.generated, result.total);
+  std::string text = fmt::format("{} of {} routings generated in {:.2f} s:", result.generated,
+                                 result.total, result.seconds);
   for (const Rejection& rejection : result.rejected) {
-    text += fmt::format(", {} rejected ({})", rejection.count,
-                        rejection_text(rejection, report.options));
+    text += fmt::format(" {} {},", rejection.count,
+                        rejection.constraint
+                            ? "fail " + report.options.constraints[*rejection.constraint].text
+                            : "not actuated");
   }
-  text += fmt::format(", {} evaluated", result.evaluated);
-  if (result.pruned == 0) return text;
-  return text + fmt::format(", {} of them by their parts alone", result.pruned);
+  return text + fmt::format(" {} ranked", ranked_designs(report));
+}
+
+std::string evaluated_text(const ExploreResult& result) {
+  if (result.pruned == 0) {
+    return fmt::format("{} evaluated, {:.0f} a second", result.evaluated, rate(result));
+  }
+  return fmt::format(
+      "Of the {} that are actuated {} evaluated, {:.0f} a second; the other {} fail by their parts "
+      "alone",
+      result.evaluated, result.evaluated - result.pruned, rate(result), result.pruned);
 }
 
 std::vector<Objective> objectives_to_show(const ExploreReport& report) {
@@ -108,8 +121,7 @@ Section known_section(const ExploreReport& report) {
 
 std::vector<SheetLine> opening_lines(const ExploreReport& report) {
   const ExploreResult& result = report.result;
-  std::vector<SheetLine> lines{{counts_text(report) + fmt::format(" in {:.2f} s ({:.0f} a second)",
-                                                                  result.seconds, rate(result))}};
+  std::vector<SheetLine> lines{{counts_text(report)}, {evaluated_text(result)}};
   const std::string note = partial_note(report);
   if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
   for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
@@ -172,10 +184,11 @@ Json unmet_json(const ExploreReport& report) {
 
 }  // namespace
 
-Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns) {
+Sheet explore_sheet(const ExploreReport& report, const ListColumns& wanted) {
+  const ListColumns columns = priced(wanted, report.options.prices);
   const std::vector<ListedDesign> top = first(report.top, shown_at_most);
   const Section best{fmt::format("Top {}", top.size()),
-                     design_table(top, objectives_to_show(report), columns), alike_lines(top)};
+                     design_table(top, objectives_to_show(report), columns), list_notes(top)};
   Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
   if (!columns.chosen.empty()) {
     sheet.add(best);
@@ -202,11 +215,14 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const Hardware hardware = effective_hardware(options.model);
   const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
                      hardware.fingers.empty() && hardware.contacts.empty();
-  if (alike || options.generator.identity == FingerIdentity::distinct) return {};
-  return {
-      "the grasps or the hardware tell the fingers apart, but routings were listed for identical "
-      "fingers: each was evaluated with the finger numbers of its word only; --distinct-fingers "
-      "evaluates all"};
+  std::vector<std::string> notes;
+  if (report.uncertainty) notes = range_notes(hardware, report.uncertainty->ranges);
+  if (alike || options.generator.identity == FingerIdentity::distinct) return notes;
+  notes.insert(notes.begin(),
+               "the grasps or the hardware tell the fingers apart, but routings were listed for "
+               "identical fingers: each was evaluated with the finger numbers of its word only; "
+               "--distinct-fingers evaluates all");
+  return notes;
 }
 
 std::string partial_note(const ExploreReport& report) {
@@ -222,6 +238,14 @@ std::string partial_note(const ExploreReport& report) {
   }
   return fmt::format("stopped after {} of {} routings; ranks are among these",
                      report.result.generated, report.result.total);
+}
+
+std::uint64_t ranked_designs(const ExploreReport& report) {
+  std::uint64_t count = report.result.evaluated;
+  for (const Rejection& rejection : report.result.rejected) {
+    if (rejection.constraint) count -= rejection.count;
+  }
+  return count;
 }
 
 std::string rejection_text(const Rejection& rejection, const ExploreOptions& options) {
@@ -264,6 +288,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   }
   json["evaluated"] = result.evaluated;
   json["pruned"] = result.pruned;
+  json["ranked"] = ranked_designs(report);
   json["partial"] = !partial_note(report).empty();
   json["notes"] = notes(report);
   json["total"] = result.total;

@@ -1,6 +1,7 @@
 // What `explore` leaves behind: a table for the terminal, JSON for everything else.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::string explore_summary_json(const ExploreReport& report);
 Json explore_settings(const ExploreReport& report);
 // What the user should know of how the ranking came about; usually nothing.
 std::vector<std::string> notes(const ExploreReport& report);
+
+// Those evaluated that no constraint rejects.
+std::uint64_t ranked_designs(const ExploreReport& report);
 
 // "not actuated", "constraint sheaths<=2".
 std::string rejection_text(const Rejection& rejection, const ExploreOptions& options);

@@ -10,6 +10,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/results/show_report.hpp"
 #include "reports/uncertainty/band_report.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 #include "search/judge/shown_objectives.hpp"
 
@@ -70,15 +71,22 @@ void add_details(Json& json, const RankDetails& details) {
 
 }  // namespace
 
-Sheet rank_sheet(const RankReport& report, const ListColumns& columns) {
+Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
+  const ListColumns columns = priced(wanted, report.prices);
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  if (report.uncertainty) {
+    const Hardware nominal = effective_hardware(report.model);
+    for (const std::string& note : range_notes(nominal, report.uncertainty->ranges)) {
+      lines.push_back({"Note: " + note, true});
+    }
+  }
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Sheet sheet{{{"", std::nullopt, lines},
                {"", design_table(shown, shown_objectives(report.order, report.score), columns),
-                alike_lines(shown)}}};
+                list_notes(shown)}}};
   if (report.designs.size() > 1) {
     std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
     for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);

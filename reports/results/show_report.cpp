@@ -5,6 +5,7 @@
 #include "core/motor_sides.hpp"
 #include "reports/hand/hand_report.hpp"
 #include "reports/results/model_text.hpp"
+#include "reports/results/shared_carriage.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 
 namespace reeve::reports {
@@ -181,6 +182,9 @@ Sheet show_sheet(const ShownRouting& report) {
   if (const std::string key = letter_key(report.network); !key.empty()) {
     lines.push_back({"Motor-side segments, in walk order: " + key});
   }
+  if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
+    lines.push_back({shared});
+  }
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
@@ -202,7 +206,8 @@ Json to_json(const ShownRouting& report) {
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
             {"direction", direction_name(report.direction)},
-            {"motor_sides", letter_key_json(report.network)}};
+            {"motor_sides", letter_key_json(report.network)},
+            {"trees", tree_count(report.network)}};
   if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
   json["grasps"] = Json::array();
   for (const ShownGrasp& shown : report.grasps) {

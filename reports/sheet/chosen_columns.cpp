@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -20,6 +21,25 @@ std::size_t column_of(const Table& table, const std::string& wanted) {
   throw InputError({.what = "columns",
                     .value = wanted,
                     .expected = fmt::format("any of {}", fmt::join(there, ", "))});
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+[[noreturn]] void fail(const std::string& text, const std::string& name,
+                       const std::vector<std::string>& known,
+                       const std::vector<MissingColumns>& missing) {
+  InputFault fault{.where = fmt::format("columns '{}'", text),
+                   .what = fmt::format("there is no column '{}'", name),
+                   .expected = fmt::format("any of {}", fmt::join(known, ", ")),
+                   .form = InputForm::unknown};
+  for (const MissingColumns& others : missing) {
+    if (!holds(others.names, name)) continue;
+    fault.expected = others.with + ", with which there is one";
+    break;
+  }
+  throw InputError(std::move(fault));
 }
 
 }  // namespace
@@ -46,7 +66,8 @@ Table with_columns(const Table& table, const std::vector<std::string>& keys) {
 }
 
 std::vector<std::string> parse_columns(const std::string& text,
-                                       const std::vector<std::string>& known) {
+                                       const std::vector<std::string>& known,
+                                       const std::vector<MissingColumns>& missing) {
   std::vector<std::string> chosen;
   for (const std::string& item : comma_separated(text)) {
     const std::string name(trimmed(item));
@@ -56,13 +77,8 @@ std::vector<std::string> parse_columns(const std::string& text,
                         .expected = "a name of a column there, or no comma",
                         .form = InputForm::unknown});
     }
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw InputError({.where = fmt::format("columns '{}'", text),
-                        .what = fmt::format("there is no column '{}'", name),
-                        .expected = fmt::format("any of {}", fmt::join(known, ", ")),
-                        .form = InputForm::unknown});
-    }
-    if (std::find(chosen.begin(), chosen.end(), name) != chosen.end()) {
+    if (!holds(known, name)) fail(text, name, known, missing);
+    if (holds(chosen, name)) {
       throw InputError({.where = fmt::format("columns '{}'", text),
                         .what = fmt::format("'{}' is there twice", name)});
     }

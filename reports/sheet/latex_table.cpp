@@ -43,10 +43,6 @@ std::string digits_that_lack(std::size_t has, std::size_t most) {
   return (has == 0 ? "." : "") + std::string(most - has, '0');
 }
 
-std::string heading_text(const TableColumn& column) {
-  return column.heading + (column.unit.empty() ? "" : " (" + column.unit + ")");
-}
-
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::size_t begin = 0;
@@ -293,6 +289,7 @@ std::string fitted(const std::vector<LatexColumn>& columns, double width_pt) {
 
 double least_width_pt(const Table& table) {
   const std::vector<LatexColumn> columns = latex_columns(table);
+  if (table.chosen) return total_width(columns, least_total);
   double widest = least_total(columns.front());
   for (std::size_t i = 1; i < columns.size(); ++i) {
     widest = std::max(widest, total_width({columns.front(), columns[i]}, least_total));
@@ -305,8 +302,12 @@ double least_width_pt(const Table& table) {
 std::string latex(const Table& table, double width_pt) {
   const std::vector<LatexColumn> columns = latex_columns(table);
   if (width_pt == 0 || can_fit(columns, width_pt)) return tabular(columns, width_pt);
-  if (table.chosen) fail_to_fit(columns, width_pt);
   return fitted(columns, width_pt);
+}
+
+void require_chosen_fit(const Table& table, double width_pt) {
+  const std::vector<LatexColumn> columns = latex_columns(table);
+  if (!can_fit(columns, width_pt)) fail_to_fit(columns, width_pt);
 }
 
 }  // namespace reeve::reports

@@ -9,7 +9,11 @@ namespace reeve::reports {
 
 std::string latex(const Table& table, double width_pt);
 
-// Below this a table of columns that nobody chose is wider than it was asked to be.
+// Below this the table stands out, or, if its columns were chosen, goes on in a further tabular.
 double least_width_pt(const Table& table);
+
+// Of a table whose columns were chosen. Throws InputError that says how much they take, and which
+// of them fit.
+void require_chosen_fit(const Table& table, double width_pt);
 
 }  // namespace reeve::reports

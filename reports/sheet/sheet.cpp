@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -13,6 +14,16 @@ TableColumn text_column(const std::string& heading) { return {heading, "", true}
 TableColumn number_column(const std::string& heading, const std::string& unit,
                           unsigned dispensable) {
   return {heading, unit, false, dispensable};
+}
+
+std::string heading_text(const TableColumn& column) {
+  return column.unit.empty() ? column.heading : column.heading + " (" + column.unit + ")";
+}
+
+std::string shown_unit(const std::string& unit) {
+  const std::size_t slash = std::min(unit.find('/'), unit.size());
+  const bool is_ratio = slash < unit.size() && unit.substr(0, slash) == unit.substr(slash + 1);
+  return is_ratio || unit == "%" ? "" : unit;
 }
 
 void Table::add(std::vector<std::string> cells, Tint tint) {

@@ -24,6 +24,12 @@ TableColumn text_column(const std::string& heading);
 TableColumn number_column(const std::string& heading, const std::string& unit = "",
                           unsigned dispensable = 0);
 
+// "motor (N)".
+std::string heading_text(const TableColumn& column);
+
+// A unit where room is short: "" of shares and of ratios, which read as numbers.
+std::string shown_unit(const std::string& unit);
+
 // Beside a word that says the same.
 enum class Tint : std::uint8_t { none, good, notable, bad };
 

@@ -1,8 +1,13 @@
 #include "reports/sheet/sheet_latex.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
 #include "reports/sheet/latex_table.hpp"
+#include "reports/sheet/latex_width.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -38,6 +43,19 @@ double least_width_pt(const Sheet& sheet) {
     if (section.table) widest = std::max(widest, least_width_pt(*section.table));
   }
   return widest;
+}
+
+void require_fits(const Sheet& sheet, double width_pt) {
+  for (const Section& section : sheet.sections) {
+    if (section.table && section.table->chosen) require_chosen_fit(*section.table, width_pt);
+  }
+  const double takes_pt = least_width_pt(sheet);
+  if (takes_pt <= width_pt) return;
+  throw InputError(
+      {.what = "--text-width",
+       .value = fmt::format("{:.4g} mm", width_pt / pt_in_mm),
+       .expected = fmt::format("{:.0f} mm or more, which the tables take, or --columns",
+                               std::ceil(takes_pt / pt_in_mm))});
 }
 
 }  // namespace reeve::reports

@@ -37,8 +37,7 @@ std::string row_text(const std::vector<TableColumn>& columns, const std::vector<
 std::string table_text(const Table& table) {
   std::vector<std::vector<std::string>> rows(1);
   for (const TableColumn& column : table.columns) {
-    rows[0].push_back(
-        escaped(column.heading + (column.unit.empty() ? "" : " (" + column.unit + ")")));
+    rows[0].push_back(escaped(heading_text(column)));
   }
   for (const TableRow& row : table.rows) {
     rows.emplace_back();

@@ -64,10 +64,16 @@ std::vector<Table> folded(const Table& table, std::size_t width) {
 
 }  // namespace
 
+std::string text_heading(const TableColumn& column) {
+  TableColumn shown = column;
+  shown.unit = shown_unit(column.unit);
+  return heading_text(shown);
+}
+
 std::vector<std::size_t> natural_widths(const Table& table) {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    widths.push_back(text_width(table.columns[i].heading));
+    widths.push_back(text_width(text_heading(table.columns[i])));
     for (const TableRow& row : table.rows) {
       widths[i] = std::max(widths[i], text_width(row.cells[i]));
     }

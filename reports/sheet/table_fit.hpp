@@ -11,6 +11,9 @@ namespace reeve::reports {
 
 inline constexpr std::size_t column_gap = 2;
 
+// Of a text, where shares and ratios have no unit.
+std::string text_heading(const TableColumn& column);
+
 // Of each column, heading and cells.
 std::vector<std::size_t> natural_widths(const Table& table);
 

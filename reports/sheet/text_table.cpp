@@ -49,7 +49,7 @@ std::string row_text(const Table& table, const TableRow& row,
 std::string part_text(const Table& table, const std::vector<std::size_t>& widths,
                       const Look& look) {
   TableRow headings;
-  for (const TableColumn& column : table.columns) headings.cells.push_back(column.heading);
+  for (const TableColumn& column : table.columns) headings.cells.push_back(text_heading(column));
   std::string text = row_text(table, headings, widths, Ink::strong, look);
   for (const TableRow& row : table.rows) {
     text += row_text(table, row, widths, ink_of(row.tint), look);

@@ -11,11 +11,12 @@
 #include "catalog/rig/hardware_tables.hpp"
 #include "core/hand/hand.hpp"
 #include "core/version.hpp"
+#include "reports/decision/decision_words.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/sheet/chosen_columns.hpp"
+#include "reports/sizing/sizing_objectives.hpp"
 #include "reports/sizing/sizing_words.hpp"
 #include "reports/telling_digits.hpp"
-#include "search/judge/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -52,7 +53,8 @@ Table sized_table(const SizingReport& report, bool all) {
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     const ObjectiveRow& about = row(objectives[i]);
     const std::string part = *about.part == '\0' ? "" : std::string(", ") + about.part;
-    table.columns.push_back(number_column(about.heading + part, "", static_cast<unsigned>(i) + 1));
+    table.columns.push_back(number_column(about.heading + part, objective_unit(about.objective),
+                                          static_cast<unsigned>(i) + 1));
     table.columns.back().key = about.name;
   }
   for (const SizedRouting& routing : report.designs) {
@@ -73,6 +75,11 @@ Section ranking_section(const SizingReport& report) {
 }
 
 std::string off(const std::optional<double>& way) { return way ? short_number(*way) : "any"; }
+
+// Where no limit was found for it alone, what it was tried with is none either.
+std::string off_together(double way, const std::optional<double>& alone) {
+  return alone ? short_number(way) : "≥ " + short_number(way);
+}
 
 std::string stands(const SizedVariable& variable) {
   switch (variable.at) {
@@ -124,8 +131,8 @@ std::array<std::string, variable_columns.size()> variable_cells(const SizedDesig
           short_number(sized.value),
           off(of.less),
           off(of.more),
-          ways != nullptr ? short_number(ways->less) : "-",
-          ways != nullptr ? short_number(ways->more) : "-",
+          ways != nullptr ? off_together(ways->less, of.less) : "-",
+          ways != nullptr ? off_together(ways->more, of.more) : "-",
           stands(sized),
           short_number(of.slope_less),
           short_number(of.slope_more)};
@@ -177,7 +184,7 @@ SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
   const int digits = telling_digits({share, wanted});
   const std::string at_best =
       share == wanted
-          ? std::string("at the nominal coefficients shares meet it at best")
+          ? std::string("at the nominal coefficients there are dimensions that meet it")
           : fmt::format(
                 "at the nominal coefficients shares miss it by {:.4g} at best, where finger "
                 "{} has {:.{}g} of all pull instead of {:.{}g}",
@@ -187,8 +194,10 @@ SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
   }
   if (on_grid(*design.least_miss) == 0 && !options.robust) return {"The target is met"};
   const std::string here =
-      options.robust ? fmt::format("; sized for all coefficients, they miss it by {:.4g} there",
-                                   on_grid(design.after.nominal))
+      options.robust ? fmt::format(
+                           "; those above, sized for the quantile over the draws, miss it "
+                           "by {:.4g} there",
+                           on_grid(design.after.nominal))
                      : "";
   return {"The target is within reach: " + at_best + here};
 }
@@ -227,19 +236,6 @@ Section shares_section(const SizingReport& report) {
                fixed(design.after.shares[f], 4)});
   }
   return {"Shares of the fingers in all pull, at the nominal coefficients", table, {}};
-}
-
-Section objective_section(const SizingReport& report) {
-  Table table{{text_column("objective"), number_column("before"), number_column("sized")}, {}};
-  const SizedDesign& design = report.designs.front().design;
-  for (const Objective objective :
-       shown_objectives(Order(report.options.goal.factors), report.options.score)) {
-    const ObjectiveRow& about = row(objective);
-    if (about.is_count()) continue;
-    table.add({about.name, fixed(value(design.before.values, objective), about.decimals),
-               fixed(value(design.after.values, objective), about.decimals)});
-  }
-  return {"At the nominal coefficients", table, {}};
 }
 
 }  // namespace

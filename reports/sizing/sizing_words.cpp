@@ -66,9 +66,9 @@ std::string any_text(const SizedDesign& design) {
       });
   if (!any || design.variables.size() == 1 || !design.together) return "";
   return fmt::format(
-      "any: not within its bounds and their width beyond, alone; all at once it was tried with its "
-      "other side's tolerance (a tenth of its bounds where both are any) times {:.3g}, and with no "
-      "more",
+      "any: alone, as far as its bounds and their width beyond; ≥: all at once it was tried no "
+      "further than its other side's tolerance (a tenth of its bounds where both are any) times "
+      "{:.3g}",
       design.together->factor);
 }
 

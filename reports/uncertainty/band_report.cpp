@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
@@ -20,6 +21,32 @@ std::string place_range(const RankDistribution& ranks) {
 
 std::string short_name(const ListedDesign& design) {
   return design.name.empty() ? design.ranked.design.word : design.name;
+}
+
+// Which of those shown holds in nearly all draws: the first need not.
+std::string surest_text(const std::vector<ListedDesign>& shown) {
+  constexpr double nearly_all = 0.95;
+  const auto sure = std::find_if(shown.begin(), shown.end(), [](const ListedDesign& design) {
+    return design.constraints_met.value_or(0) >= nearly_all;
+  });
+  if (sure == shown.begin()) return "";
+  const std::string start =
+      fmt::format("{} meets all of them in {} of the draws; ", short_name(shown.front()),
+                  share_text(*shown.front().constraints_met));
+  if (sure == shown.end()) {
+    return start + fmt::format("none of those shown does in {} or more", percent(nearly_all));
+  }
+  return start + fmt::format("the first that does in {} or more is {}, rank {}",
+                             percent(nearly_all), short_name(*sure), sure->ranked.rank);
+}
+
+std::vector<SheetLine> met_lines(const std::vector<ListedDesign>& shown) {
+  if (shown.empty() || !shown.front().constraints_met) return {};
+  std::vector<SheetLine> lines{
+      {"Meets all: in how many of the draws a design meets all constraints; which designs are "
+       "listed, the nominal coefficients decide"}};
+  if (std::string text = surest_text(shown); !text.empty()) lines.push_back({std::move(text)});
+  return lines;
 }
 
 std::string band_cell(const ListedDesign& design, Objective objective) {
@@ -56,7 +83,7 @@ Table band_table(const std::vector<ListedDesign>& designs,
                  const std::vector<Objective>& objectives) {
   Table table{{number_column("rank"), text_column("name"), text_column("routing")}, {}};
   for (const Objective objective : objectives) {
-    table.columns.push_back(number_column(objective_heading(objective)));
+    table.columns.push_back(number_column(objective_heading(objective), objective_unit(objective)));
   }
   const bool constrained = !designs.empty() && designs.front().constraints_met.has_value();
   if (constrained) table.columns.push_back(number_column("meets all"));
@@ -87,8 +114,7 @@ Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
   if (shown.empty() || !shown.front().distribution) return {};
   return {fmt::format("Median (5–95 %) over {} draws of the coefficients from their ranges",
                       options.draws),
-          band_table(shown, swept_objectives(order)),
-          {}};
+          band_table(shown, swept_objectives(order)), met_lines(shown)};
 }
 
 std::vector<SheetLine> shared_first_lines(const std::vector<ListedDesign>& designs) {

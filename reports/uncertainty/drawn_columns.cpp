@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <string_view>
+
+#include "reports/decision/decision_words.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -28,7 +29,6 @@ DrawnColumn place_column(const std::string& key, const std::string& heading,
 
 DrawnColumn band_column(const ObjectiveRow& row, const std::string& key, const std::string& heading,
                         double Band::*part) {
-  const std::string_view unit = row.unit;
   const std::string whose =
       *row.part == '\0' ? row.heading : std::string(row.heading) + ", " + row.part;
   const auto cell = [&row, part](const ListedDesign& design) -> std::string {
@@ -36,7 +36,7 @@ DrawnColumn band_column(const ObjectiveRow& row, const std::string& key, const s
     return band == nullptr ? "-" : fixed((*band).*part, row.decimals);
   };
   return named_column(std::string(row.name) + "_" + key, whose + ", " + heading,
-                      unit == "1" ? "" : row.unit, cell);
+                      objective_unit(row.objective), cell);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "catalog/names.hpp"
 #include "core/notation.hpp"
 #include "search/judge/ranking.hpp"
+#include "search/size/size_space.hpp"
 
 namespace reeve::studies {
 namespace {
@@ -36,6 +37,31 @@ GraspSet shown_grasps(const SizingOptions& options, const Routing& routing) {
 }  // namespace
 
 bool best_meets_target(const SizingReport& report) { return is_met(report.designs.front().design); }
+
+SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOptions& options,
+                            const Catalogue& catalogue) {
+  SizingReport report;
+  report.options = options;
+  report.partial = true;
+  for (const Routing& routing : routings) {
+    SizedRouting planned;
+    planned.word = to_word(routing);
+    planned.name = name_of(catalogue, routing);
+    planned.design.routing = routing;
+    const std::vector<double>& target = options.goal.target;
+    planned.design.before.shares = planned.design.after.shares = target;
+    const SizeSpace space =
+        size_space(expand(routing), options.nominal.hardware, options.varied, options.same);
+    for (const SizeVariable& variable : space.variables) {
+      SizedVariable as_it_is;
+      as_it_is.variable = variable;
+      as_it_is.value = variable.nominal;
+      planned.design.variables.push_back(std::move(as_it_is));
+    }
+    report.designs.push_back(std::move(planned));
+  }
+  return report;
+}
 
 SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
                           const Catalogue& catalogue, const StudySupervision& supervision) {

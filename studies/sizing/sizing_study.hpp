@@ -45,6 +45,11 @@ struct SizingReport {
 // Of a goal of any other kind it is met always.
 bool best_meets_target(const SizingReport& report);
 
+// What will be sized, with the dimensions as they are, in the order given; partial, as nothing has
+// been searched for.
+SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOptions& options,
+                            const Catalogue& catalogue);
+
 SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
                           const Catalogue& catalogue, const StudySupervision& supervision = {});
 

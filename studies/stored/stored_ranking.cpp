@@ -1,9 +1,12 @@
 #include "studies/stored/stored_ranking.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
+#include <vector>
 
+#include "core/error.hpp"
 #include "search/exploration_part.hpp"
 
 namespace reeve::studies {
@@ -83,6 +86,16 @@ void add_kept(const StoreReader& store, bool same_order, Ranker& ranker) {
   });
 }
 
+// Words that are no routings, for whatever reason, are said to be of this file.
+ExploreReport concluded(ExplorationPart part, const ExploreOptions& asked,
+                        const Catalogue& catalogue, const std::filesystem::path& file) {
+  try {
+    return explore_report(asked, conclude(std::move(part), asked), {}, catalogue);
+  } catch (const InputError& error) {
+    throw error.at(file.string());
+  }
+}
+
 }  // namespace
 
 std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked) {
@@ -111,9 +124,10 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   ranking.keeps_all = store.keep() == Keep::all;
   if (!ranking.keeps_all) ranking.gaps = gaps(stored, asked);
   Ranker ranker(asked);
+  const std::vector<StoredShard> shards = store.shards();
   add_kept(store, is_same_order(stored, asked), ranker);
   ExplorationPart& part = ranker.part();
-  for (const StoredShard& shard : store.shards()) {
+  for (const StoredShard& shard : shards) {
     part.total += shard.record.total;
     part.generated += shard.record.generated;
     part.evaluated += shard.record.evaluated;
@@ -124,7 +138,7 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   ranking.partial = ranking.shards < ranking.of_shards || part.generated < part.total;
   ranking.kept = ranker.kept();
   ranking.failed = ranker.failed();
-  ranking.report = explore_report(asked, conclude(std::move(part), asked), {}, catalogue);
+  ranking.report = concluded(std::move(part), asked, catalogue, store.file());
   return ranking;
 }
 

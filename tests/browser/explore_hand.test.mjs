@@ -20,7 +20,7 @@ describe("explore: a hand", () => {
   test("what there is none of is a dash, and a bound leaves it out", async () => {
     assert.ok(none.length > 0 && none.length < designs.length, `${none.length} of ${designs.length}`);
     await filterBy(page, { text: none[0].routing, which: "listed" });
-    assert.ok((await column(page.locator("#designs"), "motor force")).includes("-"));
+    assert.ok((await column(page.locator("#designs"), "motor force, N")).includes("-"));
     const bound = page.locator("#bounds .bound").first();
     await bound.locator("select").first().selectOption({ label: "motor force" });
     await bound.locator("select").nth(1).selectOption("most");
@@ -33,10 +33,10 @@ describe("explore: a hand", () => {
   });
 
   test("sorted, it comes last both ways", async () => {
-    const button = sortButton(page.locator("#designs"), "motor force");
+    const button = sortButton(page.locator("#designs"), "motor force, N");
     for (const _ of ["up", "down"]) {
       await button.click();
-      const first = await column(page.locator("#designs"), "motor force");
+      const first = await column(page.locator("#designs"), "motor force, N");
       assert.ok(!first.slice(0, 10).includes("-"), first.slice(0, 10).join());
     }
   });

@@ -11,9 +11,10 @@ namespace {
 
 TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
-  EXPECT_EQ(keys(json),
-            "generated rejected evaluated pruned partial notes total seconds designs_per_second "
-            "front_equals_left_out front top best known ladder unmet exploration settings version");
+  EXPECT_EQ(
+      keys(json),
+      "generated rejected evaluated pruned ranked partial notes total seconds designs_per_second "
+      "front_equals_left_out front top best known ladder unmet exploration settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + alike);
   EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + alike);

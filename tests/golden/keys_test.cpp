@@ -14,7 +14,7 @@ namespace {
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
   EXPECT_EQ(keys(json),
-            "routing name canonical direction motor_sides grasps" + objectives + " model");
+            "routing name canonical direction motor_sides trees grasps" + objectives + " model");
   EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
@@ -29,8 +29,8 @@ const std::string hand_objectives = "motor_force fingertip_force stroke closure 
 
 TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"show", "M-1-T-2-T-3-F", "--hardware", example_hand});
-  EXPECT_EQ(keys(json),
-            "routing name canonical direction motor_sides grasps" + objectives + " hand model");
+  EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
+                            " hand model");
   const Json& hand = json["hand"];
   EXPECT_EQ(keys(hand), hand_objectives + " fingers grasps motor");
   EXPECT_EQ(keys(hand["fingertip_force"]), "mean worst");
@@ -72,8 +72,8 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
 
 TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {
   const Json json = json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
-  EXPECT_EQ(keys(json),
-            "routing name canonical direction motor_sides grasps" + objectives + " model prices");
+  EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
+                            " model prices");
   EXPECT_EQ(json["prices"]["unit"], "EUR");
 }
 

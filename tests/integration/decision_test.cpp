@@ -134,14 +134,14 @@ TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
   const Explored explored({"--fingers", "3", "--hardware",
                            REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--constraint",
                            "motor_force<=150", "--uncertainty", "--draws", "40", "--top", "5"});
-  EXPECT_TRUE(says(explored.result, "  motor\n"));
+  EXPECT_TRUE(says(explored.result, "  motor (N)\n"));
   EXPECT_TRUE(says(explored.result, "  meets all  "));
   const Json first = explored.summary()["top"][0];
   const double met = first["constraints_met"];
   EXPECT_GT(met, 0);
   EXPECT_NE(explored.file("designs.csv").find(",constraints_met,exploration\n"), std::string::npos);
   const std::string page = explored.file("index.html");
-  EXPECT_NE(page.find(">motor force</th>"), std::string::npos);
+  EXPECT_NE(page.find(">motor force, N</th>"), std::string::npos);
   EXPECT_NE(page.find("data-column=\"constraints_met\""), std::string::npos);
   EXPECT_NE(page.find("Constraints were judged at the nominal coefficients; in "),
             std::string::npos);

@@ -19,6 +19,38 @@ TEST(Export, WritesTheSameToAFileAndToStdout) {
   EXPECT_EQ(read_text(file), shown.out);
 }
 
+std::string head(const std::vector<std::string>& arguments) {
+  const std::string text = reeve(arguments).out;
+  return text.substr(0, text.find("-->"));
+}
+
+TEST(Export, SaysAtItsHeadWhatItIsOf) {
+  const std::string file = std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml";
+  const std::string plain = head({"export", "1-P-2-P-1"});
+  EXPECT_NE(plain.find("The routing TR7 (1-P-2-P-1) without friction"), std::string::npos) << plain;
+  EXPECT_NE(plain.find("\nHardware: the paper's, by default.\n"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("Several trees"), std::string::npos) << plain;
+  const std::string hand = head({"export", "M-1-F+M-2-F+M-3-F", "--hardware", file});
+  EXPECT_NE(hand.find("The routing M-1-F+M-2-F+M-3-F without"), std::string::npos) << hand;
+  EXPECT_NE(hand.find("\nHardware: " + file + ".\n"), std::string::npos) << hand;
+  EXPECT_NE(hand.find("\nSeveral trees of tendons hang on the carriage"), std::string::npos)
+      << hand;
+  EXPECT_NE(head({"export", "ExoGlovePoly"}).find("\nHardware: the mechanism's own"),
+            std::string::npos);
+}
+
+// The name of a file may hold what would end a comment.
+TEST(Export, IsXmlWhateverTheHardwareIsCalled) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "a--b-->c.toml").string();
+  folder.write("a--b-->c.toml", "");
+  const std::string text = reeve({"export", "TR7", "--hardware", file}).out;
+  const std::size_t begin = text.find("<!--") + 4;
+  const std::size_t hyphens = text.find("--", begin);
+  EXPECT_EQ(text.compare(hyphens, 3, "-->"), 0) << text.substr(begin, 300);
+  EXPECT_NE(text.find("a- -b- ->c.toml"), std::string::npos) << text.substr(begin, 300);
+}
+
 TEST(Export, AMechanismHasItsOwnHardwareUnlessAnotherIsGiven) {
   const std::string own = reeve({"export", "ExoGlovePoly"}).out;
   const std::string other =

@@ -98,7 +98,9 @@ TEST(Size, OfATargetForAllCoefficientsDoesNotSayOneNumberInsteadOfItself) {
   const std::string& out = sized.result.out;
   const std::size_t instead = out.find(" of all pull instead of ");
   if (instead == std::string::npos) {
-    EXPECT_NE(out.find("shares meet it at best"), std::string::npos) << out;
+    EXPECT_NE(out.find("there are dimensions that meet it; those above, sized for the quantile"),
+              std::string::npos)
+        << out;
   } else {
     const std::string has = out.substr(out.rfind(' ', instead - 1) + 1);
     const std::string wanted = out.substr(instead + 24);
@@ -112,10 +114,32 @@ TEST(Size, SaysUnitsAndWhatAnyMeans) {
                      "tip_angle=2..4", "--nominal", "--starts", "1"});
   const std::string headline = force.result.out.substr(force.result.out.find("M-1b"));
   EXPECT_NE(headline.substr(0, headline.find('\n')).find(" N ("), std::string::npos) << headline;
-  EXPECT_NE(force.result.out.find("any: not within its bounds and their width beyond, alone; all "
-                                  "at once it was tried with its other side's tolerance"),
+  EXPECT_NE(force.result.out.find("any: alone, as far as its bounds and their width beyond; ≥: "
+                                  "all at once it was tried no further than its other side's "
+                                  "tolerance"),
             std::string::npos)
       << force.result.out;
+  // No number that reads as a limit stands beside "any".
+  const std::string row = headline.substr(headline.find("\ntip_angle["));
+  EXPECT_NE(row.substr(0, row.find('\n', 1)).find("any"), std::string::npos) << row;
+  EXPECT_NE(row.substr(0, row.find('\n', 1)).find(" ≥ "), std::string::npos) << row;
+}
+
+// Longer arms ask for less force and more stroke than this motor has.
+TEST(Size, SaysWhereItsMotorIsNotEnoughForWhatWasSized) {
+  const std::string hand = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
+  const auto out = [&](const char* arms) {
+    return Sized({"M-1b-T-2b-B-3b-M", "--hardware", hand, "--goal", "motor_force", "--vary", arms,
+                  "--same", "arms", "--nominal", "--starts", "1"})
+        .result.out;
+  };
+  const std::string longer = out("arm_mm=10..14");
+  EXPECT_NE(longer.find("\nThe motor's stroke of 90 mm is not enough as it is sized: "),
+            std::string::npos)
+      << longer;
+  EXPECT_EQ(longer.find("The motor's force of"), std::string::npos) << longer;
+  EXPECT_NE(longer.find("\nstroke                 mm "), std::string::npos) << longer;
+  EXPECT_EQ(out("arm_mm=9..10").find("is not enough"), std::string::npos);
 }
 
 TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {

@@ -25,11 +25,6 @@ ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> 
   return options;
 }
 
-void execute(const fs::path& file, const std::string& sql) {
-  const ProcessResult result = run_process({"sqlite3", file.string(), sql});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
 TEST_F(Stored, GoesOnAfterKillsToTheBytesOfTheWhole) {
   const Explored whole(some_work);
   std::vector<std::uint64_t> steps;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/stored.hpp"
+#include "tests/support/svg.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -150,6 +151,37 @@ TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
     EXPECT_EQ(run({"merge", second, "a.db", "--out", "out"}).exit_code, 0);
     expect_same_below(folder_.path() / "out", whole.out());
   }
+}
+
+std::string complaint(const ProcessResult& result) {
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  return result.err;
+}
+
+TEST_F(Stored, IsNotRankedBeforeItsFirstSave) {
+  ASSERT_EQ(explore({}).exit_code, 0);
+  execute(store(), "DELETE FROM shards");
+  const std::string expected =
+      "reeve: s.db: explore has saved nothing in it yet; expected a store after its first save\n";
+  EXPECT_EQ(complaint(run({"rank", "--store", "s.db"})), expected);
+  EXPECT_EQ(complaint(run({"merge", "s.db", "--out", "merged"})), expected);
+}
+
+// Whoever finds the fault, SQLite or the parser of words.
+TEST_F(Stored, ThatIsDamagedIsNamedOnce) {
+  ASSERT_EQ(explore({}).exit_code, 0);
+  const auto once = [](const std::string& err) { return count(err, "s.db") == 1; };
+  const auto changed = [&](const std::string& sql) {
+    execute(store(), sql);
+    return complaint(run({"rank", "--store", "s.db"}));
+  };
+  const std::string word = changed("UPDATE archive SET routing = 'M-9-Q' WHERE number = 0");
+  EXPECT_TRUE(once(word) && word.find("'M-9-Q'") != std::string::npos) << word;
+  const std::string counts = changed("UPDATE shards SET evaluated = generated + 1");
+  EXPECT_TRUE(once(counts) && counts.find("shard 1 of 1") != std::string::npos) << counts;
+  const std::string table = changed("DROP TABLE archive");
+  EXPECT_TRUE(once(table)) << table;
 }
 
 class StoreLines : public Stored {

@@ -36,6 +36,11 @@ inline void expect_same_below(const std::filesystem::path& actual,
   }
 }
 
+inline void execute(const std::filesystem::path& file, const std::string& sql) {
+  const ProcessResult result = run_process({"sqlite3", file.string(), sql});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 class Stored : public ::testing::Test {
  protected:
   std::filesystem::path store() const { return folder_.path() / "s.db"; }

@@ -73,6 +73,15 @@ TEST(RoutingPage, SaysHowItIsWrittenAndMade) {
   EXPECT_TRUE(shown.has("<pre id=\"command\">reeve show F-2-T-1-M --out "));
 }
 
+TEST(RoutingPage, SaysWhatTendonsOfOneCarriageShare) {
+  const Shown two({"M-1-F+M-2-F"});
+  EXPECT_TRUE(
+      two.has("id=\"shared\">2 tendons hang on one carriage: their shares of its pull are"));
+  EXPECT_NE(two.plain.out.find("\n2 tendons hang on one carriage: "), std::string::npos);
+  EXPECT_TRUE(Shown({"M-Y1+1x-Y1-2x+M-3-F"}).has(">2 trees of tendons hang on one carriage: "));
+  EXPECT_FALSE(Shown({"M-Y1+1x-Y1-2x"}).has("id=\"shared\""));
+}
+
 TEST(RoutingPage, SaysWhereItJams) {
   EXPECT_TRUE(Shown({"M-1-F+M-2-F", "--held", "1"}).has("With finger 1 held the routing jams"));
 }

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "reports/results/design_list.hpp"
+#include "reports/results/explore_report.hpp"
+#include "reports/sheet/sheet_text.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 
 namespace reeve {
@@ -67,6 +70,54 @@ TEST(BandTable, SaysHowOftenAllConstraintsAreMet) {
   EXPECT_TRUE(design_csv({design}).ends_with(",0.32209,0.375\n"));
 }
 
+// The first need not be the one that holds in nearly all draws.
+TEST(BandSection, SaysHowConstraintsAreJudgedAndWhichDesignHoldsInNearlyAllDraws) {
+  std::vector<ListedDesign> shown{drawn_design("A", 1, 1), drawn_design("B", 2, 2)};
+  const auto lines = [&] {
+    const std::string all = text(Sheet{{band_section(shown, {}, {})}});
+    const std::size_t begin = all.find("Meets all: ");
+    return begin == std::string::npos ? "" : all.substr(begin);
+  };
+  EXPECT_EQ(lines(), "");
+  const std::string judged =
+      "Meets all: in how many of the draws a design meets all constraints; which designs are "
+      "listed, the nominal coefficients decide\n";
+  shown[0].constraints_met = 0.56;
+  shown[1].constraints_met = 0.9499;
+  EXPECT_EQ(lines(), judged +
+                         "A meets all of them in 56.0 % of the draws; none of those shown does "
+                         "in 95.0 % or more\n");
+  shown[1].constraints_met = 0.95;
+  EXPECT_EQ(lines(), judged +
+                         "A meets all of them in 56.0 % of the draws; the first that does in "
+                         "95.0 % or more is B, rank 2\n");
+  shown[0].constraints_met = 0.96;
+  EXPECT_EQ(lines(), judged);
+}
+
+// Draws of another material than the hardware's say nothing of it.
+TEST(RangeNotes, NameACoefficientThatItsRangeLeavesOut) {
+  Hardware hardware;
+  UncertaintyRanges ranges;
+  hardware.tube.mu = ranges.tube_mu.high;
+  hardware.sheath.mu = ranges.sheath_mu.low;
+  EXPECT_TRUE(range_notes(hardware, ranges).empty());
+  hardware.tube.mu = 0.3;
+  EXPECT_EQ(
+      range_notes(hardware, ranges),
+      std::vector<std::string>{
+          "the nominal friction coefficient of tubes, 0.3, is outside the range that is drawn "
+          "from, 0.05 to 0.2: [uncertainty] of the hardware file gives another"});
+  hardware.sheath.mu = 0.04;
+  EXPECT_EQ(range_notes(hardware, ranges).size(), 2U);
+  ExploreReport report;
+  report.options.model.hardware = hardware;
+  report.options.grasps = single_grasps(2);
+  EXPECT_TRUE(notes(report).empty());
+  report.uncertainty = UncertaintyOptions{};
+  EXPECT_EQ(notes(report), range_notes(hardware, ranges));
+}
+
 TEST(DesignTable, HasBandsWhereTheyAreChosen) {
   ListedDesign design = drawn_design("1-P-2-P-1", 1, 1);
   design.constraints_met = 0.375;
@@ -74,9 +125,9 @@ TEST(DesignTable, HasBandsWhereTheyAreChosen) {
                             "constraints_met", "motor_force_median"}};
   EXPECT_EQ(
       text(design_table({design, placed("B", 2, 2)}, {}, chosen)),
-      "routing    uniformity, mean, 5 %  place, 95 %  first, shared  meets all  motor, median\n"
-      "1-P-2-P-1                  0.961            2         25.0 %     37.5 %              -\n"
-      "B                              -            -              -          -              -\n");
+      "routing    uniformity, mean, 5 %  place, 95 %  first, shared  meets all  motor, median (N)\n"
+      "1-P-2-P-1                  0.961            2         25.0 %     37.5 %                  -\n"
+      "B                              -            -              -          -                  -\n");
   const auto names = [](const ListedWith& with) {
     const std::vector<std::string> list = list_column_names(with);
     return std::set<std::string>(list.begin(), list.end());
@@ -185,10 +236,10 @@ TEST(SweepReport, TellsNeighboursApart) {
   EXPECT_EQ(lead_sentences(swept)[0], "A comes first from 0.1 to 0.100041");
   EXPECT_EQ(lead_sentences(swept)[1], "a \"B\" comes first from 0.100041 to 0.1001");
   EXPECT_EQ(text(*sweep_sections(swept)[1].table),
-            "sheath_angle        A    a \"B\"\n"
-            "         0.1  0.39000  0.39000\n"
-            "     0.10005  0.38996  0.38996\n"
-            "      0.1001  0.38992  0.38992\n");
+            "sheath_angle (rad)        A    a \"B\"\n"
+            "               0.1  0.39000  0.39000\n"
+            "           0.10005  0.38996  0.38996\n"
+            "            0.1001  0.38992  0.38992\n");
 }
 
 TEST(SweepCsv, HasARowForEachDesignAndValueAndBandsWhereTheyAre) {

@@ -76,6 +76,22 @@ TEST(AnswerLines, SayThatNothingIsCheaperWithinTheLoss) {
   EXPECT_TRUE(answer_lines({}, ladder).empty());
 }
 
+TEST(AnswerLines, HaveUnits) {
+  ListedLadder ladder = three_rungs();
+  ladder.ladder.objectives = {Objective::motor_force, Objective::travel, Objective::cost};
+  ladder.cost_unit = "EUR";
+  ObjectiveValues& values = ladder.ladder.first.values;
+  values[static_cast<std::size_t>(Objective::motor_force)] = 65.8;
+  values[static_cast<std::size_t>(Objective::travel)] = 2;
+  values[static_cast<std::size_t>(Objective::cost)] = 44.4;
+  ladder.rungs[2].ranked.design.values = values;
+  EXPECT_NE(lines_text(answer_lines({ladder.rungs[2]}, ladder))
+                .find("motor 65.8 N, travel 2.00, cost 44.40 EUR\n"),
+            std::string::npos)
+      << lines_text(answer_lines({ladder.rungs[2]}, ladder));
+  EXPECT_NE(text(Sheet{{ladder_section(ladder)}}).find("  motor (N)  "), std::string::npos);
+}
+
 TEST(AlikeLines, NameAFewAndCountTheRest) {
   ListedDesign design = three_rungs().rungs[2];
   design.alike = {"D", "E", "F", "G", "H", "I"};

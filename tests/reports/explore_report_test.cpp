@@ -22,5 +22,52 @@ TEST(ExploreSheet, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
       << text(explore_sheet(report));
 }
 
+TEST(ExploreSheet, PutsEachGeneratedRoutingInOneClass) {
+  ExploreReport report;
+  report.options.grasps = single_grasps(2);
+  report.options.constraints = {parse_constraint("sheaths<=2"), parse_constraint("jams<=0")};
+  report.result.total = 200;
+  report.result.generated = 100;
+  report.result.evaluated = 60;
+  report.result.rejected = {{std::nullopt, 40}, {0, 20}, {1, 5}};
+  report.result.seconds = 0.5;
+  EXPECT_EQ(ranked_designs(report), 35U);
+  EXPECT_NE(text(explore_sheet(report))
+                .find("100 of 200 routings generated in 0.50 s: 40 not actuated, 20 fail "
+                      "sheaths<=2, 5 fail jams<=0, 35 ranked\n60 evaluated, 120 a second\n"),
+            std::string::npos)
+      << text(explore_sheet(report));
+  report.result.pruned = 20;
+  EXPECT_NE(text(explore_sheet(report))
+                .find("\nOf the 60 that are actuated 40 evaluated, 80 a second; the other 20 fail "
+                      "by their parts alone\n"),
+            std::string::npos)
+      << text(explore_sheet(report));
+}
+
+// What statics say of one tendon, and what they do not say of two.
+TEST(ExploreSheet, SaysWhichDesignsRestOnHowTheirTendonsShare) {
+  ExploreReport report;
+  report.options.grasps = single_grasps(2);
+  const auto listed = [](const char* word, std::size_t rank) {
+    ListedDesign design;
+    design.ranked.design.word = word;
+    design.ranked.rank = rank;
+    return design;
+  };
+  report.top = {listed("M-1-T-2-F", 1), listed("M-Y1+1x-Y1-2x", 2)};
+  EXPECT_EQ(text(explore_sheet(report)).find("on one carriage"), std::string::npos);
+  report.top.push_back(listed("M-1-F+M-2-F", 3));
+  EXPECT_NE(text(explore_sheet(report))
+                .find("\nRank 3 has several tendons on one carriage: their "
+                      "shares of its pull are those of tendons of one "
+                      "stiffness that are mounted without slack;"),
+            std::string::npos)
+      << text(explore_sheet(report));
+  report.top.push_back(listed("M-1-M+M-2-F", 4));
+  EXPECT_NE(text(explore_sheet(report)).find("\nRanks 3 and 4 have several tendons"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace reeve

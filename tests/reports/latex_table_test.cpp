@@ -1,4 +1,6 @@
 // Tables for papers: chosen columns, decimal marks below each other, and a stated width.
+#include "reports/sheet/latex_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include "reports/sheet/chosen_columns.hpp"
@@ -80,15 +82,28 @@ TEST(LatexTables, TooWideWrapRoutingsAtTheirDashes) {
   EXPECT_FALSE(has(text, "\\\\\n"));
 }
 
-TEST(LatexTables, StillTooWideAreRefusedWithWhatFitsWhereTheirColumnsWereChosen) {
+TEST(LatexTables, StillTooWideAreRefusedBeforehandWithWhatFits) {
   const Table chosen = with_columns(list(), {"rank", "routing", "way_mm", "share of all"});
-  try {
-    typeset(chosen, 26);
-    FAIL() << "it fits";
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find("--text-width '26 mm': expected "), 0U);
-    EXPECT_TRUE(has(error.what(), "or fewer of them: rank,routing fit")) << error.what();
-  }
+  const auto complaint = [](const Table& table, double width_mm) -> std::string {
+    try {
+      require_fits(Sheet{{{"", table, {}}}}, width_mm * pt_in_mm);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string refused = complaint(chosen, 26);
+  EXPECT_EQ(refused.find("--text-width '26 mm': expected "), 0U) << refused;
+  EXPECT_TRUE(has(refused, "or fewer of them: rank,routing fit")) << refused;
+  const double takes_mm = least_width_pt(chosen) / pt_in_mm;
+  EXPECT_EQ(complaint(chosen, takes_mm + 0.01), "");
+  EXPECT_NE(complaint(chosen, takes_mm - 0.01), "");
+  // Of columns that nobody chose it is enough that each stands beside the first.
+  EXPECT_EQ(complaint(list(), 26), "");
+  EXPECT_EQ(complaint(list(), 5).find("--text-width '5 mm': expected "), 0U)
+      << complaint(list(), 5);
+  // What only the results show to be too wide goes on below.
+  EXPECT_EQ(count(typeset(chosen, 26), "\\begin{tabular}"), 2U);
 }
 
 TEST(LatexTables, StillTooWideLeaveColumnsOutOrGoOnBelow) {
