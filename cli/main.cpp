@@ -37,10 +37,10 @@ std::string version_text() {
 }
 
 // A script that hangs should say why.
-void say_what_is_waited_for(const char* file) {
-  std::cerr << "reeve: "
-            << shortened(
-                   fmt::format("waiting for '{}': a pipe that nobody has written to yet", file))
+void say_what_is_waited_for(const char* file, core::Awaited awaited) {
+  const char* const why =
+      awaited == core::Awaited::writer ? "nobody has written to yet" : "nobody reads yet";
+  std::cerr << "reeve: " << shortened(fmt::format("waiting for '{}': a pipe that {}", file, why))
             << '\n';
 }
 
