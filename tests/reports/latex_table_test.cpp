@@ -1,6 +1,7 @@
 // Tables for papers: chosen columns, decimal marks below each other, and a stated width.
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/latex_width.hpp"
 #include "reports/sheet/sheet_latex.hpp"

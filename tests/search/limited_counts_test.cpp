@@ -15,7 +15,7 @@
 namespace reeve::testing {
 namespace {
 
-std::vector<Constraint> constraints_of(const std::vector<std::string>& texts) {
+std::vector<Constraint> parsed_constraints(const std::vector<std::string>& texts) {
   std::vector<Constraint> constraints;
   for (const std::string& text : texts) constraints.push_back(parse_constraint(text));
   return constraints;
@@ -77,7 +77,7 @@ TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
                                                     {"blocks>=1"},
                                                     {"sheaths==1"}}) {
         SCOPED_TRACE(texts.front() + " of " + std::to_string(fingers));
-        const std::vector<Constraint> constraints = constraints_of(texts);
+        const std::vector<Constraint> constraints = parsed_constraints(texts);
         const LimitedCounts counted = count_limited(options, constraints);
         const LimitedCounts expected = filtered(options, constraints);
         EXPECT_EQ(counted.meeting, expected.meeting);
@@ -90,12 +90,13 @@ TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
 
 TEST(LimitedCounts, RefuseWhatTheyCannotCount) {
   GeneratorOptions options{full_parts(), 3};
-  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2", "uniformity>=0.5"})),
+  EXPECT_THROW(count_limited(options, parsed_constraints({"sheaths<=2", "uniformity>=0.5"})),
                InputError);
-  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=20", "pulleys<=20", "knots<=20"})),
-               InputError);
+  EXPECT_THROW(
+      count_limited(options, parsed_constraints({"sheaths<=20", "pulleys<=20", "knots<=20"})),
+      InputError);
   options.identity = FingerIdentity::distinct;
-  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2"})), InputError);
+  EXPECT_THROW(count_limited(options, parsed_constraints({"sheaths<=2"})), InputError);
 }
 
 }  // namespace
