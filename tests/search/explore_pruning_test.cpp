@@ -282,18 +282,18 @@ TEST(ExplorePruning, IsOfTheFirstConstraintsThatPartsDecide) {
   EXPECT_EQ(pruning_constraints(options), 0U);
 }
 
-// Forces that eat the whole tension of many solves; and a contact that is seized.
+// Friction that grows with the load, bearings that take a force which is all that arrives, and a
+// contact that is seized.
 TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeFindsWhatFilteringFinds) {
   ExploreOptions options = pruned_options(full_parts(), 2);
-  add_effect(options.model, {find_cause("bending_stiffness"), {}, {0.5}});
-  add_effect(options.model, {find_cause("bearing_drag"), {}, {0.5}});
+  add_effect(options.model, {find_cause("load_dependent_friction"), {}, {-0.3}});
+  add_effect(options.model, {find_cause("bearing_drag"), {}, {2}});
   Subject seized;
   seized.routing = "M-1-T-2-F";
   seized.contact = "T1-T2";
   add_effect(options.model, {find_cause("seized_contact"), seized, {}});
-  options.model.conditions.motor_tension_N = 3;
   std::uint64_t unconverged = 0;
-  for (const char* constraint : {"sheaths<=2", "sheaths>=3", "pulleys<=1"}) {
+  for (const char* constraint : {"sheaths<=2", "sheaths>=2", "pulleys<=1"}) {
     SCOPED_TRACE(constraint);
     constrain(options, {constraint});
     const ExploreResult pruned = explore(options);
