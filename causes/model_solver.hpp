@@ -7,8 +7,8 @@
 // end, each exponent goes to what its tension asks for: behind a motor-side segment a contact's
 // exponent depends on those before it only, so that this ends after about as many rounds as there
 // are contacts in a row. Where the tension falls towards the motor (release), a higher exponent
-// raises the tension on which it depends, and a force lowers it in return, by F / T_low: an exponent
-// that turns back goes only half as far the next time.
+// raises the tension on which it depends, and a force lowers it in return, by F / T_low: an
+// exponent that turns back goes only half as far the next time.
 #pragma once
 
 #include <string>
