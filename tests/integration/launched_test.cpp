@@ -64,8 +64,8 @@ TEST_F(Launched, TheOthersKeepQuiet) {
 
 // On a machine where it was built without MPI, while the first one has it: that one would wait.
 TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
-  const ProcessResult result = run({"explore", "--out", "out"}, {{"OMPI_COMM_WORLD_SIZE", "3"},
-                                                                 {"OMPI_COMM_WORLD_RANK", "2"}});
+  const ProcessResult result = run({"explore", "--out", "out"},
+                                   {{"OMPI_COMM_WORLD_SIZE", "3"}, {"OMPI_COMM_WORLD_RANK", "2"}});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(result.err.starts_with("reeve: rank 2 of 3, on ")) << result.err;
