@@ -11,6 +11,10 @@ namespace {
 constexpr double tolerance = 1e-10;
 constexpr double growth = 1.05;
 constexpr int most_steps = 1000;
+// Of Newton's method, which takes about four.
+constexpr int most_quick_steps = 30;
+// Nearer than this (in ln T) two tensions tell no slope.
+constexpr double least_difference = 1e-6;
 
 template <typename T>
 void gather(std::vector<T>& values, const std::vector<std::size_t>& from) {
@@ -93,41 +97,95 @@ void ModelSolver::restart_steps() {
 double ModelSolver::change_exponents(Direction direction, const Conditions& conditions) {
   double greatest = 0;
   for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
-    const double high =
-        conditions.motor_tension_N *
-        (state_.tension.empty() ? 1
-                                : std::max(state_.tension[left_[k]], state_.tension[right_[k]]));
+    const double high = high_N(k, conditions);
     const double wanted = exponent(k, high, direction, conditions);
     const double way = wanted - mechanics_.phi[k];
     greatest = std::max(greatest, std::abs(way) / (tolerance + wanted));
     share_[k] = way * way_[k] < 0 ? share_[k] / 2 : std::min(1.0, share_[k] * growth);
     way_[k] = way;
-    mechanics_.phi[k] += share_[k] * way;
-    mechanics_.decay[k] = std::exp(-mechanics_.phi[k]);
+    set_exponent(k, mechanics_.phi[k] + share_[k] * way);
   }
   return greatest;
 }
 
+double ModelSolver::high_N(std::size_t contact, const Conditions& conditions) const {
+  return conditions.motor_tension_N *
+         std::max(state_.tension[left_[contact]], state_.tension[right_[contact]]);
+}
+
+// Each contact as if it carried all that the motor pulls.
+void ModelSolver::guess_exponents(Direction direction, const Conditions& conditions) {
+  mechanics_ = plain_;
+  for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
+    set_exponent(k, exponent(k, conditions.motor_tension_N, direction, conditions));
+  }
+}
+
+void ModelSolver::set_exponent(std::size_t contact, double phi) {
+  mechanics_.phi[contact] = phi;
+  mechanics_.decay[contact] = std::exp(-phi);
+}
+
+// Slopes are those of the secants from step to step. Returns the greatest way, relative.
+double ModelSolver::compare_exponents(Direction direction, const Conditions& conditions) {
+  double greatest = 0;
+  for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
+    const double high = high_N(k, conditions);
+    const double wanted = exponent(k, high, direction, conditions);
+    errors_.way[k] = wanted - mechanics_.phi[k];
+    greatest = std::max(greatest, std::abs(errors_.way[k]) / (tolerance + wanted));
+    if (wanted != wanted_[k]) {
+      const double difference = std::log(high / seen_N_[k]);
+      if (std::abs(difference) > least_difference) {
+        errors_.slope[k] = (wanted - wanted_[k]) / difference;
+        wanted_[k] = wanted;
+        seen_N_[k] = high;
+      }
+    }
+  }
+  return greatest;
+}
+
+bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions) {
+  errors_.way.resize(plain_.phi.size());
+  errors_.slope.assign(plain_.phi.size(), 0.0);
+  wanted_ = mechanics_.phi;
+  seen_N_.assign(plain_.phi.size(), conditions.motor_tension_N);
+  for (int step = 0; step < most_quick_steps && state_.in_range; ++step) {
+    const bool is_near = compare_exponents(direction, conditions) < tolerance;
+    const std::vector<double>& changes =
+        step_.changes(seized_.network, mechanics_, state_, errors_);
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      if (changes[k] == 0) continue;
+      set_exponent(k, std::clamp(mechanics_.phi[k] + changes[k], 0.0, max_exponent));
+    }
+    solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
+    if (is_near) return state_.in_range;
+  }
+  return false;
+}
+
+bool ModelSolver::settle_in_turn(Grasp grasp, Direction direction, const Conditions& conditions) {
+  restart_steps();
+  for (int step = 0; step < most_steps && state_.in_range; ++step) {
+    const bool is_near = change_exponents(direction, conditions) < tolerance;
+    solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
+    if (is_near) return true;
+  }
+  return false;
+}
+
 const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
                                        const Conditions& conditions) {
-  const auto solve_once = [&] {
+  const auto begin = [&] {
+    if (!exponent_effects_.empty()) guess_exponents(direction, conditions);
     solver_.solve(seized_.network, mechanics_, grasp, direction, state_);
   };
-  converged_ = true;
-  if (!exponent_effects_.empty()) {
-    state_.tension.clear();
-    mechanics_ = plain_;
-    restart_steps();
-    change_exponents(direction, conditions);
-    restart_steps();
-  }
-  solve_once();
-  if (depends_on_load_) {
-    converged_ = false;
-    for (int step = 0; step < most_steps && !converged_ && state_.in_range; ++step) {
-      converged_ = change_exponents(direction, conditions) < tolerance;
-      solve_once();
-    }
+  begin();
+  converged_ = !depends_on_load_ || settle_by_newton(grasp, direction, conditions);
+  if (!converged_) {
+    begin();
+    converged_ = settle_in_turn(grasp, direction, conditions);
   }
   if (!seized_.network.split || !state_.in_range) return state_;
   restored_ = restored(seized_, state_);

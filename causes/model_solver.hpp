@@ -3,16 +3,18 @@
 //
 // The exponents of the plain model are changed by each effect in turn, phi' = f(phi, T_high); where
 // one depends on the tension, tensions and exponents are solved in turn until the exponents no
-// longer change (to 1e-10, relative). Behind a motor-side segment a contact's exponent depends on
-// those before it only, so that this ends after about as many rounds as there are contacts in a
-// row. Where the tension falls towards the motor (release), a higher exponent raises the tension on
-// which it depends, and a force lowers it in return, by F / T_low: an exponent that turns back goes
-// only half as far the next time.
+// longer change (to 1e-10, relative), by Newton's method (exponent_step.hpp). Where that does not
+// end, each exponent goes to what its tension asks for: behind a motor-side segment a contact's
+// exponent depends on those before it only, so that this ends after about as many rounds as there
+// are contacts in a row. Where the tension falls towards the motor (release), a higher exponent
+// raises the tension on which it depends, and a force lowers it in return, by F / T_low: an
+// exponent that turns back goes only half as far the next time.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "causes/exponent_step.hpp"
 #include "causes/model.hpp"
 #include "core/mechanics.hpp"
 #include "core/tension/seizure.hpp"
@@ -44,8 +46,14 @@ class ModelSolver {
   bool converged() const { return converged_; }
 
  private:
+  void guess_exponents(Direction direction, const Conditions& conditions);
+  bool settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions);
+  double compare_exponents(Direction direction, const Conditions& conditions);
+  bool settle_in_turn(Grasp grasp, Direction direction, const Conditions& conditions);
   double change_exponents(Direction direction, const Conditions& conditions);
   void restart_steps();
+  void set_exponent(std::size_t contact, double phi);
+  double high_N(std::size_t contact, const Conditions& conditions) const;
   double exponent(std::size_t contact, double high_N, Direction direction,
                   const Conditions& conditions) const;
 
@@ -58,8 +66,14 @@ class ModelSolver {
   std::vector<std::size_t> left_;  // of each contact; equal to right_ if it is seized
   std::vector<std::size_t> right_;
   std::vector<std::size_t> number_;  // of each contact among those of its kind, before a seizure
-  std::vector<double> share_;        // of the way to its new value that an exponent goes in a step
-  std::vector<double> way_;          // in the last step
+  // Of Newton's method.
+  ExponentStep step_;
+  ExponentErrors errors_;
+  std::vector<double> wanted_;  // where the slopes were last seen from
+  std::vector<double> seen_N_;  // … and at which larger tension
+  // Of exponents that go to what their tensions ask for.
+  std::vector<double> share_;  // of the way to its new value that an exponent goes in a step
+  std::vector<double> way_;    // in the last step
   TensionSolver solver_;
   TensionState state_;
   TensionState restored_;

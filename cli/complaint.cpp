@@ -75,9 +75,13 @@ std::string shortened(std::string_view message) {
   return cut(text, longest_message);
 }
 
-int complain(const std::string& message, int exit_code) {
-  if (!is_silent) std::cerr << "reeve: " << shortened(message) << '\n';
+int complain_alone(const std::string& message, int exit_code) {
+  std::cerr << "reeve: " << shortened(message) << '\n';
   return exit_code;
+}
+
+int complain(const std::string& message, int exit_code) {
+  return is_silent ? exit_code : complain_alone(message, exit_code);
 }
 
 void leave_complaints_to_others() { is_silent = true; }

@@ -13,6 +13,8 @@ int complain(const std::string& message, int exit_code);
 
 // From here on `complain` says nothing: another process says the same.
 void leave_complaints_to_others();
+// Of what no other process can say.
+int complain_alone(const std::string& message, int exit_code);
 
 // Each line's beginning and end, and how many bytes were left out.
 std::string shortened(std::string_view message);

@@ -167,6 +167,19 @@ void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& for
       ->capture_default_str();
 }
 
+std::vector<Constraint> read_constraints(const std::vector<std::string>& texts) {
+  std::vector<Constraint> constraints;
+  for (const std::string& text : texts) {
+    const Constraint constraint = for_name("--", [&] { return parse_constraint(text); });
+    for (const Constraint& other : constraints) {
+      if (other.text != constraint.text) continue;
+      throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));
+    }
+    constraints.push_back(constraint);
+  }
+  return constraints;
+}
+
 void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   command.add_option("--fingers", fingers, "Number of fingers")
       ->check(CLI::Range(1, max_fingers))

@@ -13,6 +13,7 @@
 #include "catalog/rig/model_file.hpp"
 #include "core/error.hpp"
 #include "search/enumerate/generator.hpp"
+#include "search/judge/objectives.hpp"
 #include "search/judge/order.hpp"
 #include "search/judge/score.hpp"
 
@@ -119,6 +120,9 @@ struct FormatOption {
   void add_to(CLI::App& command, const std::vector<std::string>& formats);
   bool is(const std::string& name) const { return format == name; }
 };
+
+// Of --constraint, each once.
+std::vector<Constraint> read_constraints(const std::vector<std::string>& texts);
 
 struct GeneratorFlags {
   int fingers = 2;

@@ -1,8 +1,10 @@
 #include "cli/launched.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -22,6 +24,18 @@ std::string wish() {
 std::filesystem::path module_of_mpi() {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
   return (program.parent_path() / REEVE_MODULES_FROM_PROGRAM / "reeve_mpi.so").lexically_normal();
+}
+
+std::string machine() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "a machine without name";
+}
+
+[[noreturn]] void refuse_to_connect(const std::string& why) {
+  const Launch launch = launched();
+  if (launch.rank == 0) throw InputError(why);
+  throw Unconnected(
+      fmt::format("rank {} of {}, on {}: {}", launch.rank, launch.size, machine(), why));
 }
 
 }  // namespace
@@ -50,7 +64,7 @@ std::unique_ptr<Processes> connected() {
   const std::filesystem::path module = module_of_mpi();
   std::error_code ignored;
   if (!std::filesystem::exists(module, ignored)) {
-    throw InputError(fmt::format(
+    refuse_to_connect(fmt::format(
         "started as {} processes, which would all write the same files: this reeve was built "
         "without MPI (there is no {}); install libopenmpi-dev and openmpi-bin and build it with "
         "-DREEVE_MPI=ON",
@@ -59,7 +73,7 @@ std::unique_ptr<Processes> connected() {
   try {
     return connected_processes(module);
   } catch (const NoProcesses& error) {
-    throw InputError(
+    refuse_to_connect(
         fmt::format("started as {} processes, which find no way to talk to each other: {}",
                     launched().size, error.what()));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 
 #include "numerics/processes.hpp"
 
@@ -16,7 +17,13 @@ bool follows_another();
 // Throws InputError if there are others: all would do the same, and write the same files.
 void require_alone(const Launch& launch);
 
-// Throws InputError if this program or this machine cannot.
+// Of one that follows another: that one does not hear of it, and cannot say it.
+class Unconnected : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws InputError, or Unconnected, if this program or this machine cannot.
 std::unique_ptr<Processes> connected();
 
 // As many as were asked for; 0: this process's part of the cores that it may run on.

@@ -37,10 +37,10 @@ std::string version_text() {
 }
 
 // A script that hangs should say why.
-void say_what_is_waited_for(const char* file) {
-  std::cerr << "reeve: "
-            << shortened(
-                   fmt::format("waiting for '{}': a pipe that nobody has written to yet", file))
+void say_what_is_waited_for(const char* file, core::Awaited awaited) {
+  const char* const why =
+      awaited == core::Awaited::writer ? "nobody has written to yet" : "nobody reads yet";
+  std::cerr << "reeve: " << shortened(fmt::format("waiting for '{}': a pipe that {}", file, why))
             << '\n';
 }
 
@@ -94,6 +94,8 @@ int run(int argc, char** argv) {
 int run_to_last_words(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const Unconnected&) {
+    throw;
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
   } catch (const OutOfRange& error) {
@@ -120,7 +122,11 @@ int main(int argc, char** argv) {
   using namespace reeve::cli;
   if (!follows_another()) return run_to_last_words(argc, argv);
   leave_complaints_to_others();
-  run_to_last_words(argc, argv);
+  try {
+    run_to_last_words(argc, argv);
+  } catch (const Unconnected& error) {
+    return complain_alone(error.what(), interrupted);
+  }
   // Another one would have mpirun end the process that has something to say.
   return done;
 }

@@ -6,13 +6,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/input/input_file.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -51,6 +55,21 @@ std::error_code close_after(int descriptor, std::error_code error) {
   return error;
 }
 
+// On the disk before it has its name, as far as the file system can.
+std::error_code flush(int descriptor) {
+  if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == EROFS) return {};
+  return last_failure();
+}
+
+// New names are on the disk when their folder is. The files are whole whether or not it can be.
+void flush_folder(const fs::path& folder) {
+  const int descriptor =
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 // Who may read it and write it stays; whose it is, where that may be given away.
 std::error_code keep_permissions(int descriptor, const ReplacedFile& replaced) {
   if (::fchown(descriptor, replaced.owner, replaced.group) != 0) errno = 0;
@@ -65,9 +84,24 @@ std::error_code write_new(const fs::path& file, const std::string& content,
   if (descriptor < 0) return last_failure();
   std::error_code error = write_all(descriptor, content);
   if (!error && replaced) error = keep_permissions(descriptor, *replaced);
+  if (!error) error = flush(descriptor);
   error = close_after(descriptor, error);
   if (error) ::unlink(file.c_str());
   return error;
+}
+
+// A pipe opens when somebody reads it, which may be never.
+int open_to_write_through(const fs::path& file) {
+  constexpr int mode = O_WRONLY | O_CLOEXEC | O_NOCTTY;
+  constexpr int between_ms = 10;
+  for (int waited_ms = 0; waited_ms < waiting_patience_ms; waited_ms += between_ms) {
+    const int descriptor = ::open(file.c_str(), mode | O_NONBLOCK);
+    if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, 0);
+    if (descriptor >= 0 || errno != ENXIO || !fs::is_fifo(file)) return descriptor;
+    std::this_thread::sleep_for(std::chrono::milliseconds(between_ms));
+  }
+  give_waiting_notice(file, Awaited::reader);
+  return ::open(file.c_str(), mode);
 }
 
 std::error_code write_through(const Destination& there, const std::string& content) {
@@ -75,7 +109,7 @@ std::error_code write_through(const Destination& there, const std::string& conte
     std::cout.flush();
     return write_all(*there.descriptor, content);
   }
-  const int descriptor = ::open(there.file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  const int descriptor = open_to_write_through(there.file);
   if (descriptor < 0) return last_failure();
   return close_after(descriptor, write_all(descriptor, content));
 }
@@ -125,6 +159,7 @@ void FileBatch::remove(const fs::path& file) {
 }
 
 void FileBatch::commit() {
+  std::set<fs::path> folders;
   for (const fs::path& file : removed_) ::unlink(file.c_str());
   for (Entry& entry : entries_) {
     std::error_code error;
@@ -134,10 +169,12 @@ void FileBatch::commit() {
       error = last_failure();
     } else {
       entry.temporary.clear();
+      folders.insert(entry.there.file.parent_path());
     }
     if (error) fail_to_write(entry.named, error);
   }
   entries_.clear();
+  for (const fs::path& folder : folders) flush_folder(folder);
 }
 
 void write_file(const fs::path& file, const std::string& content) {

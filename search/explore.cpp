@@ -71,7 +71,7 @@ class Exploration {
   Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
       : options_(options),
         keeping_(keeping),
-        tells_reaches_(look == Look::at_all || pruning_constraints(options) == 0),
+        tells_reaches_(look == Look::at_all || deciding_parts_ == 0),
         source_(options, !tells_reaches_ && !keeping.design),
         range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
@@ -264,11 +264,16 @@ class Exploration {
     }
   }
 
+  // What is not made where designs are pruned counts for nothing where all are made.
+  bool fails_by_parts(const Slot& slot) const {
+    return slot.failed_constraint > 0 && slot.failed_constraint <= deciding_parts_;
+  }
+
   void collect(std::size_t done) {
     part_.evaluated += done;
     for (std::size_t i = 0; i < done; ++i) {
       const Slot& slot = batch_.slots[i];
-      part_.unconverged += slot.unconverged;
+      if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
       if (keeping_.design) keeping_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
@@ -297,6 +302,7 @@ class Exploration {
 
   const ExploreOptions& options_;
   const Keeping& keeping_;
+  const std::size_t deciding_parts_ = pruning_constraints(options_);
   const bool tells_reaches_;
   const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -93,7 +93,8 @@ struct ExploreResult {
   std::vector<BestDesigns> best;  // among top and front, with a few words each
   std::vector<Design> sample;     // of all that no constraint rejects (sample.hpp)
   std::uint64_t front_equals_left_out = 0;
-  std::uint64_t unconverged = 0;  // tension solves (evaluation.hpp)
+  // Tension solves (evaluation.hpp), but for designs that constraints on parts alone reject.
+  std::uint64_t unconverged = 0;
   std::vector<ReferenceStanding> references;
   Ladder ladder;  // without rungs where there is no design
   // Parallel to the constraints, if nothing meets all of them; of a shard with constraints on parts

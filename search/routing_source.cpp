@@ -1,7 +1,5 @@
 #include "search/routing_source.hpp"
 
-#include "search/judge/evaluation.hpp"
-
 namespace reeve::search {
 namespace {
 
@@ -14,9 +12,7 @@ bool is_limited(const GeneratorOptions& generator, bool prunes) {
 }  // namespace
 
 std::size_t pruning_constraints(const ExploreOptions& options) {
-  if (options.generator.identity == FingerIdentity::distinct || may_not_converge(options.model)) {
-    return 0;
-  }
+  if (options.generator.identity == FingerIdentity::distinct) return 0;
   return decided_by_parts(options.constraints, options.generator);
 }
 

@@ -15,8 +15,8 @@
 
 namespace reeve::search {
 
-// How many of the first constraints keep routings from being made. None where fingers are told
-// apart, or where it is counted what solves do not converge: among those of all designs.
+// How many of the first constraints keep routings from being made, whatever the friction. None
+// where fingers are told apart.
 std::size_t pruning_constraints(const ExploreOptions& options);
 
 class RoutingSource {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "reports/results/count_report.hpp"
 #include "reports/results/explore_report.hpp"
-#include "search/enumerate/counting.hpp"
 #include "studies/check.hpp"
 #include "studies/comparison_study.hpp"
 #include "studies/diagnosis_study.hpp"
@@ -57,7 +57,7 @@ SizingReport asked_sizing(const Arguments& arguments, const StudySupervision& su
 std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,
                                                const StudySupervision& supervision);
 ShownRouting asked_routing(const Arguments& arguments);
-RoutingCounts asked_count(const Arguments& arguments);
+CountReport asked_count(const Arguments& arguments);
 CheckReport asked_check(const Arguments& arguments);
 CompareReport asked_comparison(const Arguments& arguments);
 // With the command that makes them again.

@@ -1,38 +1,55 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
+#include "core/error.hpp"
 #include "reports/results/count_report.hpp"
 #include "search/enumerate/counting.hpp"
+#include "search/limits/limited_counts.hpp"
 
 namespace reeve::cli {
 namespace {
 
 struct CountFlags {
   GeneratorFlags generator;
+  std::vector<std::string> constraints;
   FormatOption format;
 };
 
-RoutingCounts counted(const CountFlags& flags) {
+CountReport counted(const CountFlags& flags) {
   const GeneratorOptions options = flags.generator.read();
-  return for_option(fmt::format("--fingers {}", options.fingers), [&] {
+  CountReport report{options.parts, {}, read_constraints(flags.constraints), {}};
+  report.counts = for_option(fmt::format("--fingers {}", options.fingers), [&] {
     return count_routings(options.parts, options.fingers, options.identity);
   });
+  if (report.constraints.empty()) return report;
+  if (options.identity == FingerIdentity::distinct) {
+    throw InputError("--constraint is counted without --distinct-fingers");
+  }
+  report.limited = for_name("--", [&] { return count_limited(options, report.constraints); });
+  return report;
 }
 
 void run(const CountFlags& flags) {
-  const RoutingCounts counts = counted(flags);
-  std::cout << (flags.format.is("json")
-                    ? count_json(counts)
-                    : printed(count_sheet(counts, flags.generator.read().parts), flags.format));
+  const CountReport report = counted(flags);
+  std::cout << (flags.format.is("json") ? count_json(report)
+                                        : printed(count_sheet(report), flags.format));
 }
 
 void add_options(CLI::App& command, CountFlags& flags) {
   flags.generator.add_to(command, false);
+  command
+      .add_option("--constraint", flags.constraints,
+                  "Also how many meet this, on parts alone, such as 'sheaths<=2'; may be given "
+                  "several times")
+      ->allow_extra_args(false);
   flags.format.add_to(command, with_tables({"json"}));
 }
 
@@ -46,7 +63,7 @@ void add_count(CLI::App& program, int&) {
   command->callback([flags] { run(*flags); });
 }
 
-RoutingCounts asked_count(const Arguments& arguments) {
+CountReport asked_count(const Arguments& arguments) {
   return counted(AskedCommand<CountFlags>("count", add_options, arguments).flags());
 }
 

@@ -39,14 +39,10 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   options.score = ranking.read_score();
   require_hand_for("--objectives", options.order.objectives, with.hardware);
   require_hand_for("--score", options.score, with.hardware);
-  for (const std::string& text : constraints) {
-    const Constraint constraint = for_name("--", [&] { return parse_constraint(text); });
-    require_hand_for(fmt::format("--constraint '{}'", text), {constraint.objective}, with.hardware);
-    for (const Constraint& other : options.constraints) {
-      if (other.text != constraint.text) continue;
-      throw InputError(fmt::format("--constraint '{}' is given twice", constraint.text));
-    }
-    options.constraints.push_back(constraint);
+  options.constraints = read_constraints(constraints);
+  for (const Constraint& constraint : options.constraints) {
+    require_hand_for(fmt::format("--constraint '{}'", constraint.text), {constraint.objective},
+                     with.hardware);
   }
   options.prices = ladder.read_prices();
   options.ladder = ladder.read();

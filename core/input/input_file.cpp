@@ -16,8 +16,6 @@
 namespace reeve::core {
 namespace {
 
-constexpr int patience_ms = 1000;
-
 std::atomic<WaitingNotice> waiting_notice{nullptr};
 
 [[noreturn]] void fail_to_read(const std::string& name, int reason) {
@@ -62,14 +60,18 @@ class OpenFile {
 
 // A signal that somebody handles ends a wait early.
 void wait_for_a_writer(const OpenFile& pipe, const std::string& name) {
-  const WaitingNotice notice = waiting_notice.load();
-  if (!pipe.is_ready(patience_ms) && notice != nullptr) notice(name.c_str());
+  if (!pipe.is_ready(waiting_patience_ms)) give_waiting_notice(name, Awaited::writer);
   while (!pipe.is_ready(-1)) continue;
 }
 
 }  // namespace
 
 void set_waiting_notice(WaitingNotice notice) { waiting_notice.store(notice); }
+
+void give_waiting_notice(const std::string& file, Awaited awaited) {
+  const WaitingNotice notice = waiting_notice.load();
+  if (notice != nullptr) notice(file.c_str(), awaited);
+}
 
 std::string read_input(const std::filesystem::path& file, std::size_t most,
                        const std::string& kind) {

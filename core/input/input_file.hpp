@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -17,8 +18,13 @@ namespace reeve::core {
 std::string read_input(const std::filesystem::path& file, std::size_t most,
                        const std::string& kind);
 
-// Called, with the name as it was given, where a pipe has kept the reader waiting.
-using WaitingNotice = void (*)(const char* file);
+enum class Awaited : std::uint8_t { writer, reader };
+
+// Called, with the name as it was given, where a pipe has kept its reader or its writer waiting.
+using WaitingNotice = void (*)(const char* file, Awaited awaited);
 void set_waiting_notice(WaitingNotice notice);
+void give_waiting_notice(const std::string& file, Awaited awaited);
+
+inline constexpr int waiting_patience_ms = 1000;
 
 }  // namespace reeve::core

@@ -27,6 +27,13 @@ bool scale_to_unit_motor_tension(const Network& network, std::vector<double>& te
   return std::isnormal(motor);
 }
 
+void make_absolute(const Network& network, TensionState& state) {
+  state.in_range &= scale_to_unit_motor_tension(network, state.tension);
+  if (!state.in_range) {
+    std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
 }  // namespace
 
 void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechanics,
@@ -106,9 +113,8 @@ void TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
   }
 }
 
-void TensionSolver::solve_relative(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                                   Direction direction, TensionState& state) {
-  kinematics_.solve(network, mechanics, grasp, direction, motion_);
+void TensionSolver::solve_in_motion(const Network& network, const Mechanics& mechanics,
+                                    TensionState& state) {
   state.tension.resize(network.segments.size());
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
   state.in_range = mechanics.in_range && !motion_.undetermined;
@@ -118,13 +124,31 @@ void TensionSolver::solve_relative(const Network& network, const Mechanics& mech
   state.block_travel.swap(motion_.block_travel);
 }
 
+void TensionSolver::solve_relative(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                   Direction direction, TensionState& state) {
+  kinematics_.solve(network, mechanics, grasp, direction, motion_);
+  solve_in_motion(network, mechanics, state);
+}
+
 void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
                           Direction direction, TensionState& state) {
   solve_relative(network, mechanics, grasp, direction, state);
-  state.in_range &= scale_to_unit_motor_tension(network, state.tension);
-  if (!state.in_range) {
-    std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
+  make_absolute(network, state);
+}
+
+void TensionSolver::solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                Direction direction, TensionState& state) {
+  const bool has_loop = std::any_of(network.tendons.begin(), network.tendons.end(),
+                                    [](const TendonSpan& tendon) { return tendon.closed; });
+  if (has_loop) {
+    solve(network, mechanics, grasp, direction, state);
+    return;
   }
+  state.slip.swap(motion_.slip);
+  state.closing.swap(motion_.closing);
+  state.block_travel.swap(motion_.block_travel);
+  solve_in_motion(network, mechanics, state);
+  make_absolute(network, state);
 }
 
 const TensionState& require_in_range(const TensionState& state) {

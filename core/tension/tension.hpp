@@ -54,7 +54,13 @@ class TensionSolver {
   void solve_relative(const Network& network, const Mechanics& mechanics, Grasp grasp,
                       Direction direction, TensionState& state);
 
+  // The solve before, with other friction: `state` is what it left. What carriage and fingers
+  // impose stays, but for what goes round a loop.
+  void solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                   Direction direction, TensionState& state);
+
  private:
+  void solve_in_motion(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
   void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,

@@ -166,8 +166,12 @@ void bind_quick_ones(py::module_& module) {
            [](CompareReport& self, const std::string& name) { self.data.file = name; });
   module.def("compare", &cli::asked_comparison, py::call_guard<py::gil_scoped_release>());
   module.def("count", [](const Arguments& arguments) {
-    const RoutingCounts counts = cli::asked_count(arguments);
-    return py::make_tuple(counts.all, counts.actuated, counts.one_tendon);
+    const CountReport report = cli::asked_count(arguments);
+    const RoutingCounts& counts = report.counts;
+    const auto& limited = report.limited;
+    return py::make_tuple(counts.all, counts.actuated, counts.one_tendon,
+                          limited ? std::optional(limited->meeting) : std::nullopt,
+                          limited ? std::optional(limited->one_tendon) : std::nullopt);
   });
   module.def("simulate", [](const Arguments& arguments) {
     return simulation_csv(cli::asked_simulation(arguments));

@@ -25,11 +25,17 @@ class Counts(NamedTuple):
         Of these, with every tendon hanging on the motor.
     one_tendon : int
         Of those, with one tendon.
+    meeting : int or None
+        Of the actuated, those that meet the constraints, if any were given.
+    meeting_one_tendon : int or None
+        Of those, with one tendon.
     """
 
     all: int
     actuated: int
     one_tendon: int
+    meeting: Optional[int] = None
+    meeting_one_tendon: Optional[int] = None
 
 
 def explore(
@@ -226,6 +232,7 @@ def count(
     anchored: bool = False,
     blocks: Optional[int] = None,
     distinct_fingers: bool = False,
+    constraints: Optional[Texts] = None,
 ) -> Counts:
     """How many routings a set of parts makes, by formula.
 
@@ -249,6 +256,8 @@ def count(
         of parts all 1).
     distinct_fingers : bool
         Tell fingers apart: M-1-P-2-F and M-2-P-1-F are two routings.
+    constraints : str or sequence of str
+        Also how many meet this, on parts alone, such as 'sheaths<=2'.
 
     Returns
     -------

@@ -96,7 +96,11 @@ def test_the_power_of_an_experiment_is_the_programs(program):
 
 def test_counts_and_checks(program):
     counts = json.loads(program("count", "--fingers", "4", "--format", "json"))
-    assert reeve.count(fingers=4)._asdict() == counts
+    assert reeve.count(fingers=4)._asdict() == {**counts, "meeting": None, "meeting_one_tendon": None}
+    counts = json.loads(program("count", "--constraint", "sheaths<=2", "--constraint", "knots<=0",
+                                "--format", "json"))
+    counts.pop("constraints")
+    assert reeve.count(constraints=["sheaths<=2", "knots<=0"])._asdict() == counts
     checked = reeve.check(family="paper")
     assert (checked.checks["status"] != "differs").all()
 

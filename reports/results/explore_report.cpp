@@ -8,6 +8,7 @@
 #include "reports/decision/decision_words.hpp"
 #include "reports/decision/ladder_report.hpp"
 #include "reports/exploration/exploration_id.hpp"
+#include "reports/json_text.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
@@ -295,9 +296,12 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["seconds"] = result.seconds;
   json["designs_per_second"] = rate(result);
   json["front_equals_left_out"] = result.front_equals_left_out;
-  json["front"] = to_json(report.front);
-  json["top"] = to_json(report.top);
-  json["best"] = to_json(report.result.best);
+  ObjectText text;
+  text.add_members(json);
+  const auto listed = [](const ListedDesign& design) { return to_json(design); };
+  text.add_list("front", report.front, listed);
+  text.add_list("top", report.top, listed);
+  json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);
   json["unmet"] = unmet_json(report);
@@ -305,7 +309,8 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["exploration"] = exploration_id(report);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();
-  return print(json);
+  text.add_members(json);
+  return std::move(text).text();
 }
 
 }  // namespace reeve::reports

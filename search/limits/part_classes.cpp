@@ -9,11 +9,6 @@ namespace {
 constexpr Objective counting_objectives[] = {Objective::sheaths, Objective::pulleys,
                                              Objective::knots, Objective::blocks, Objective::parts};
 
-bool counts_parts(Objective objective) {
-  return std::find(std::begin(counting_objectives), std::end(counting_objectives), objective) !=
-         std::end(counting_objectives);
-}
-
 // More than any routing has of anything that is counted: of a finger and what joins it to the next,
 // or of a block and an end, four each.
 double most_counted(const GeneratorOptions& generator) {
@@ -98,6 +93,11 @@ std::size_t classes_of(const std::vector<CountedSum>& sums) {
 }
 
 }  // namespace
+
+bool counts_parts(Objective objective) {
+  return std::find(std::begin(counting_objectives), std::end(counting_objectives), objective) !=
+         std::end(counting_objectives);
+}
 
 std::size_t decided_by_parts(const std::vector<Constraint>& constraints,
                              const GeneratorOptions& generator) {

@@ -30,6 +30,9 @@ inline constexpr std::size_t within_limits = 0;
 inline constexpr std::size_t not_actuated = 1;
 constexpr std::size_t failing(std::size_t c) { return c + 2; }
 
+// Whether an objective is a number of parts, tendon by tendon.
+bool counts_parts(Objective objective);
+
 // How many of the first of these constraints parts alone decide, as far as classes last: one behind
 // another that they do not decide cannot tell whether it is the first to fail.
 std::size_t decided_by_parts(const std::vector<Constraint>& constraints,

@@ -20,7 +20,8 @@ using testing::TemporaryFolder;
 std::atomic<int> notices{0};
 std::string waited_for;
 
-void note(const char* file) {
+void note(const char* file, core::Awaited awaited) {
+  EXPECT_EQ(awaited, core::Awaited::writer);
   waited_for = file;
   ++notices;
 }

@@ -53,13 +53,24 @@ TEST_F(Launched, WithoutMpiIsRefused) {
 TEST_F(Launched, TheOthersKeepQuiet) {
   const Variables second{{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "1"}};
   for (const Arguments& arguments :
-       {Arguments{"explore", "--out", "out"}, Arguments{"explore", "--nonsense"}, Arguments{},
-        Arguments{"rank", "--catalog"}, Arguments{"--version"}, Arguments{"explore", "--help"}}) {
+       {Arguments{"explore", "--nonsense"}, Arguments{}, Arguments{"rank", "--catalog"},
+        Arguments{"--version"}, Arguments{"explore", "--help"}}) {
     const ProcessResult result = run(arguments, second);
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.out + result.err, "");
     EXPECT_FALSE(std::filesystem::exists(out()));
   }
+}
+
+// On a machine where it was built without MPI, while the first one has it: that one would wait.
+TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
+  const ProcessResult result = run({"explore", "--out", "out"},
+                                   {{"OMPI_COMM_WORLD_SIZE", "3"}, {"OMPI_COMM_WORLD_RANK", "2"}});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(result.err.starts_with("reeve: rank 2 of 3, on ")) << result.err;
+  EXPECT_NE(result.err.find("this reeve was built without MPI"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
 TEST_F(Launched, AloneOrEachOnItsOwnNeedsNoMpi) {

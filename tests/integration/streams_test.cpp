@@ -171,5 +171,18 @@ TEST(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
   }
 }
 
+TEST(Pipe, ThatNobodyReadsIsSaidToBeWaitedFor) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  ProcessOptions options;
+  options.directory = folder.path();
+  options.disturbance = Disturbance{SIGTERM, [](const RunningProcess& process) {
+                                      return process.err.find('\n') != std::string::npos;
+                                    }};
+  const ProcessResult result = reeve({"show", "TR1", "--svg", "pipe"}, options);
+  EXPECT_EQ(result.signal, SIGTERM);
+  EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody reads yet\n");
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/latex_width.hpp"
 #include "reports/sheet/sheet_latex.hpp"

@@ -282,14 +282,28 @@ TEST(ExplorePruning, IsOfTheFirstConstraintsThatPartsDecide) {
   EXPECT_EQ(pruning_constraints(options), 0U);
 }
 
-// How many of all solves did not converge is said of designs that are rejected, too.
-TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeEverythingIsMade) {
-  ExploreOptions options = pruned_options(paper_parts(), 2);
-  constrain(options, {"sheaths<=2"});
-  EXPECT_EQ(pruning_constraints(options), 1U);
-  add_effect(options.model, {find_cause("load_dependent_friction"), {}, {0.2}});
-  EXPECT_EQ(pruning_constraints(options), 0U);
-  EXPECT_EQ(explore(options).pruned, 0U);
+// Friction that grows with the load, bearings that take a force which is all that arrives, and a
+// contact that is seized.
+TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeFindsWhatFilteringFinds) {
+  ExploreOptions options = pruned_options(full_parts(), 2);
+  add_effect(options.model, {find_cause("load_dependent_friction"), {}, {-0.3}});
+  add_effect(options.model, {find_cause("bearing_drag"), {}, {2}});
+  Subject seized;
+  seized.routing = "M-1-T-2-F";
+  seized.contact = "T1-T2";
+  add_effect(options.model, {find_cause("seized_contact"), seized, {}});
+  std::uint64_t unconverged = 0;
+  for (const char* constraint : {"sheaths<=2", "sheaths>=2", "pulleys<=1"}) {
+    SCOPED_TRACE(constraint);
+    constrain(options, {constraint});
+    const ExploreResult pruned = explore(options);
+    const ExploreResult all = filtered(options);
+    EXPECT_GT(pruned.pruned, 0U);
+    EXPECT_EQ(pruned.unconverged, all.unconverged);
+    expect_same_result(pruned, all);
+    unconverged += pruned.unconverged;
+  }
+  EXPECT_GT(unconverged, 0U);
 }
 
 TEST(ExplorePruning, WithDistinctFingersEverythingIsMade) {

@@ -1,0 +1,26 @@
+// How many of the routings of a set of parts meet constraints on their parts, by formula: of the
+// classes of parts (part_classes.hpp) that tendons and trees make, none of which is made.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/enumerate/generator.hpp"
+#include "search/judge/objectives.hpp"
+
+namespace reeve::search {
+
+// Of the routings that hang on the motor.
+struct LimitedCounts {
+  std::uint64_t meeting = 0;     // all constraints
+  std::uint64_t one_tendon = 0;  // … with a single tendon, or tree of tendons
+  // Parallel to the constraints: those that each is the first to reject.
+  std::vector<std::uint64_t> rejected;
+};
+
+// Throws InputError of a constraint that parts do not decide, of more sums of parts than classes
+// hold, and where fingers are told apart.
+LimitedCounts count_limited(const GeneratorOptions& options,
+                            const std::vector<Constraint>& constraints);
+
+}  // namespace reeve::search
