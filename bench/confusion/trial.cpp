@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "diagnosis/data/row_order.hpp"
 #include "tests/support/planting_rig_effects.hpp"
 
 namespace reeve::bench {
@@ -124,8 +125,8 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
 }
 
 MeasuredData parse(const std::string& csv) {
-  return parse_measured_data(csv, "planted.csv",
-                             [](const std::string& word) { return parse_routing(word); });
+  return in_order_of_contents(parse_measured_data(
+      csv, "planted.csv", [](const std::string& word) { return parse_routing(word); }));
 }
 
 Finding finding_of(const DiagnosisResult& result) {

@@ -17,6 +17,7 @@
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/row_reader.hpp"
 #include "diagnosis/data/runs_of_groups.hpp"
+#include "diagnosis/data/taken_order.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -106,6 +107,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   add_notes(notes_on_letters(data, !data.simulated && has_letters(columns.columns)), data);
   leave_out_what_scales_nothing(data);
   add_notes(set_outliers_aside(data), data);
+  set_taken(data);
   add_comments(csv, data);
   return data;
 }

@@ -37,6 +37,7 @@ struct MeasuredRouting {
 
 struct Reading {
   std::size_t line = 0;
+  std::size_t taken = 0;             // its place in the order in which readings were taken
   std::size_t run = 0;               // in MeasuredData::runs
   std::size_t routing = 0;           // in MeasuredData::routings
   std::optional<std::size_t> group;  // in MeasuredData::groups
