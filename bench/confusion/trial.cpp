@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "diagnosis/data/row_order.hpp"
 #include "tests/support/planting_rig_effects.hpp"
 
 namespace reeve::bench {
@@ -125,8 +124,8 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
 }
 
 MeasuredData parse(const std::string& csv) {
-  return in_order_of_contents(parse_measured_data(
-      csv, "planted.csv", [](const std::string& word) { return parse_routing(word); }));
+  return parse_measured_data(csv, "planted.csv",
+                             [](const std::string& word) { return parse_routing(word); });
 }
 
 Finding finding_of(const DiagnosisResult& result) {

@@ -124,6 +124,16 @@ std::vector<bool> reads_below_zero(const MeasuredData& data) {
   return result;
 }
 
+std::vector<bool> reads_zero_alone(const MeasuredData& data) {
+  std::vector<bool> result(data.channels.size(), true);
+  for (const Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      if (reading.tension_N[c].value_or(0) != 0) result[c] = false;
+    }
+  }
+  return result;
+}
+
 std::optional<KnownNoise> known_noise(const MeasuredData& data, std::size_t channel) {
   return channel < data.known_noise.size() ? data.known_noise[channel] : std::nullopt;
 }

@@ -84,7 +84,11 @@ Eigen::VectorXd NullModel::draw_one(std::size_t replicate) const {
     drawn[i] += normal(seed_, stream, static_cast<std::uint64_t>(i));
   }
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
-    if (problem_.clips[static_cast<std::size_t>(i)]) drawn[i] = std::max(0.0, drawn[i]);
+    if (problem_.clips[static_cast<std::size_t>(i)]) {
+      drawn[i] = std::max(0.0, drawn[i]);
+    } else if (problem_.measured_N[i] == 0 && reading_[i] == 0) {
+      drawn[i] = 0;  // a sensor that is dead in the model, too, has no noise
+    }
   }
   drawn -= expected_;
   take_out_scales(problem_, at_, drawn);
@@ -111,8 +115,8 @@ void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) co
 void NullModel::for_each(Workers& workers,
                          const std::function<void(std::size_t, const Eigen::MatrixXd&)>& use,
                          const std::function<bool()>& stop) const {
-  constexpr std::size_t together = 8;
-  constexpr std::size_t between_questions = 64;
+  constexpr std::size_t together = 16;
+  constexpr std::size_t between_questions = 256;
   for (std::size_t first = 0; first < replicates_; first += between_questions) {
     if (stop && stop()) return;
     const std::size_t size = std::min(between_questions, replicates_ - first);

@@ -105,12 +105,9 @@ double median_reading(const Dataset& dataset) {
 }
 
 std::vector<bool> tell_of_noise(const Dataset& dataset) {
-  std::vector<bool> result(dataset.data->channels.size(), false);
-  for (const Cell& cell : dataset.cells) {
-    if (cell.measured_N != 0) result[cell.channel] = true;
-  }
+  std::vector<bool> result = reads_zero_alone(*dataset.data);
   for (std::size_t c = 0; c < result.size(); ++c) {
-    if (known_noise(*dataset.data, c)) result[c] = false;
+    result[c] = !result[c] && !known_noise(*dataset.data, c);
   }
   return result;
 }
