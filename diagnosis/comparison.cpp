@@ -79,6 +79,9 @@ QuantitySummary summarise(const std::vector<ComparedValue>& all, Quantity quanti
       [](std::uint64_t direction) { return direction == 0 ? "pull" : "release"; });
   result.by_run = group(values, of_reading([](const Reading& r) { return r.run; }),
                         [&](std::size_t i) { return data.runs[i]; });
+  std::erase_if(values, [&](const ComparedValue* v) { return !data.readings[v->reading].group; });
+  result.by_group = group(values, of_reading([](const Reading& r) { return *r.group; }),
+                          [&](std::size_t i) { return data.groups[i]; });
   return result;
 }
 

@@ -52,6 +52,7 @@ struct QuantitySummary {
   std::vector<ResidualSummary> by_grasp;      // "none", "1", "1,2"
   std::vector<ResidualSummary> by_direction;  // "pull", "release"
   std::vector<ResidualSummary> by_run;        // in the order of the file
+  std::vector<ResidualSummary> by_group;      // likewise; of rows that have one
 };
 
 struct Comparison {

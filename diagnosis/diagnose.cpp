@@ -29,7 +29,7 @@ class Diagnosis {
   Diagnosis(const MeasuredData& data, const Hardware& hardware, const DiagnoseOptions& options)
       : data_(data),
         options_(options),
-        workers_(options.threads),
+        workers_(options.threads, options.stop),
         sample_(sample(data, options.hold_out, options.seed)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
@@ -76,6 +76,7 @@ class Diagnosis {
  private:
   bool stopped(const char* stage) {
     if (options_.stage && options_.stage(stage)) stop_ = true;
+    if (options_.stop != nullptr && options_.stop->load()) stop_ = true;
     return stop_;
   }
 
@@ -335,7 +336,11 @@ const char* verdict_name(Verdict verdict) {
 
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
                                               const DiagnoseOptions& options) {
-  return Diagnosis(data, hardware, options).run();
+  try {
+    return Diagnosis(data, hardware, options).run();
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
 }
 
 DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,

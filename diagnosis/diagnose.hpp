@@ -14,6 +14,7 @@
 // docs/diagnosis.md tells it for people.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -55,6 +56,8 @@ struct DiagnoseOptions : DiagnosisSettings {
   std::vector<MeasurableRouting> routings;
   // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
   std::function<bool(const char* stage)> stage;
+  // Asked within stages, too, and by any thread.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // too_few: readings, to look for anything.
@@ -142,7 +145,9 @@ struct DiagnosisResult {
   std::vector<DataNote> notes;
 };
 
-// Nothing if it was stopped. Throws InputError if no row can be compared.
+// What is drawn is drawn by the numbers of runs and readings: a caller who wants the same of the
+// same rows in any order puts them in one (data/row_order.hpp). Nothing if it was stopped. Throws
+// InputError if no row can be compared.
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
                                               const DiagnoseOptions& options);
 DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,

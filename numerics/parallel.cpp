@@ -63,21 +63,30 @@ struct Workers::Arena {
   std::size_t threads;
 };
 
-Workers::Workers(int threads) : arena_(std::make_unique<Arena>(thread_count(threads))) {}
+Workers::Workers(int threads, const std::atomic<bool>* stop)
+    : arena_(std::make_unique<Arena>(thread_count(threads))), stop_(stop) {}
 Workers::~Workers() = default;
 
 std::size_t Workers::count() const { return arena_->threads; }
 
+void Workers::go_on() const {
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Stopped();
+}
+
 void Workers::for_each_block(std::size_t size, std::size_t grain,
                              const std::function<void(const IndexBlock&)>& work) {
 #if defined(__SANITIZE_THREAD__)
-  run_on_plain_threads(arena_->threads, size, grain, work);
+  run_on_plain_threads(arena_->threads, size, grain, [&](const IndexBlock& block) {
+    go_on();
+    work(block);
+  });
 #else
   try {
     arena_->arena.execute([&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, size, grain),
           [&](const tbb::blocked_range<std::size_t>& range) {
+            go_on();
             const auto worker =
                 static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
             work({range.begin(), range.end(), worker});

@@ -2,7 +2,9 @@
 // arrays, so that the result is the same for any number of threads.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <new>
@@ -26,10 +28,16 @@ class NoThreads : public std::bad_alloc {
   }
 };
 
+// Nobody waits for the result any more.
+class Stopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "stopped"; }
+};
+
 class Workers {
  public:
-  // 0: as many threads as the machine has.
-  explicit Workers(int threads);
+  // 0: as many threads as the machine has. `stop`, which any thread may set, ends the work.
+  explicit Workers(int threads, const std::atomic<bool>* stop = nullptr);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -37,13 +45,17 @@ class Workers {
   std::size_t count() const;
 
   // Cuts 0 … size into blocks of at most `grain` indices and runs them; exceptions come through.
-  // Throws NoThreads.
+  // Throws NoThreads, and Stopped before the next block once `stop` is set.
   void for_each_block(std::size_t size, std::size_t grain,
                       const std::function<void(const IndexBlock&)>& work);
+
+  // Throws Stopped once `stop` is set: for long work between loops.
+  void go_on() const;
 
  private:
   struct Arena;
   std::unique_ptr<Arena> arena_;
+  const std::atomic<bool>* stop_;
 };
 
 }  // namespace reeve::numerics

@@ -8,6 +8,7 @@
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "diagnosis/data/row_order.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/judge/ranking.hpp"
@@ -96,7 +97,7 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
                                                const Catalogue& catalogue) {
   const auto start = std::chrono::steady_clock::now();
   DiagnosisReport report;
-  report.data = std::move(request.data);
+  report.data = in_order_of_contents(std::move(request.data));
   report.hardware = std::move(request.hardware);
   report.settings = request.settings;
   report.with_generated = request.with_generated;
@@ -106,6 +107,7 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
   options.threads = request.threads;
   options.routings = measurable_routings(report.data, catalogue, request.with_generated);
   options.stage = std::move(request.stage);
+  options.stop = request.stop;
   auto result = diagnose_until(report.data, report.hardware, options);
   if (!result) return std::nullopt;
   report.result = std::move(*result);

@@ -2,6 +2,7 @@
 // what publications draw of the same routings.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <optional>
@@ -25,7 +26,8 @@ struct DiagnosisRequest {
   // data's.
   bool with_generated = false;
   int threads = 0;
-  std::function<bool(const char* stage)> stage;  // DiagnoseOptions::stage
+  std::function<bool(const char* stage)> stage;  // as in DiagnoseOptions, like the next
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // Names of the catalogue's routings of two fingers, best first by mean uniformity and efficiency,
@@ -38,7 +40,7 @@ struct CatalogueRanking {
 };
 
 struct DiagnosisReport {
-  MeasuredData data;
+  MeasuredData data;  // in the order of its contents (diagnosis/data/row_order.hpp)
   Hardware hardware;
   DiagnosisSettings settings;
   bool with_generated = false;

@@ -2,6 +2,7 @@
 
 #include "core/notation.hpp"
 #include "diagnosis/data/measured_data.hpp"
+#include "diagnosis/data/row_order.hpp"
 #include "diagnosis/diagnose.hpp"
 
 namespace reeve::studies {
@@ -17,7 +18,8 @@ MeasuredData read_back(const SimulationReport& report, const WrittenSimulation& 
     }
     return parse_routing(text);
   };
-  return parse_measured_data(written(report), "simulated readings", resolve, options);
+  return in_order_of_contents(
+      parse_measured_data(written(report), "simulated readings", resolve, options));
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ std::optional<PowerReport> power_study(SimulationReport experiment, std::size_t 
   for (const Effect& effect : experiment.model.effects) hidden.push_back(effect_name(effect));
   const Supervision diagnosing = supervision.during("diagnosing");
   DiagnoseOptions options;
-  options.stage = [&](const char*) { return supervision.stopped(); };
+  options.stop = supervision.stop;
   for (std::size_t i = 0; i < experiments; ++i) {
     if (diagnosing.report) diagnosing.report({i, experiments});
     experiment.seed = report.experiment.seed + i;

@@ -101,9 +101,10 @@ void require_readings(const MeasuredData& data) {
   }
 }
 
-// Nothing if `stage`, which hears what is being done, had it stopped.
+// `stage` hears what is being done. Nothing if it was stopped.
 std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogue& catalogue,
-                                      const std::function<bool(const char*)>& stage) {
+                                      const std::function<void(const char*)>& stage,
+                                      const std::atomic<bool>* stop) {
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
   request.settings = settings(flags);
@@ -117,17 +118,19 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   }
   require_contacts_to_match(request.hardware, routings);
   require_places(flags);
-  request.stage = stage;
+  request.stage = [&](const char* name) {
+    stage(name);
+    return false;
+  };
+  request.stop = stop;
   return diagnosis_study(std::move(request), catalogue);
 }
 
 DiagnosisReport watched_report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   const std::atomic<bool>& stop = stop_on_interrupt();
   StageLine line;
-  auto result = report(flags, catalogue, [&](const char* stage) {
-    line.show(stage);
-    return stop.load();
-  });
+  auto result = report(
+      flags, catalogue, [&](const char* stage) { line.show(stage); }, &stop);
   if (!result) throw Interrupted();
   return std::move(*result);
 }
@@ -254,10 +257,10 @@ void add_diagnose(CLI::App& program, int& exit_code) {
 std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,
                                                const StudySupervision& supervision) {
   const AskedCommand<DiagnoseFlags> asked("diagnose", add_options, arguments);
-  return report(asked.flags(), shipped_catalogue(), [&](const char* stage) {
+  const auto tell = [&](const char* stage) {
     if (supervision.report) supervision.report(stage, {});
-    return supervision.stopped();
-  });
+  };
+  return report(asked.flags(), shipped_catalogue(), tell, supervision.stop);
 }
 
 void write_asked(const DiagnosisReport& report, const Arguments& arguments) {

@@ -16,7 +16,7 @@ Conditions conditions(const MeasuredData& data, std::size_t index) {
   result.cycle = reading.cycle.value_or(result.cycle);
   result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
   const std::size_t last = data.readings.size() - 1;
-  result.order = last > 0 ? static_cast<double>(index) / static_cast<double>(last) : 0;
+  result.order = last > 0 ? static_cast<double>(reading.taken) / static_cast<double>(last) : 0;
   return result;
 }
 

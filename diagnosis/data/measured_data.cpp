@@ -17,6 +17,7 @@
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/row_reader.hpp"
 #include "diagnosis/data/runs_of_groups.hpp"
+#include "diagnosis/data/taken_order.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -106,6 +107,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   add_notes(notes_on_letters(data, !data.simulated && has_letters(columns.columns)), data);
   leave_out_what_scales_nothing(data);
   add_notes(set_outliers_aside(data), data);
+  set_taken(data);
   add_comments(csv, data);
   return data;
 }
@@ -117,6 +119,16 @@ std::vector<bool> reads_below_zero(const MeasuredData& data) {
   for (const Reading& reading : data.readings) {
     for (std::size_t c = 0; c < result.size(); ++c) {
       if (reading.tension_N[c].value_or(0) < 0) result[c] = true;
+    }
+  }
+  return result;
+}
+
+std::vector<bool> reads_zero_alone(const MeasuredData& data) {
+  std::vector<bool> result(data.channels.size(), true);
+  for (const Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      if (reading.tension_N[c].value_or(0) != 0) result[c] = false;
     }
   }
   return result;

@@ -37,6 +37,7 @@ struct MeasuredRouting {
 
 struct Reading {
   std::size_t line = 0;
+  std::size_t taken = 0;             // its place in the order in which readings were taken
   std::size_t run = 0;               // in MeasuredData::runs
   std::size_t routing = 0;           // in MeasuredData::routings
   std::optional<std::size_t> group;  // in MeasuredData::groups
@@ -79,6 +80,9 @@ double motor_deviation(const MeasuredData& data, const Reading& reading);
 // Parallel to the channels: whether one reads below 0 anywhere, as a load cell that drifts does.
 // One that never does may be clipped there.
 std::vector<bool> reads_below_zero(const MeasuredData& data);
+// Likewise: whether one reads 0 throughout, as a dead one does. It has no noise that would be cut
+// off there, and tells of none.
+std::vector<bool> reads_zero_alone(const MeasuredData& data);
 
 // A routing for the text of a cell: a word, or a name where the caller knows names. Throws
 // InputError.

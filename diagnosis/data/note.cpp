@@ -44,6 +44,8 @@ const char* note_kind_name(NoteKind kind) {
       return "not_compared";
     case NoteKind::clock:
       return "clock";
+    case NoteKind::no_direction:
+      return "no_direction";
     case NoteKind::no_motion:
       return "no_motion";
     case NoteKind::groups_differ:

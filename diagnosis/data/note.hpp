@@ -31,6 +31,7 @@ enum class NoteKind : std::uint8_t {
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
   clock,                   // of a time series: set back (steady_readings.hpp)
+  no_direction,            // of a time series: it moves, and may pull or release
   no_motion,               // of a time series: it does not say when the carriage moves
   groups_differ,           // what is said of all groups together does not hold of each
   runs_of_groups,          // runs of one name in several groups

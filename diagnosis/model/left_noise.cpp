@@ -49,6 +49,7 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
       row_of.push_back(r);
     }
   }
+  const std::vector<bool> tells = tell_of_noise(dataset);
   std::vector<ScatterSample> samples;
   for (const Mounting& mounting : mountings(dataset)) {
     Eigen::VectorXd weights = at.reading_N(mounting.cells);
@@ -60,7 +61,7 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
     for (Eigen::Index i = 0; i < own.size(); ++i) {
       const Eigen::Index cell = mounting.cells[static_cast<std::size_t>(i)];
       const std::size_t channel = dataset.cells[static_cast<std::size_t>(cell)].channel;
-      if (known_noise(*dataset.data, channel)) continue;
+      if (!tells[channel]) continue;
       samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / weights[i],
                          scaled * (1 - basis.row(i).squaredNorm()), known[cell],
                          row_of[static_cast<std::size_t>(cell)]});

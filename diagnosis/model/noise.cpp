@@ -119,11 +119,12 @@ Noise noise_of_residuals(const Dataset& dataset, const Forecast& at,
   const double kept = std::max(0.1, 1 - (parameters + static_cast<double>(dataset.cells.size()) -
                                          dataset.degrees_of_freedom()) /
                                             static_cast<double>(dataset.cells.size()));
+  const std::vector<bool> tells = tell_of_noise(dataset);
   std::vector<ScatterSample> samples;
   for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
     const DatasetRow& row = dataset.rows[r];
     for (std::size_t i = row.first; i < row.last; ++i) {
-      if (has_known_noise(dataset, i)) continue;
+      if (!tells[dataset.cells[i].channel]) continue;
       const auto cell = static_cast<Eigen::Index>(i);
       samples.push_back({dataset.cells[i].measured_N, residual_N[cell], kept,
                          motor_variance(row, at.by_scale[cell]), r});

@@ -43,6 +43,10 @@ Eigen::VectorXd Projection::taken_out(Eigen::VectorXd vector) const {
   return vector;
 }
 
+void Projection::take_out_of_each(Eigen::MatrixXd& vectors) const {
+  if (basis_.cols() > 0) vectors -= basis_ * (basis_.transpose() * vectors);
+}
+
 NullModel::NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
                      std::uint64_t seed, std::size_t replicates, const MountedDraws* mounted)
     : problem_(problem),
@@ -54,7 +58,16 @@ NullModel::NullModel(const Problem& problem, const Projection& projection, const
       replicates_(replicates),
       mounted_(mounted) {}
 
-Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
+Eigen::MatrixXd NullModel::draw(std::size_t first, std::size_t count) const {
+  Eigen::MatrixXd drawn(reading_.size(), static_cast<Eigen::Index>(count));
+  for (std::size_t b = 0; b < count; ++b) {
+    drawn.col(static_cast<Eigen::Index>(b)) = draw_one(first + b);
+  }
+  projection_.take_out_of_each(drawn);
+  return drawn;
+}
+
+Eigen::VectorXd NullModel::draw_one(std::size_t replicate) const {
   const auto stream = static_cast<std::uint32_t>(replicate);
   const auto cells = static_cast<std::uint64_t>(reading_.size());
   Eigen::VectorXd drawn = reading_;
@@ -68,12 +81,16 @@ Eigen::VectorXd NullModel::draw(std::size_t replicate) const {
     drawn[i] += normal(seed_, stream, static_cast<std::uint64_t>(i));
   }
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
-    if (problem_.clips[static_cast<std::size_t>(i)]) drawn[i] = std::max(0.0, drawn[i]);
+    if (problem_.clips[static_cast<std::size_t>(i)]) {
+      drawn[i] = std::max(0.0, drawn[i]);
+    } else if (problem_.measured_N[i] == 0 && reading_[i] == 0) {
+      drawn[i] = 0;  // a sensor that is dead in the model, too, has no noise
+    }
   }
   drawn -= expected_;
   take_out_scales(problem_, at_, drawn);
   whiten(problem_.shared, drawn);
-  return projection_.taken_out(std::move(drawn));
+  return drawn;
 }
 
 void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) const {
@@ -93,14 +110,16 @@ void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) co
 }
 
 void NullModel::for_each(Workers& workers,
-                         const std::function<void(std::size_t, const Eigen::VectorXd&)>& use,
+                         const std::function<void(std::size_t, const Eigen::MatrixXd&)>& use,
                          const std::function<bool()>& stop) const {
-  constexpr std::size_t between_questions = 64;
+  constexpr std::size_t together = 16;
+  constexpr std::size_t between_questions = 256;
   for (std::size_t first = 0; first < replicates_; first += between_questions) {
     if (stop && stop()) return;
     const std::size_t size = std::min(between_questions, replicates_ - first);
-    workers.for_each_block(size, 4, [&](const IndexBlock& block) {
-      for (std::size_t b = first + block.begin; b < first + block.end; ++b) use(b, draw(b));
+    workers.for_each_block((size + together - 1) / together, 1, [&](const IndexBlock& block) {
+      const std::size_t begin = block.begin * together;
+      use(first + begin, draw(first + begin, std::min(together, size - begin)));
     });
   }
 }

@@ -136,9 +136,11 @@ Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
   result.deviation_N = deviation_N;
   result.force_scale = force_scale(*dataset.data);
   const std::vector<bool> below_zero = reads_below_zero(*dataset.data);
+  const std::vector<bool> dead = reads_zero_alone(*dataset.data);
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
     result.measured_N[static_cast<Index>(i)] = dataset.cells[i].measured_N;
-    result.clips.push_back(!below_zero[dataset.cells[i].channel]);
+    const std::size_t channel = dataset.cells[i].channel;
+    result.clips.push_back(!below_zero[channel] && !dead[channel]);
   }
   const auto scatters = [](const DatasetRow& row) { return row.motor_deviation_N > 0; };
   if (std::any_of(dataset.rows.begin(), dataset.rows.end(), scatters)) {

@@ -46,7 +46,7 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
     all.row(i) << 1 / at.motor_tension_N, std::log(at.motor_tension_N),
         std::log(std::max(at.speed_mm_s, 0.01)), std::log1p(at.cycle / 100), at.temperature_C,
         dataset.data->readings[row.reading].sheath_angle_rad.value_or(0),
-        static_cast<double>(row.reading);
+        static_cast<double>(dataset.data->readings[row.reading].taken);
   }
   const Eigen::MatrixXd levels =
       runs == Runs::alike ? Eigen::MatrixXd::Ones(n, 1) : run_columns(dataset, rows);
@@ -102,8 +102,12 @@ double median_reading(const Dataset& dataset) {
   return *middle;
 }
 
-bool has_known_noise(const Dataset& dataset, std::size_t cell) {
-  return known_noise(*dataset.data, dataset.cells[cell].channel).has_value();
+std::vector<bool> tell_of_noise(const Dataset& dataset) {
+  std::vector<bool> result = reads_zero_alone(*dataset.data);
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c] = !result[c] && !known_noise(*dataset.data, c);
+  }
+  return result;
 }
 
 double motor_variance(const DatasetRow& row, double by_scale) {
@@ -113,6 +117,7 @@ double motor_variance(const DatasetRow& row, double by_scale) {
 std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vector<char>& used) {
   using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::uint64_t, Direction, double,
                          double, double, double, std::optional<double>>;
+  const std::vector<bool> tells = tell_of_noise(dataset);
   std::map<Key, CellGroup> groups;
   std::vector<std::size_t> row_of(dataset.cells.size());
   for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
@@ -122,7 +127,7 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
     const Conditions& at = row.conditions;
     for (std::size_t i = row.first; i < row.last; ++i) {
       row_of[i] = r;
-      if (has_known_noise(dataset, i)) continue;
+      if (!tells[dataset.cells[i].channel]) continue;
       groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
               reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N,
               at.speed_mm_s, at.cycle, at.temperature_C, reading.sheath_angle_rad}]
@@ -147,6 +152,7 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
 std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
                                      const std::vector<char>& used) {
   const double level = median_reading(dataset);
+  const std::vector<bool> tells = tell_of_noise(dataset);
   std::vector<ScatterSample> samples;
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
   std::map<Key, std::pair<std::vector<std::size_t>, CellGroup>> groups;
@@ -155,7 +161,7 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     for (std::size_t i = row.first; i < row.last; ++i) {
-      if (used[i] != 0 || has_known_noise(dataset, i)) continue;
+      if (used[i] != 0 || !tells[dataset.cells[i].channel]) continue;
       auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
                                     reading.direction}];
       rows.push_back(r);

@@ -28,8 +28,9 @@ enum class Runs : std::uint8_t { by_themselves, alike };
 
 // Of those above 0; 1 N of none.
 double median_reading(const Dataset& dataset);
-// Whether somebody knows the noise of the cell's channel.
-bool has_known_noise(const Dataset& dataset, std::size_t cell);
+// Parallel to the channels: whether its readings tell of a noise that is to be estimated. Not where
+// somebody knows it, nor where all are 0: what a dead sensor scatters by is no noise of the others.
+std::vector<bool> tell_of_noise(const Dataset& dataset);
 // N², of a cell at this forecast: what its motor tension is known to bring.
 double motor_variance(const DatasetRow& row, double by_scale);
 

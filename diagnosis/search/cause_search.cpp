@@ -104,8 +104,10 @@ class Search {
     std::vector<double> greatest(null_model.replicates());
     null_model.for_each(
         workers_,
-        [&](std::size_t replicate, const Eigen::VectorXd& drawn) {
-          greatest[replicate] = outlook.screening().greatest_gain(drawn);
+        [&](std::size_t first, const Eigen::MatrixXd& drawn) {
+          const std::vector<double> gains = outlook.screening().greatest_gains(drawn);
+          std::copy(gains.begin(), gains.end(),
+                    greatest.begin() + static_cast<std::ptrdiff_t>(first));
         },
         stop_);
     return greatest;

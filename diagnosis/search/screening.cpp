@@ -55,9 +55,7 @@ double Screening::raw_gain(std::size_t probe, double along) const {
   return possible ? along * along / (2 * square) : 0;
 }
 
-std::vector<double> Screening::gains(const Eigen::VectorXd& residuals) const {
-  const Eigen::VectorXd along = columns_.transpose() * residuals;
-  const double before = residuals.squaredNorm();
+std::vector<double> Screening::gains_along(const Eigen::VectorXd& along, double before) const {
   std::vector<double> result(candidates_.size(), 0.0);
   for (std::size_t p = 0; p < probes_.size(); ++p) {
     const double raw = raw_gain(p, along[static_cast<Eigen::Index>(p)]);
@@ -67,9 +65,23 @@ std::vector<double> Screening::gains(const Eigen::VectorXd& residuals) const {
   return result;
 }
 
+std::vector<double> Screening::gains(const Eigen::VectorXd& residuals) const {
+  return gains_along(columns_.transpose() * residuals, residuals.squaredNorm());
+}
+
 double Screening::greatest_gain(const Eigen::VectorXd& residuals) const {
   const std::vector<double> all = gains(residuals);
   return all.empty() ? 0 : *std::max_element(all.begin(), all.end());
+}
+
+std::vector<double> Screening::greatest_gains(const Eigen::MatrixXd& residuals) const {
+  const Eigen::MatrixXd along = columns_.transpose() * residuals;
+  std::vector<double> result;
+  for (Eigen::Index b = 0; b < residuals.cols(); ++b) {
+    const std::vector<double> all = gains_along(along.col(b), residuals.col(b).squaredNorm());
+    result.push_back(all.empty() ? 0 : *std::max_element(all.begin(), all.end()));
+  }
+  return result;
 }
 
 std::vector<std::vector<double>> Screening::starts(std::size_t candidate,

@@ -33,6 +33,8 @@ class Screening {
   // Parallel to the candidates; not below 0.
   std::vector<double> gains(const Eigen::VectorXd& residuals) const;
   double greatest_gain(const Eigen::VectorXd& residuals) const;
+  // Of each column.
+  std::vector<double> greatest_gains(const Eigen::MatrixXd& residuals) const;
 
   // Where a fit of each candidate should start: the size of the first order, for each shape.
   std::vector<std::vector<double>> starts(std::size_t candidate,
@@ -49,6 +51,8 @@ class Screening {
   };
 
   double raw_gain(std::size_t probe, double along) const;
+  // By what the residuals have along each probe, and their sum of squares.
+  std::vector<double> gains_along(const Eigen::VectorXd& along, double before) const;
 
   const std::vector<Candidate>& candidates_;
   std::vector<Probe> probes_;

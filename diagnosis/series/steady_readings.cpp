@@ -159,7 +159,22 @@ class SteadySearch {
            "steady levels of the tensions, and whether the tendon slides there is for you to know",
            {}});
     }
+    note_missing_direction();
     note_reversed_motion();
+  }
+
+  void note_missing_direction() {
+    const auto samples =
+        std::count(result_.uses.begin(), result_.uses.end(), SampleUse::no_direction);
+    if (samples == 0 || result_.motion != MotionSource::speed) return;
+    result_.notes.push_back(
+        {NoteKind::no_direction,
+         fmt::format(
+             "in {} samples the carriage moves, but the speed is nowhere below zero and the "
+             "load stays, so that it may pull or release: no reading is made of them until "
+             "a column 'direction' or whoever imports the log says which",
+             samples),
+         {}});
   }
 
   // Friction adds to the load while the carriage pulls, and takes from it while it releases.

@@ -49,8 +49,9 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
                         other == others.end() ? std::nullopt : std::optional(other->second)});
     }
   }
-  std::stable_sort(result.begin(), result.end(), [](const ComparedCell& a, const ComparedCell& b) {
-    return a.cell.reading < b.cell.reading;
+  const std::vector<Reading>& readings = sample.training.data->readings;
+  std::stable_sort(result.begin(), result.end(), [&](const ComparedCell& a, const ComparedCell& b) {
+    return readings[a.cell.reading].line < readings[b.cell.reading].line;
   });
   return result;
 }

@@ -24,7 +24,7 @@ struct ComparedCell {
   std::optional<double> left_out_N;  // of the causes fitted without its run (left_out.hpp)
 };
 
-// All cells of the sample, in the order of the readings.
+// All cells of the sample, in the order of the lines.
 std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& before,
                                          const Model& after, const Scatter& scatter,
                                          const std::vector<LeftOutRun>& left_out, Workers& workers);

@@ -158,7 +158,7 @@ class Tests {
     const std::size_t frequencies = std::min(rows / 2, most_frequencies);
     MatrixXd columns(relative_.size(), 2 * static_cast<Index>(frequencies));
     for (std::size_t r = 0; r < rows; ++r) {
-      const double along = static_cast<double>(dataset_.rows[r].reading) /
+      const double along = static_cast<double>(data_.readings[dataset_.rows[r].reading].taken) /
                            static_cast<double>(data_.readings.size());
       for (std::size_t f = 0; f < frequencies; ++f) {
         // Half a turn from the first reading to the last, which is a drift; then whole turns.
@@ -183,17 +183,24 @@ class Tests {
   std::vector<StructureTest> tests_;
 };
 
-double statistic(const StructureTest& test, const VectorXd& residuals) {
-  const VectorXd along = test.patterns.transpose() * residuals;
-  double explained = 0;
-  if (!test.scan) {
-    explained = along.squaredNorm();
-  } else {
-    for (Index c = 0; c < along.size(); c += 2) {
-      explained = std::max(explained, along.segment(c, 2).squaredNorm());
-    }
+double explained(const StructureTest& test, const VectorXd& along) {
+  if (!test.scan) return along.squaredNorm();
+  double greatest = 0;
+  for (Index c = 0; c < along.size(); c += 2) {
+    greatest = std::max(greatest, along.segment(c, 2).squaredNorm());
   }
-  return std::cbrt(explained / std::max(residuals.squaredNorm(), 1e-300));
+  return greatest;
+}
+
+// Of each column of residuals.
+std::vector<double> statistics(const StructureTest& test, const MatrixXd& residuals) {
+  const MatrixXd along = test.patterns.transpose() * residuals;
+  std::vector<double> result;
+  for (Index b = 0; b < residuals.cols(); ++b) {
+    const double all = std::max(residuals.col(b).squaredNorm(), 1e-300);
+    result.push_back(std::cbrt(explained(test, along.col(b)) / all));
+  }
+  return result;
 }
 
 // "T2 of M-1-P-2-M, held 1": the group whose mean residual is farthest from 0.
@@ -234,9 +241,11 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
   std::vector<std::vector<double>> null(tests.size(), std::vector<double>(null_model.replicates()));
   null_model.for_each(
       workers,
-      [&](std::size_t replicate, const VectorXd& drawn) {
+      [&](std::size_t first, const MatrixXd& drawn) {
         for (std::size_t t = 0; t < tests.size(); ++t) {
-          null[t][replicate] = statistic(tests[t], drawn);
+          const std::vector<double> of_each = statistics(tests[t], drawn);
+          std::copy(of_each.begin(), of_each.end(),
+                    null[t].begin() + static_cast<std::ptrdiff_t>(first));
         }
       },
       stop);
@@ -248,13 +257,13 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
     const double mean = sample.mean();
     const double deviation =
         std::sqrt((sample.array() - mean).square().sum() / std::max(n - 1, 1.0)) + 1e-300;
-    const double here = (statistic(tests[t], residuals) - mean) / deviation;
+    const double measured = statistics(tests[t], residuals).front();
+    const double here = (measured - mean) / deviation;
     for (std::size_t b = 0; b < greatest.size(); ++b) {
       greatest[b] = std::max(greatest[b], (null[t][b] - mean) / deviation);
     }
     observed = std::max(observed, here);
-    result.findings.push_back(
-        {tests[t].about, here, p_value(statistic(tests[t], residuals), null[t])});
+    result.findings.push_back({tests[t].about, here, p_value(measured, null[t])});
   }
   std::stable_sort(result.findings.begin(), result.findings.end(),
                    [](const auto& a, const auto& b) { return a.statistic > b.statistic; });

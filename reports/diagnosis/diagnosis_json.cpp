@@ -285,17 +285,18 @@ std::string diagnosis_residuals_csv(const DiagnosisReport& report) {
   std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
   csv +=
       "line,run,routing,held,direction,channel,held_out,measured_N,before_N,after_N,deviation_N,"
-      "residual_before,residual_after,left_out_N\n";
+      "residual_before,residual_after,left_out_N";
+  csv += group_heading(data) + "\n";
   for (const ComparedCell& compared : report.result.cells) {
     const Reading& reading = data.readings[compared.cell.reading];
     const std::string left_out = compared.left_out_N ? fmt::format("{}", *compared.left_out_N) : "";
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.line,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", reading.line,
                        csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
                        held_field(reading.grasp), direction_field(reading.direction),
                        data.channels[compared.cell.channel].name, compared.held_out,
                        compared.cell.measured_N, compared.before_N, compared.after_N,
                        compared.deviation_N, compared.residual_before, compared.residual_after,
-                       left_out);
+                       left_out, group_field(data, reading));
   }
   return csv;
 }

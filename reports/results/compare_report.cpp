@@ -21,7 +21,7 @@ struct Grouping {
 constexpr Grouping groupings[] = {
     {"routing", &QuantitySummary::by_routing}, {"channel", &QuantitySummary::by_channel},
     {"grasp", &QuantitySummary::by_grasp},     {"direction", &QuantitySummary::by_direction},
-    {"run", &QuantitySummary::by_run},
+    {"run", &QuantitySummary::by_run},         {"group", &QuantitySummary::by_group},
 };
 
 // Residuals of shares cancel but for rounding.
@@ -143,14 +143,16 @@ std::string compare_json(const CompareReport& report) {
 std::string residuals_csv(const CompareReport& report) {
   const MeasuredData& data = report.data;
   std::string csv = data.simulated ? fmt::format("# {}\n", simulated_text) : "";
-  csv += "line,run,routing,held,direction,channel,quantity,measured,predicted,residual\n";
+  csv += "line,run,routing,held,direction,channel,quantity,measured,predicted,residual";
+  csv += group_heading(data) + "\n";
   for (const ComparedValue& value : report.comparison.values) {
     const Reading& reading = data.readings[value.reading];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", reading.line,
-                       csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
-                       held_field(reading.grasp), direction_field(reading.direction),
-                       data.channels[value.channel].name, quantity_name(value.quantity),
-                       value.measured, value.predicted, value.residual());
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{}{}\n", reading.line,
+                    csv_field(data.runs[reading.run]), data.routings[reading.routing].word,
+                    held_field(reading.grasp), direction_field(reading.direction),
+                    data.channels[value.channel].name, quantity_name(value.quantity),
+                    value.measured, value.predicted, value.residual(), group_field(data, reading));
   }
   return csv;
 }

@@ -1,6 +1,9 @@
 #include "reports/results/data_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/csv_field.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -30,6 +33,13 @@ std::string held_field(Grasp grasp) {
 
 const char* direction_field(Direction direction) {
   return direction == Direction::pull ? "pull" : "release";
+}
+
+std::string group_heading(const MeasuredData& data) { return data.groups.empty() ? "" : ",group"; }
+
+std::string group_field(const MeasuredData& data, const Reading& reading) {
+  if (data.groups.empty()) return "";
+  return "," + (reading.group ? csv_field(data.groups[*reading.group]) : "");
 }
 
 Section notes_section(const std::vector<DataNote>& notes) {

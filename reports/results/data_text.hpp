@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/data/note.hpp"
 #include "reports/json.hpp"
 #include "reports/sheet/sheet.hpp"
@@ -21,6 +22,10 @@ SheetLine simulated_line();
 // "1;2", as in a file of measured tensions
 std::string held_field(Grasp grasp);
 const char* direction_field(Direction direction);
+
+// The last column of a CSV, with the comma before it; both empty where no column names groups.
+std::string group_heading(const MeasuredData& data);
+std::string group_field(const MeasuredData& data, const Reading& reading);
 
 // One line each.
 Section notes_section(const std::vector<DataNote>& notes);

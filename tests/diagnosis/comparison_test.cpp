@@ -178,6 +178,28 @@ TEST(Summaries, AreMeanAndRootMeanSquareOfTheResiduals) {
   EXPECT_TRUE(result.share.by_run.empty());
 }
 
+TEST(Summaries, HaveOneForEachGroupWithoutRowsThatHaveNone) {
+  Hardware smooth;
+  smooth.tube.mu = smooth.sheath.mu = 0;
+  ReadingOptions options;
+  options.group = "winch";
+  const Comparison result = compare(read_data("run,routing,motor_tension_N,winch,T1_N\n"
+                                              "A,M-1-F,10,right,11\n"
+                                              "A,M-1-F,10,left,14\n"
+                                              "A,M-1-F,10,,99\n"
+                                              "B,M-1-F,20,right,22\n",
+                                              options),
+                                    Model{smooth});
+  const std::vector<ResidualSummary>& groups = result.tension.by_group;
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].group, "right");
+  EXPECT_EQ(groups[0].count, 2U);
+  EXPECT_NEAR(groups[0].mean_residual, 1.5, 1e-9);
+  EXPECT_EQ(groups[1].group, "left");
+  EXPECT_NEAR(groups[1].mean_residual, 4, 1e-9);
+  EXPECT_EQ(result.tension.all.count, 4U);
+}
+
 TEST(Summaries, HaveNoRelativeErrorWhereAllReadingsAreZero) {
   const Comparison result = compared("run,routing,motor_tension_N,T1_N\nA,M-1-F,10,0\n");
   EXPECT_NEAR(result.tension.all.rms, 10 * past_sheath, 1e-9);

@@ -2,6 +2,7 @@
 // diagnosis makes of it (bench/confusion --part dirty has rates).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,29 @@ TEST(DirtyFile, IsDiagnosedAsTheCleanOne) {
                 part * (size.high - size.low))
         << dirt_name(dirt);
   }
+}
+
+// A sensor that reads 0 throughout has no noise: neither do the others seem surer by it, nor does
+// it look as if something went on along it.
+TEST(DirtyFile, WithADeadSensorHasThatBesideTheCause) {
+  MeasuredData data = read_data(clean_file());
+  const auto T2 = std::find_if(data.channels.begin(), data.channels.end(),
+                               [](const Channel& channel) { return channel.name == "T2"; });
+  ASSERT_NE(T2, data.channels.end());
+  for (Reading& reading : data.readings) {
+    auto& tension_N = reading.tension_N[static_cast<std::size_t>(T2 - data.channels.begin())];
+    if (tension_N) tension_N = 0;
+  }
+  DiagnoseOptions options;
+  options.replicates = 400;
+  const DiagnosisResult dead = diagnose(data, Hardware{}, options);
+  std::vector<std::string> expected = names_in(diagnosis_of_file(clean_file()));
+  expected.emplace_back("dead_channel[T2]");
+  std::vector<std::string> found = names_in(dead);
+  std::sort(expected.begin(), expected.end());
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(dead.verdict, Verdict::cause);
 }
 
 // Sizes are of readings that weigh by how far out they are.

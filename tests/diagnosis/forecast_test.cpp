@@ -158,14 +158,20 @@ TEST(Residuals, IgnoreTheScaleOfARowWithoutMotorTension) {
 
 // Half of the normal noise about 0 is cut off: its mean is sd / sqrt(2 pi).
 TEST(Residuals, KnowThatASensorCannotReadBelowZero) {
-  const MeasuredData data = read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n");
+  const MeasuredData data =
+      read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n1,M-1-F,10,2,3\n");
   const Dataset dataset = all_of(data);
-  const Problem problem = reeve::problem(dataset, Eigen::Vector2d{0.5, 0.01});
-  Forecast forecast{
-      Eigen::Vector2d{0, 10 * beyond_sheath * beyond_tube}, Eigen::Vector2d{0, 0}, {}};
+  const Problem problem = reeve::problem(dataset, Eigen::Vector4d{0.5, 0.01, 0.5, 0.01});
+  const double far = 10 * beyond_sheath * beyond_tube;
+  const Forecast forecast{Eigen::Vector4d{0, far, 3, far}, Eigen::Vector4d::Zero(), {}};
   const Eigen::VectorXd expected = expected_readings(problem, forecast);
   EXPECT_NEAR(expected[0], 0.5 / std::sqrt(2 * std::numbers::pi), 1e-12);
   EXPECT_EQ(expected[1], forecast.reading_N[1]);
+  // One that reads 0 throughout is dead, and has no noise.
+  const MeasuredData dead = read_data("run,routing,motor_tension_N,T1_N,T2_N\n1,M-1-F,10,0,3\n");
+  const Dataset of_dead = all_of(dead);
+  const Forecast zero{Eigen::Vector2d{0, far}, Eigen::Vector2d::Zero(), {}};
+  EXPECT_EQ(expected_readings(reeve::problem(of_dead, Eigen::Vector2d{0.5, 0.01}), zero)[0], 0);
 }
 
 }  // namespace

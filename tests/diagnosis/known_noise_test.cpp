@@ -139,8 +139,9 @@ TEST(KnownNoise, OfTheMotorTensionIsSharedByTheRow) {
   double sum = 0;
   Workers workers(1);
   std::vector<double> squares(2000);
-  null.for_each(workers,
-                [&](std::size_t i, const VectorXd& drawn) { squares[i] = drawn.squaredNorm(); });
+  null.for_each(workers, [&](std::size_t first, const Eigen::MatrixXd& drawn) {
+    for (const auto& one : drawn.colwise()) squares[first++] = one.squaredNorm();
+  });
   for (const double square : squares) sum += square / 2000;
   EXPECT_NEAR(sum, 6, 4 * std::sqrt(12.0 / 2000));
 }

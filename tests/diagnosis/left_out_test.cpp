@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "tests/diagnosis/gain_bench.hpp"
@@ -112,6 +113,15 @@ TEST(LeftOutRuns, NeedAParameterAndThreeRuns) {
   const std::vector<BenchReading> more{{"a", 10, 11.1}, {"b", 15, 16.4}, {"c", 12, 13.3}};
   EXPECT_TRUE(left_out(bench_data(more), bench_model()).empty());
   EXPECT_EQ(left_out(bench_data(more), with_gain(1.1)).size(), 3U);
+}
+
+TEST(LeftOutRuns, AreGivenUpOnceNobodyWaitsForThem) {
+  const MeasuredData data = bench_data({{"a", 10, 11.1}, {"b", 15, 16.4}, {"c", 12, 13.3}});
+  const std::atomic<bool> stop = true;
+  Workers workers(2, &stop);
+  EXPECT_THROW(
+      left_out_runs(data, all_readings(data), with_gain(1.1), {noise_of_bench, {}}, workers),
+      Stopped);
 }
 
 TEST(LeftOutRuns, AreAtMostForty) {

@@ -56,6 +56,23 @@ TEST(Noise, IsFoundInPairs) {
               0.12 * std::hypot(20 * relative, absolute));
 }
 
+// 0 = 0 to any accuracy: readings of other sensors that are small are not that sure.
+TEST(Noise, IsNotThatOfASensorThatIsDead) {
+  const std::string alive = rows_of_loads(240, [](int i) { return 10.0 + 0.1 * i; });
+  std::string with_dead;
+  std::size_t begin = 0;
+  for (std::size_t end = alive.find('\n'); end != std::string::npos;
+       end = alive.find('\n', begin)) {
+    with_dead += alive.substr(begin, end - begin) + (begin == 0 ? ",T2_N\n" : ",0\n");
+    begin = end + 1;
+  }
+  const auto noise = noise_without_model(all_of(read_data(alive)));
+  const auto beside_dead = noise_without_model(all_of(read_data(with_dead)));
+  ASSERT_TRUE(noise && beside_dead);
+  EXPECT_EQ(beside_dead->absolute_N, noise->absolute_N);
+  EXPECT_EQ(beside_dead->relative, noise->relative);
+}
+
 TEST(Noise, IsFoundBesideASmoothLaw) {
   const MeasuredData data = read_data(rows_of_loads(
       600, [](int i) { return 5 + 45 * uniform(7, 3, static_cast<std::uint64_t>(i)); }));

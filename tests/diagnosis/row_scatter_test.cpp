@@ -1,5 +1,6 @@
 #include "diagnosis/verdict/row_scatter.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "numerics/random.hpp"

@@ -36,10 +36,13 @@ TEST(SteadyReadings, OfAnEvenLoadNeedToBeToldTheDirectionWhereTheSpeedHasNoSign)
   const SteadyReadings silent = steady_readings(series, {});
   EXPECT_TRUE(silent.readings.empty());
   EXPECT_GT(count(silent, SampleUse::no_direction), 1500U);
+  ASSERT_EQ(silent.notes.size(), 1U);
+  EXPECT_EQ(silent.notes[0].kind, NoteKind::no_direction);
   SteadyOptions options;
   options.direction = Direction::release;
   const SteadyReadings told = steady_readings(series, options);
   ASSERT_EQ(told.readings.size(), 8U);
+  EXPECT_TRUE(told.notes.empty());
   EXPECT_EQ(told.readings[0].direction, Direction::release);
 }
 

@@ -49,6 +49,22 @@ TEST(Parallel, NothingIsCalledForNoIndex) {
   EXPECT_EQ(calls, 0);
 }
 
+TEST(Parallel, StopsBeforeTheNextBlockOnceItIsAskedTo) {
+  for (const int threads : thread_counts) {
+    std::atomic<bool> stop = false;
+    Workers workers(threads, &stop);
+    workers.go_on();
+    std::atomic<int> blocks = 0;
+    const auto work = [&](const IndexBlock&) {
+      if (++blocks == 5) stop = true;
+    };
+    EXPECT_THROW(workers.for_each_block(100000, 1, work), Stopped);
+    EXPECT_LT(blocks, 5 + 2 * threads);
+    EXPECT_THROW(workers.for_each_block(1, 1, work), Stopped);
+    EXPECT_THROW(workers.go_on(), Stopped);
+  }
+}
+
 TEST(Parallel, CountIsTheNumberOfThreadsAskedFor) {
   for (const int threads : thread_counts) {
     EXPECT_EQ(Workers(threads).count(), static_cast<std::size_t>(threads));

@@ -121,11 +121,14 @@ Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
   return kind;
 }
 
-// Equal readings of a kind, each list in the order of the file.
+// Equal readings of a kind, each list in the order in which they were taken.
 std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data, const Kind& kind) {
   std::vector<std::size_t> order = kind.readings;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tensions_of(data.readings[a]) < tensions_of(data.readings[b]);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Reading& x = data.readings[a];
+    const Reading& y = data.readings[b];
+    return std::tuple_cat(tensions_of(x), std::tie(x.taken)) <
+           std::tuple_cat(tensions_of(y), std::tie(y.taken));
   });
   std::vector<std::vector<std::size_t>> result;
   for (const std::size_t i : order) {
@@ -138,12 +141,14 @@ std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data, const
   return result;
 }
 
-// Those of equal readings that follow one another in the file, but for the first of each stretch.
-std::set<std::size_t> stretched(const std::vector<std::size_t>& equal, const Kind& kind) {
+// Those of equal readings that were taken one after the other, but for the first of each stretch.
+std::set<std::size_t> stretched(const MeasuredData& data, const std::vector<std::size_t>& equal,
+                                const Kind& kind) {
+  const auto taken = [&](std::size_t place) { return data.readings[equal[place]].taken; };
   std::set<std::size_t> result;
   for (std::size_t begin = 0, end = 0; begin < equal.size(); begin = end) {
     end = begin + 1;
-    while (end < equal.size() && equal[end] == equal[end - 1] + 1) ++end;
+    while (end < equal.size() && taken(end) == taken(end - 1) + 1) ++end;
     const auto length = static_cast<double>(end - begin);
     const auto rows = static_cast<double>(kind.readings.size());
     if (end - begin >= least_stretch &&
@@ -161,7 +166,7 @@ void add_kind(const MeasuredData& data, const Kind& kind, EqualRows& result) {
   for (const auto& equal : classes) repeated += static_cast<double>(equal.size() - 1);
   const bool all_are_copies = kind.expected_pairs < chance_of_copies * repeated;
   for (const auto& equal : classes) {
-    const std::set<std::size_t> in_stretches = stretched(equal, kind);
+    const std::set<std::size_t> in_stretches = stretched(data, equal, kind);
     std::set<std::size_t> runs{data.readings[equal.front()].run};
     for (std::size_t k = 1; k < equal.size(); ++k) {
       const std::size_t i = equal[k];

@@ -72,7 +72,7 @@ MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
     const Reading& reading = dataset.data->readings[row.reading];
     const double cycle = reading.cycle.value_or(0);
     of_row.emplace_back(cycle, std::log1p(std::max(cycle, 0.0) / 100),
-                        reading.temperature_C.value_or(20), static_cast<double>(row.reading));
+                        reading.temperature_C.value_or(20), static_cast<double>(reading.taken));
     mean += of_row.back() / static_cast<double>(dataset.rows.size());
   }
   MatrixXd result =

@@ -1,0 +1,114 @@
+#include "diagnosis/data/row_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/data/run_split.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/support/planting.hpp"
+#include "tests/support/planting_dirt.hpp"
+
+namespace reeve::testing {
+namespace {
+
+TEST(NaturalLess, ReadsDigitsAsNumbers) {
+  const std::vector<std::string> sorted{"",    "1",  "2",   "02x",  "10",     "a",      "a1b",
+                                        "a1c", "a2", "a10", "a10b", "b 7 x2", "b 7 x10"};
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (std::size_t j = 0; j < sorted.size(); ++j) {
+      EXPECT_EQ(natural_less(sorted[i], sorted[j]), i < j) << sorted[i] << ", " << sorted[j];
+    }
+  }
+  EXPECT_TRUE(natural_less("99999999999999999999999", "100000000000000000000000"));
+}
+
+// Other runs, in one order or the other.
+TEST(NaturalLess, TellsNamesApartThatReadAlike) {
+  EXPECT_NE(natural_less("7", "07"), natural_less("07", "7"));
+  EXPECT_NE(natural_less("µ1", "a"), natural_less("a", "µ1"));
+}
+
+const std::string ordered_header = "run,routing,held,motor_tension_N,winch,T1_N,T2_N,T3_N\n";
+
+std::vector<std::size_t> lines_of(const MeasuredData& data) {
+  std::vector<std::size_t> lines;
+  for (const Reading& reading : data.readings) lines.push_back(reading.line);
+  return lines;
+}
+
+TEST(InOrderOfContents, IsByRunThenByWhatRowsSay) {
+  ReadingOptions options;
+  options.group = "winch";
+  const MeasuredData data = in_order_of_contents(read_data(ordered_header + "10,TR3,1,30,b,3,1,\n"
+                                                                            "2,TR5,1,20,a,2,1,\n"
+                                                                            "2,TR5,,20,a,2,1,\n"
+                                                                            "10,TR3,1,10,b,1,1,\n"
+                                                                            "2,TR3,1,20,a,2,1,\n"
+                                                                            "10,TR3,1,10,b,1,,1\n",
+                                                           options));
+  EXPECT_EQ(lines_of(data), (std::vector<std::size_t>{6, 4, 3, 7, 5, 2}));
+  EXPECT_EQ(data.runs, (std::vector<std::string>{"2", "10"}));
+  EXPECT_EQ(data.groups, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(data.routings.size(), 2U);
+  EXPECT_EQ(data.routings[0].word, "F-1-P-2-F");
+  const std::vector<std::size_t> runs{0, 0, 0, 1, 1, 1};
+  const std::vector<std::size_t> routings{0, 1, 1, 0, 0, 0};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    EXPECT_EQ(data.readings[i].run, runs[i]) << i;
+    EXPECT_EQ(data.readings[i].group, runs[i]) << i;
+    EXPECT_EQ(data.readings[i].routing, routings[i]) << i;
+  }
+}
+
+TEST(InOrderOfContents, TakesNoiseAndSegmentsWithTheirChannels) {
+  ReadingOptions options;
+  options.noise = {{"T2", {0.1, 0}}};
+  const MeasuredData data = in_order_of_contents(
+      read_data("run,routing,motor_tension_N,Ta_N,T2_N,T1_N\n1,TR5,20,9,2,1\n", options));
+  ASSERT_EQ(data.channels.size(), 3U);
+  EXPECT_EQ(data.channels[0].name, "T1");
+  EXPECT_EQ(data.channels[1].name, "T2");
+  EXPECT_EQ(data.channels[2].name, "a");
+  EXPECT_EQ(data.readings[0].tension_N, (std::vector<std::optional<double>>{1, 2, 9}));
+  EXPECT_FALSE(data.known_noise[0]);
+  EXPECT_TRUE(data.known_noise[1]);
+  const MeasuredRouting& routing = data.routings[0];
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(routing.network.segments[*routing.segments[c]], data.channels[c].segment);
+  }
+}
+
+TEST(InOrderOfContents, MakesRunsHeldOutAndNoiseThatIsDrawnTheSame) {
+  PlantingPlan plan;
+  plan.effects = {EffectKind::sensor_gain};
+  const std::string csv = plant(plan, 81).csv;
+  DiagnoseOptions options;
+  options.replicates = 400;
+  const auto of = [&](const std::string& text) { return in_order_of_contents(read_data(text)); };
+  const auto held_out = [&](const MeasuredData& data) {
+    std::vector<std::string> runs;
+    for (const std::size_t run : split_by_run(data, 0.3, 3).held_out_runs) {
+      runs.push_back(data.runs[run]);
+    }
+    return runs;
+  };
+  const MeasuredData as_written = of(csv);
+  const DiagnosisResult first = diagnose(as_written, Hardware{}, options);
+  ASSERT_EQ(first.verdict, Verdict::cause);
+  for (const std::uint64_t seed : {1, 2}) {
+    const MeasuredData shuffled = of(dirtied(csv, Dirt::unsorted, seed));
+    EXPECT_EQ(held_out(shuffled), held_out(as_written));
+    const DiagnosisResult result = diagnose(shuffled, Hardware{}, options);
+    EXPECT_EQ(result.verdict, first.verdict);
+    ASSERT_EQ(result.causes.size(), first.causes.size());
+    for (std::size_t c = 0; c < result.causes.size(); ++c) {
+      EXPECT_EQ(result.causes[c].name, first.causes[c].name);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
