@@ -149,7 +149,7 @@ TEST(Help, MentionsEveryOption) {
       {"explore",
        {"--tendons", "--constraint", "--shard", "--top", "--details", "--out", "--store",
         "--store-every", "--keep"}},
-      {"count", {"--format"}},
+      {"count", {"--constraint", "--format"}},
       {"check", {"--family", "--svg", "--format"}},
       {"compare",
        {"data", "--out", "--map", "--unit", "--group", "--hardware", "--model", "--format"}},
