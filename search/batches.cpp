@@ -1,0 +1,309 @@
+#include "search/batches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+#include "numerics/parallel.hpp"
+#include "search/exploration_part.hpp"
+#include "search/judge/deciding_evaluation.hpp"
+#include "search/judge/evaluation.hpp"
+#include "search/left_out.hpp"
+#include "search/pieces.hpp"
+#include "search/reference_tally.hpp"
+#include "search/routing_source.hpp"
+
+namespace reeve::search {
+namespace {
+
+// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
+// Ctrl-C; a grain is some tenths of a millisecond.
+constexpr std::size_t batch_size = 8192;
+// Where a kill costs what is in flight.
+constexpr std::size_t kept_batch_size = 2048;
+constexpr std::size_t grain = 64;
+
+// What became of one routing of a batch.
+struct Slot {
+  Routing routing;
+  std::string word;                   // if it may be kept
+  std::uint64_t place = 0;            // in the whole enumeration
+  ObjectiveValues values{};           // of the objectives that decide
+  ObjectiveValues all_values{};       // of what is kept in a store
+  std::size_t failed_constraint = 0;  // its number, from 1; 0: none
+  bool may_rank = false;
+  bool may_be_rung = false;
+  bool sampled = false;
+  bool done = false;
+  std::uint64_t unconverged = 0;
+};
+
+struct Batch {
+  std::vector<Slot> slots;
+  std::size_t actuated = 0;     // of the slots, those in use
+  std::uint64_t generated = 0;  // routings up to its last one
+};
+
+class Exploration {
+ public:
+  Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
+      : options_(options),
+        keeping_(keeping),
+        tells_reaches_(look == Look::at_all || deciding_parts_ == 0),
+        source_(options, !tells_reaches_ && !keeping.design),
+        range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
+        workers_(options.threads),
+        references_(options, workers_.count()),
+        part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)) {
+    for (std::size_t w = 0; w < workers_.count(); ++w) {
+      evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
+                               deciding_objectives(options));
+    }
+    count_from_zero();
+    if (keeps_) {
+      for (std::size_t w = 0; w < workers_.count(); ++w) {
+        whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
+      }
+    }
+    batch_.slots.resize(keeping.save ? kept_batch_size : batch_size);
+    next_.slots.resize(batch_.slots.size());
+    if (keeping.before && part_.total != range_.end - range_.begin) {
+      throw InputError(fmt::format("what was kept is of {} routings, and there are {}", part_.total,
+                                   range_.end - range_.begin));
+    }
+    part_.total = range_.end - range_.begin;
+    go_on();
+    left_out_.emplace(options, source_, range_, generated_);
+  }
+
+  ExplorationPart run(const Supervision& supervision) {
+    stop_ = supervision.stop;
+    source_.seek(range_.begin + generated_, range_.end);
+    filled_ = generated_;
+    const std::uint64_t before = generated_;
+    fill(next_);
+    bool stopped = false;
+    while (generated_ < part_.total && !stopped) {
+      std::swap(batch_, next_);
+      evaluate_and_fill_next();
+      generated_ = batch_.generated;
+      const std::size_t done = first_not_done();
+      if (done < batch_.actuated) withdraw_from(done);
+      collect(done);
+      if (supervision.report) supervision.report({generated_, part_.total, before});
+      stopped = must_stop();
+      if (keeping_.save && !stopped && keeping_.is_due()) save();
+    }
+    add_up();
+    // A shard without routings is saved, too, but once.
+    if (keeping_.save && (generated_ > before || !keeping_.before)) keeping_.save(part_);
+    return std::move(part_);
+  }
+
+  // One of the pieces that it is given one after the other (pieces.hpp).
+  ExplorationPart run_through(const ShardRange& piece, const Supervision& supervision) {
+    if (!seen_) seen_.emplace(options_);
+    range_ = piece;
+    generated_ = 0;
+    start_ = std::chrono::steady_clock::now();
+    part_ = ExplorationPart(options_);
+    part_.total = piece.end - piece.begin;
+    count_from_zero();
+    left_out_->go_on_with(piece);
+    ExplorationPart part = run(supervision);
+    seen_->absorb(part);
+    // What is asked for is thinned out, and keeps off what comes after it.
+    seen_->archive.members();
+    seen_->ladder.candidates();
+    return part;
+  }
+
+ private:
+  void count_from_zero() {
+    reaches_.assign(workers_.count(), ConstraintReaches(options_.constraints.size()));
+    references_.count_from_zero();
+  }
+
+  // What was counted before is the first worker's.
+  void go_on() {
+    generated_ = part_.generated;
+    seconds_before_ = part_.seconds;
+    reaches_.front() = part_.reaches;
+    references_.go_on(part_.references);
+  }
+
+  void save() {
+    add_up();
+    keeping_.save(part_);
+  }
+
+  bool must_stop() const { return stop_ != nullptr && stop_->load(); }
+
+  void fill(Batch& batch) {
+    batch.actuated = 0;
+    while (batch.actuated < batch.slots.size() && filled_ < part_.total) {
+      Slot& slot = batch.slots[batch.actuated];
+      if (!source_.next(slot.routing, slot.place)) {
+        filled_ = part_.total;
+        break;
+      }
+      slot.done = false;
+      filled_ = slot.place + 1 - range_.begin;
+      ++batch.actuated;
+    }
+    batch.generated = filled_;
+  }
+
+  // Generating is a task among those of evaluating, the first: it is in series with itself alone.
+  void evaluate_and_fill_next() {
+    workers_.for_each_block(batch_.actuated + grain, grain, [this](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        if (i == 0) fill(next_);
+        if (i >= grain && may_go_on(i)) evaluate(batch_.slots[i - grain], block.worker);
+      }
+    });
+  }
+
+  // One who waits for the end does not wait for the batch, but for a design at least.
+  bool may_go_on(std::size_t i) const { return i < 2 * grain || !must_stop(); }
+
+  void evaluate(Slot& slot, std::size_t worker) {
+    DecidingEvaluator& evaluator = evaluators_[worker];
+    const std::size_t before = evaluator.unconverged();
+    slot.values = evaluator.evaluate(slot.routing);
+    slot.unconverged = evaluator.unconverged() - before;
+    slot.failed_constraint = first_failure(slot.values);
+    if (slot.failed_constraint > 0 && tells_reaches_)
+      reaches_[worker].add(options_.constraints, slot.values);
+    slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
+    slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
+    slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
+    if (seen_) hold_against_seen(slot);
+    if (slot.may_rank || slot.may_be_rung || keeping_.design) {
+      slot.word = to_word(slot.routing);
+      // Who reads what is kept asks for any of them.
+      if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
+    }
+    references_.count(judged(slot), worker, part_.references);
+    slot.done = true;
+  }
+
+  void hold_against_seen(Slot& slot) const {
+    slot.may_rank = slot.may_rank && seen_->archive.may_rank(slot.values);
+    slot.may_be_rung = slot.may_be_rung && seen_->ladder.may_be_rung(slot.values);
+    slot.sampled = slot.sampled && seen_->sample.would_enter(slot.place);
+  }
+
+  std::size_t first_not_done() const {
+    std::size_t done = 0;
+    while (done < batch_.actuated && batch_.slots[done].done) ++done;
+    return done;
+  }
+
+  // Blocks are not worked off in their order: what was done behind the first that was not does not
+  // count.
+  void withdraw_from(std::size_t first) {
+    generated_ = batch_.slots[first].place - range_.begin;
+    for (std::size_t i = first; i < batch_.actuated; ++i) {
+      if (batch_.slots[i].done) references_.take_off(judged(batch_.slots[i]), part_.references);
+    }
+  }
+
+  std::size_t first_failure(const ObjectiveValues& values) const {
+    const auto failed =
+        std::find_if(options_.constraints.begin(), options_.constraints.end(),
+                     [&](const Constraint& constraint) { return !constraint.admits(values); });
+    if (failed == options_.constraints.end()) return 0;
+    return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
+  }
+
+  // What is not made where designs are pruned counts for nothing where all are made.
+  bool fails_by_parts(const Slot& slot) const {
+    return slot.failed_constraint > 0 && slot.failed_constraint <= deciding_parts_;
+  }
+
+  static JudgedRouting judged(const Slot& slot) {
+    return {slot.routing, slot.values, slot.failed_constraint};
+  }
+
+  void collect(std::size_t done) {
+    part_.evaluated += done;
+    for (std::size_t i = 0; i < done; ++i) {
+      const Slot& slot = batch_.slots[i];
+      if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
+      if (keeping_.design) keeping_.design({slot.place, slot.word, slot.all_values});
+      if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
+      const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
+      if (slot.may_rank) part_.archive.add({slot.word, values});
+      if (slot.may_be_rung) part_.ladder.add({slot.word, values});
+      if (slot.sampled) part_.sample.add(slot.place, slot.routing);
+    }
+  }
+
+  // May be called at any time between batches.
+  void add_up() {
+    part_.generated = generated_;
+    left_out_->add_to(part_, generated_);
+    const auto elapsed = std::chrono::steady_clock::now() - start_;
+    part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
+    if (tells_reaches_) {
+      part_.reaches = ConstraintReaches(options_.constraints.size());
+      for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
+    }
+    references_.add_up(part_.references);
+  }
+
+  const ExploreOptions& options_;
+  const Keeping& keeping_;
+  const std::size_t deciding_parts_ = pruning_constraints(options_);
+  const bool tells_reaches_;
+  const bool keeps_ = keeping_.save || keeping_.design;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_before_ = 0;
+  RoutingSource source_;
+  ShardRange range_;
+  std::optional<LeftOut> left_out_;
+  Workers workers_;
+  ReferenceTally references_;
+  ExplorationPart part_;
+  std::optional<ExplorationPart> seen_;  // in the pieces before
+  const std::atomic<bool>* stop_ = nullptr;
+  std::vector<DecidingEvaluator> evaluators_;
+  std::vector<DesignEvaluator> whole_;      // for a store
+  std::vector<ConstraintReaches> reaches_;  // of each worker
+  Batch batch_;                             // that is evaluated
+  Batch next_;                              // that is generated meanwhile
+  std::uint64_t filled_ = 0;                // routings generated
+  std::uint64_t generated_ = 0;             // … up to the last that was evaluated
+};
+
+// With what it refers to.
+struct OwnExploration {
+  explicit OwnExploration(const ExploreOptions& asked) : options(asked) {}
+
+  ExploreOptions options;
+  Keeping nothing_kept;
+  Exploration exploration{options, nothing_kept, Look::at_what_may_be_kept};
+};
+
+}  // namespace
+
+PieceSearch piece_search(const ExploreOptions& options) {
+  return [own = std::make_shared<OwnExploration>(options)](const ShardRange& piece,
+                                                           const Supervision& supervision) {
+    return own->exploration.run_through(piece, supervision);
+  };
+}
+
+ExplorationPart search_batches(const ExploreOptions& options, const Keeping& keeping, Look look,
+                               const Supervision& supervision) {
+  return Exploration(options, keeping, look).run(supervision);
+}
+
+}  // namespace reeve::search

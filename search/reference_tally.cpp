@@ -1,0 +1,62 @@
+#include "search/reference_tally.hpp"
+
+#include "search/judge/evaluation.hpp"
+#include "search/judge/pareto.hpp"
+
+namespace reeve::search {
+
+ReferenceTally::ReferenceTally(const ExploreOptions& options, std::size_t workers)
+    : options_(options), dominators_(workers) {
+  DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
+  for (const Routing& routing : options.references) {
+    goodness_.push_back(goodness(evaluator.evaluate(routing), options.order.objectives));
+  }
+  count_from_zero();
+}
+
+void ReferenceTally::count_from_zero() {
+  for (std::vector<std::int64_t>& counts : dominators_) counts.assign(goodness_.size(), 0);
+}
+
+void ReferenceTally::go_on(const std::vector<ReferenceCount>& counted) {
+  for (std::size_t r = 0; r < goodness_.size(); ++r) {
+    dominators_.front()[r] = static_cast<std::int64_t>(counted[r].dominated_by);
+  }
+}
+
+void ReferenceTally::count(const JudgedRouting& judged, std::size_t worker,
+                           std::vector<ReferenceCount>& references) {
+  add(judged, dominators_[worker], 1, references);
+}
+
+void ReferenceTally::take_off(const JudgedRouting& judged,
+                              std::vector<ReferenceCount>& references) {
+  add(judged, dominators_.front(), -1, references);
+}
+
+void ReferenceTally::add(const JudgedRouting& judged, std::vector<std::int64_t>& dominators,
+                         int count, std::vector<ReferenceCount>& references) {
+  for (std::size_t r = 0; r < goodness_.size(); ++r) {
+    if (judged.routing != options_.references[r]) continue;
+    references[r].generated = count > 0;
+    references[r].rejected_by.reset();
+    if (judged.failed_constraint > 0 && count > 0) {
+      references[r].rejected_by = judged.failed_constraint - 1;
+    }
+  }
+  if (judged.failed_constraint > 0 || goodness_.empty()) return;
+  const Goodness candidate = goodness(judged.values, options_.order.objectives);
+  for (std::size_t r = 0; r < goodness_.size(); ++r) {
+    if (dominates(candidate, goodness_[r])) dominators[r] += count;
+  }
+}
+
+void ReferenceTally::add_up(std::vector<ReferenceCount>& references) const {
+  for (std::size_t r = 0; r < goodness_.size(); ++r) {
+    std::int64_t sum = 0;
+    for (const std::vector<std::int64_t>& dominators : dominators_) sum += dominators[r];
+    references[r].dominated_by = static_cast<std::uint64_t>(sum);
+  }
+}
+
+}  // namespace reeve::search
