@@ -1,11 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +21,8 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "cli/ranked_routings.hpp"
 #include "cli/supervision.hpp"
-#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/hand/hand.hpp"
 #include "core/notation.hpp"
@@ -62,82 +60,8 @@ struct RankFlags {
   FormatOption format;
 };
 
-// Mechanisms share words; each is ranked once.
-std::vector<Routing> mechanisms_of(const std::string& family, int fingers,
-                                   const Catalogue& catalogue) {
-  std::vector<Routing> result;
-  std::set<std::string> words;
-  std::set<int> others;
-  for (const Mechanism& mechanism : catalogue.mechanisms) {
-    if (mechanism.family != family) continue;
-    const int own = finger_count(mechanism.routing);
-    others.insert(own);
-    if (own == fingers && words.insert(to_word(mechanism.canonical)).second) {
-      result.push_back(mechanism.routing);
-    }
-  }
-  if (result.empty()) {
-    throw InputError({.what = "--fingers",
-                      .value = fmt::format("{}", fingers),
-                      .expected = fmt::format("as many as a mechanism of the family {} has: {}",
-                                              family, fmt::join(others, ", "))});
-  }
-  return result;
-}
-
-// A word that mechanisms of several families have gets the name that it has in this one.
-void name_by(const std::string& family, Catalogue& catalogue) {
-  std::stable_partition(catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
-                        [&](const Mechanism& mechanism) { return mechanism.family == family; });
-}
-
-std::vector<Routing> catalogued(const RankFlags& flags, int fingers, const Catalogue& catalogue) {
-  const std::string family = flags.family.read(catalogue).value_or(paper_family);
-  if (family != paper_family) return mechanisms_of(family, fingers, catalogue);
-  std::vector<Routing> result;
-  for (const CatalogueEntry& entry : catalogue.entries) {
-    if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
-  }
-  return result;
-}
-
-std::vector<Routing> routings(const RankFlags& flags, const Catalogue& catalogue) {
-  std::vector<Routing> result;
-  for (const std::string& text : flags.routings) {
-    result.push_back(read_actuated_routing(text, catalogue));
-  }
-  if (flags.catalog) {
-    const int fingers = result.empty() ? flags.fingers : finger_count(result.front());
-    for (Routing& routing : catalogued(flags, fingers, catalogue)) {
-      result.push_back(std::move(routing));
-    }
-  }
-  if (result.empty()) {
-    throw InputError({.where = "rank",
-                      .what = "nothing to rank",
-                      .expected = "routings, --catalog or --store",
-                      .form = InputForm::unknown});
-  }
-  std::set<std::string> words;
-  for (const Routing& routing : result) {
-    const std::string word = to_word(routing);
-    if (finger_count(routing) == 0) {
-      throw InputError({.where = fmt::format("routing '{}'", word),
-                        .what = "it has no fingers, so there is nothing to rank"});
-    }
-    if (finger_count(routing) != finger_count(result.front())) {
-      throw InputError(
-          {.where = fmt::format("routing '{}'", word),
-           .what = fmt::format("it has {} finger{} and '{}' has {}; only routings with the same "
-                               "number of fingers can be compared",
-                               finger_count(routing), finger_count(routing) == 1 ? "" : "s",
-                               to_word(result.front()), finger_count(result.front()))});
-    }
-    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
-      throw InputError(fmt::format("routing '{}' is given twice", word));
-    }
-  }
-  return result;
+AskedRoutings asked_routings(const RankFlags& flags, const Catalogue& catalogue) {
+  return {flags.routings, flags.catalog, flags.fingers, flags.family.read(catalogue)};
 }
 
 // Otherwise the first design need not have the greatest product, and a lead says nothing.
@@ -162,8 +86,9 @@ struct RankInputs {
 RankInputs read(const RankFlags& flags) {
   RankInputs inputs;
   inputs.catalogue = shipped_catalogue();
-  inputs.routings = routings(flags, inputs.catalogue);
-  if (flags.family.is_given()) name_by(*flags.family.read(inputs.catalogue), inputs.catalogue);
+  const AskedRoutings asked = asked_routings(flags, inputs.catalogue);
+  inputs.routings = ranked_routings(asked, inputs.catalogue);
+  if (asked.family) name_by(*asked.family, inputs.catalogue);
   inputs.file = flags.model.read();
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));

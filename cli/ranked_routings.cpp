@@ -1,0 +1,98 @@
+#include "cli/ranked_routings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "cli/inputs.hpp"
+#include "core/canonical.hpp"
+#include "core/error.hpp"
+#include "core/notation.hpp"
+
+namespace reeve::cli {
+namespace {
+
+// Mechanisms share words; each is ranked once.
+std::vector<Routing> mechanisms_of(const std::string& family, int fingers,
+                                   const Catalogue& catalogue) {
+  std::vector<Routing> result;
+  std::set<std::string> words;
+  std::set<int> others;
+  for (const Mechanism& mechanism : catalogue.mechanisms) {
+    if (mechanism.family != family) continue;
+    const int own = finger_count(mechanism.routing);
+    others.insert(own);
+    if (own == fingers && words.insert(to_word(mechanism.canonical)).second) {
+      result.push_back(mechanism.routing);
+    }
+  }
+  if (result.empty()) {
+    throw InputError({.what = "--fingers",
+                      .value = fmt::format("{}", fingers),
+                      .expected = fmt::format("as many as a mechanism of the family {} has: {}",
+                                              family, fmt::join(others, ", "))});
+  }
+  return result;
+}
+
+std::vector<Routing> catalogued(const AskedRoutings& asked, int fingers,
+                                const Catalogue& catalogue) {
+  const std::string family = asked.family.value_or(paper_family);
+  if (family != paper_family) return mechanisms_of(family, fingers, catalogue);
+  std::vector<Routing> result;
+  for (const CatalogueEntry& entry : catalogue.entries) {
+    if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Routing> ranked_routings(const AskedRoutings& asked, const Catalogue& catalogue) {
+  std::vector<Routing> result;
+  for (const std::string& text : asked.given) {
+    result.push_back(read_actuated_routing(text, catalogue));
+  }
+  if (asked.catalogued) {
+    const int fingers = result.empty() ? asked.fingers : finger_count(result.front());
+    for (Routing& routing : catalogued(asked, fingers, catalogue)) {
+      result.push_back(std::move(routing));
+    }
+  }
+  if (result.empty()) {
+    throw InputError({.where = "rank",
+                      .what = "nothing to rank",
+                      .expected = "routings, --catalog or --store",
+                      .form = InputForm::unknown});
+  }
+  std::set<std::string> words;
+  for (const Routing& routing : result) {
+    const std::string word = to_word(routing);
+    if (finger_count(routing) == 0) {
+      throw InputError({.where = fmt::format("routing '{}'", word),
+                        .what = "it has no fingers, so there is nothing to rank"});
+    }
+    if (finger_count(routing) != finger_count(result.front())) {
+      throw InputError(
+          {.where = fmt::format("routing '{}'", word),
+           .what = fmt::format("it has {} finger{} and '{}' has {}; only routings with the same "
+                               "number of fingers can be compared",
+                               finger_count(routing), finger_count(routing) == 1 ? "" : "s",
+                               to_word(result.front()), finger_count(result.front()))});
+    }
+    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
+      throw InputError(fmt::format("routing '{}' is given twice", word));
+    }
+  }
+  return result;
+}
+
+void name_by(const std::string& family, Catalogue& catalogue) {
+  std::stable_partition(catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
+                        [&](const Mechanism& mechanism) { return mechanism.family == family; });
+}
+
+}  // namespace reeve::cli
