@@ -95,7 +95,6 @@ const std::vector<double>& ExponentStep::changes(const Network& network, const M
                                                  const TensionState& state,
                                                  const ExponentErrors& errors) {
   changes_ = errors.way;
-  if (!network.blocks.empty()) return changes_;
   const Place place{network, mechanics, state.tension, errors};
   gain_.resize(network.segments.size());
   shift_.resize(network.segments.size());

@@ -11,8 +11,7 @@
 // Along a run each v is linear in that of its first segment, so that a step costs a few products a
 // contact. Assumes that the contacts that slide, and those at the limit of their cone, stay those;
 // where they do not, the step is worse than it could be, but what it leads to, being solved again,
-// is as true. Networks with floating blocks, whose balances it does not know, go all of the way
-// to f_k(T_high,k) instead.
+// is as true. Not for networks with floating blocks, whose balances it does not know.
 #pragma once
 
 #include <span>

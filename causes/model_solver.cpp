@@ -152,7 +152,7 @@ bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Condi
   wanted_ = mechanics_.phi;
   seen_N_.assign(plain_.phi.size(), conditions.motor_tension_N);
   for (int step = 0; step < most_quick_steps && state_.in_range; ++step) {
-    const bool is_near = compare_exponents(direction, conditions) < tolerance;
+    if (compare_exponents(direction, conditions) < tolerance) return true;
     const std::vector<double>& changes =
         step_.changes(seized_.network, mechanics_, state_, errors_);
     for (std::size_t k = 0; k < changes.size(); ++k) {
@@ -160,7 +160,6 @@ bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Condi
       set_exponent(k, std::clamp(mechanics_.phi[k] + changes[k], 0.0, max_exponent));
     }
     solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
-    if (is_near) return state_.in_range;
   }
   return false;
 }
@@ -182,11 +181,12 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
     solver_.solve(seized_.network, mechanics_, grasp, direction, state_);
   };
   begin();
-  converged_ = !depends_on_load_ || settle_by_newton(grasp, direction, conditions);
-  if (!converged_) {
-    begin();
-    converged_ = settle_in_turn(grasp, direction, conditions);
+  converged_ = !depends_on_load_;
+  if (!converged_ && seized_.network.blocks.empty()) {
+    converged_ = settle_by_newton(grasp, direction, conditions);
+    if (!converged_) begin();
   }
+  if (!converged_) converged_ = settle_in_turn(grasp, direction, conditions);
   if (!seized_.network.split || !state_.in_range) return state_;
   restored_ = restored(seized_, state_);
   return restored_;

@@ -16,6 +16,7 @@
 #include "core/version.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/processes.hpp"
+#include "reports/files.hpp"
 #include "studies/shared/crew.hpp"
 
 namespace reeve::cli {
@@ -101,6 +102,8 @@ int run_to_last_words(int argc, char** argv) {
   } catch (const OutOfRange& error) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
+    return complain(error.what(), interrupted);
+  } catch (const reports::WaitInterrupted& error) {
     return complain(error.what(), interrupted);
   } catch (const FollowerFailed& error) {
     return complain(error.what(), interrupted);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
 #include "diagnosis/data/sample.hpp"
 #include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
@@ -20,6 +21,14 @@
 
 namespace reeve::diagnosis {
 namespace {
+
+void require_some_tension(const MeasuredData& data) {
+  const std::vector<bool> dead = reads_zero_alone(data);
+  if (std::find(dead.begin(), dead.end(), false) != dead.end()) return;
+  throw InputError({.what = "every tension in the data",
+                    .value = "0",
+                    .expected = "a sensor that reads something"});
+}
 
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
@@ -336,6 +345,7 @@ const char* verdict_name(Verdict verdict) {
 
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
                                               const DiagnoseOptions& options) {
+  require_some_tension(data);
   try {
     return Diagnosis(data, hardware, options).run();
   } catch (const Stopped&) {

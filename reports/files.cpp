@@ -6,13 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 #include <set>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
@@ -90,18 +89,18 @@ std::error_code write_new(const fs::path& file, const std::string& content,
   return error;
 }
 
-// A pipe opens when somebody reads it, which may be never.
+// A pipe opens when somebody reads it, which may be never: it is asked again and again, so that a
+// signal that somebody handles ends the wait.
 int open_to_write_through(const fs::path& file) {
-  constexpr int mode = O_WRONLY | O_CLOEXEC | O_NOCTTY;
   constexpr int between_ms = 10;
-  for (int waited_ms = 0; waited_ms < waiting_patience_ms; waited_ms += between_ms) {
-    const int descriptor = ::open(file.c_str(), mode | O_NONBLOCK);
+  constexpr timespec between{0, between_ms * 1'000'000L};
+  for (int waited_ms = 0;; waited_ms += between_ms) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, 0);
     if (descriptor >= 0 || errno != ENXIO || !fs::is_fifo(file)) return descriptor;
-    std::this_thread::sleep_for(std::chrono::milliseconds(between_ms));
+    if (waited_ms == waiting_patience_ms) give_waiting_notice(file, Awaited::reader);
+    if (::nanosleep(&between, nullptr) != 0) throw WaitInterrupted(file);
   }
-  give_waiting_notice(file, Awaited::reader);
-  return ::open(file.c_str(), mode);
 }
 
 std::error_code write_through(const Destination& there, const std::string& content) {

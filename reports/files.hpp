@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "reports/destination.hpp"
 
 namespace reeve::reports {
+
+// A signal came while a pipe had no reader yet, and whoever handles it wants the end.
+class WaitInterrupted : public std::runtime_error {
+ public:
+  explicit WaitInterrupted(const std::filesystem::path& file)
+      : std::runtime_error("interrupted: nobody reads '" + file.string() + "'") {}
+};
 
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);

@@ -15,6 +15,7 @@
 #include "search/judge/deciding_evaluation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/left_out.hpp"
+#include "search/limits/part_classes.hpp"
 #include "search/pieces.hpp"
 #include "search/reference_tally.hpp"
 #include "search/routing_source.hpp"
@@ -55,7 +56,7 @@ class Exploration {
   Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
       : options_(options),
         keeping_(keeping),
-        tells_reaches_(look == Look::at_all || deciding_parts_ == 0),
+        tells_reaches_(look == Look::at_all || pruning_constraints(options) == 0),
         source_(options, !tells_reaches_ && !keeping.design),
         range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
@@ -261,7 +262,7 @@ class Exploration {
 
   const ExploreOptions& options_;
   const Keeping& keeping_;
-  const std::size_t deciding_parts_ = pruning_constraints(options_);
+  const std::size_t deciding_parts_ = decided_by_parts(options_.constraints, options_.generator);
   const bool tells_reaches_;
   const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

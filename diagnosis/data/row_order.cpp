@@ -127,7 +127,10 @@ bool natural_less(std::string_view a, std::string_view b) {
       continue;
     }
     if (x.empty() != y.empty()) return !x.empty();
-    if (a.front() != b.front()) return a.front() < b.front();
+    // As the same numbers on every machine, whatever the sign of its char.
+    if (a.front() != b.front()) {
+      return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
+    }
     a.remove_prefix(1);
     b.remove_prefix(1);
   }

@@ -56,7 +56,10 @@ NullModel::NullModel(const Problem& problem, const Projection& projection, const
       expected_(expected_readings(problem, at).cwiseQuotient(problem.deviation_N)),
       seed_(seed),
       replicates_(replicates),
-      mounted_(mounted) {}
+      mounted_(mounted) {
+  const std::vector<bool> dead = reads_zero_alone(*problem.dataset->data);
+  for (const Cell& cell : problem.dataset->cells) is_dead_.push_back(dead[cell.channel]);
+}
 
 Eigen::MatrixXd NullModel::draw(std::size_t first, std::size_t count) const {
   Eigen::MatrixXd drawn(reading_.size(), static_cast<Eigen::Index>(count));
@@ -83,7 +86,7 @@ Eigen::VectorXd NullModel::draw_one(std::size_t replicate) const {
   for (Eigen::Index i = 0; i < drawn.size(); ++i) {
     if (problem_.clips[static_cast<std::size_t>(i)]) {
       drawn[i] = std::max(0.0, drawn[i]);
-    } else if (problem_.measured_N[i] == 0 && reading_[i] == 0) {
+    } else if (is_dead_[static_cast<std::size_t>(i)] && reading_[i] == 0) {
       drawn[i] = 0;  // a sensor that is dead in the model, too, has no noise
     }
   }

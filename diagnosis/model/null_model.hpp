@@ -64,8 +64,9 @@ class NullModel {
   const Problem& problem_;
   const Projection& projection_;
   const Forecast& at_;
-  Eigen::VectorXd reading_;   // in units of the noise
-  Eigen::VectorXd expected_;  // likewise, what is read on average
+  Eigen::VectorXd reading_;    // in units of the noise
+  Eigen::VectorXd expected_;   // likewise, what is read on average
+  std::vector<bool> is_dead_;  // by cell: its sensor reads 0 throughout
   std::uint64_t seed_;
   std::size_t replicates_;
   const MountedDraws* mounted_;

@@ -206,12 +206,12 @@ std::string answer(const DiagnosisReport& report) {
   return "";
 }
 
-// In another unit nothing else that is said would hold.
-std::string units_line(const std::vector<DataNote>& notes) {
+// In another unit, or moved the other way, nothing else that is said would hold.
+std::string check_first(const std::vector<DataNote>& notes, NoteKind kind, const char* what) {
   std::string first;
   std::size_t more = 0;
   for (const DataNote& note : notes) {
-    if (note.kind != NoteKind::units) continue;
+    if (note.kind != kind) continue;
     if (first.empty()) {
       first = note.text;
     } else {
@@ -221,7 +221,7 @@ std::string units_line(const std::vector<DataNote>& notes) {
   if (first.empty()) return "";
   const std::string rest =
       more == 0 ? "" : fmt::format(" {} below.", plural(more, "more note") + " of the kind");
-  return "Check the units first: " + first + rest + "\n";
+  return fmt::format("Check {} first: {}{}\n", what, first, rest);
 }
 
 }  // namespace
@@ -231,7 +231,9 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
   for (const std::string& sentence : group_sentences(report)) {
     text += sentence + ".\n";
   }
-  return text.insert(text.find('\n') + 1, units_line(report.result.notes));
+  const std::vector<DataNote>& notes = report.result.notes;
+  return text.insert(text.find('\n') + 1, check_first(notes, NoteKind::units, "the units") +
+                                              check_first(notes, NoteKind::not_as_pulled, "this"));
 }
 
 }  // namespace reeve::reports

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "diagnosis/data/run_split.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
+#include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -27,6 +29,15 @@ DiagnoseOptions quick(double alpha) {
   options.threads = 1;
   options.mounting_scatter = 0;
   return options;
+}
+
+TEST(Diagnose, RefusesDataInWhichNothingReadsAnything) {
+  std::string csv = "run,routing,motor_tension_N,T1_N,T2_N\n";
+  for (int run = 1; run <= 9; ++run) {
+    for (int i = 0; i < 4; ++i) csv += std::to_string(run) + ",M-1-F,10,0,0\n";
+  }
+  EXPECT_NE(input_error([&] { diagnosed(csv, quick(0.05)); }).find("every tension in the data"),
+            std::string::npos);
 }
 
 constexpr int alarm_sets = 60;

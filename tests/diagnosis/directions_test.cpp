@@ -60,6 +60,26 @@ TEST(Pulling, IsMendedByWhatMakesTheTensionsPossible) {
             "This would mend it: motor_tension_N and T2_N exchanged; or motor_tension_N in kN");
 }
 
+// M-1-F pulled and released in turn: the first strand has less than the motor, then more than it.
+std::string cycles(const char* direction) {
+  std::string text = "run,routing,direction,motor_tension_N,T1_N,T2_N\n";
+  for (int i = 0; i < 5; ++i) {
+    const double load = 1 + 0.1 * i;
+    text += fmt::format("A,M-1-F,{},{},{},{}\n", direction, 10 * load, 5 * load, 3 * load);
+    text += fmt::format("A,M-1-F,{},{},{},{}\n", direction, 10 * load, 20 * load, 35 * load);
+  }
+  return text;
+}
+
+TEST(Pulling, IsMendedByReleaseInRowsOfWhichNothingIsSaid) {
+  const std::string remedy = "direction = release in these rows";
+  const MeasuredData unknown = read_data(cycles(""));
+  EXPECT_NE(note_text(unknown.notes, NoteKind::not_as_pulled).find(remedy), std::string::npos);
+  EXPECT_EQ(noted_lines(unknown.notes, NoteKind::not_as_pulled).size(), 5U);
+  const MeasuredData pulled = read_data(cycles("pull"));
+  EXPECT_EQ(note_text(pulled.notes, NoteKind::not_as_pulled).find(remedy), std::string::npos);
+}
+
 TEST(Pulling, IsNotDoubtedWhereBlocksMultiplyTensions) {
   const std::string rows = "A,M-Y1+1x-Y1-2x,pull,10,15,6\nA,M-Y1+1x-Y1-2x,pull,20,30,12\n";
   const MeasuredData data = read_data("run,routing,direction,motor_tension_N,T1_N,T3_N\n" + rows);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -182,6 +183,29 @@ TEST(Pipe, ThatNobodyReadsIsSaidToBeWaitedFor) {
   const ProcessResult result = reeve({"show", "TR1", "--svg", "pipe"}, options);
   EXPECT_EQ(result.signal, SIGTERM);
   EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody reads yet\n");
+}
+
+// Whether that has been said or not.
+TEST(Pipe, ThatNobodyReadsIsLeftOnCtrlC) {
+  for (const bool is_said : {false, true}) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    ProcessOptions options;
+    options.directory = folder.path();
+    const std::function<bool(const RunningProcess&)> said = [](const RunningProcess& process) {
+      return process.err.find('\n') != std::string::npos;
+    };
+    options.disturbance = Disturbance{SIGINT, is_said ? said : after_it_catches(SIGINT, 700ms)};
+    const ProcessResult result =
+        reeve({"diagnose", std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_cause.csv",
+               "--save-model", "pipe"},
+              options);
+    EXPECT_EQ(result.exit_code, 3) << result.signal;
+    EXPECT_NE(result.err.find("reeve: interrupted"), std::string::npos) << result.err;
+    if (is_said) {
+      EXPECT_NE(result.err.find(": nobody reads '"), std::string::npos) << result.err;
+    }
+  }
 }
 
 }  // namespace

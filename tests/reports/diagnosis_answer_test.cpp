@@ -180,8 +180,10 @@ TEST(DiagnosisAnswer, AsksForTheUnitsRightBelowTheHeadline) {
       second_line(),
       "Check the units first: the median of T1_N is 4e+03 N: newton? 2 more notes of the kind "
       "below.");
+  report.result.notes = {{NoteKind::not_as_pulled, "in 3 rows", {3, 5, 8}}};
+  EXPECT_EQ(second_line(), "Check this first: in 3 rows");
   report.result.notes.clear();
-  EXPECT_FALSE(says(report, "units"));
+  EXPECT_FALSE(says(report, "first"));
 }
 
 // On a bench the groups of a grasp differ in the direction alone.

@@ -304,6 +304,11 @@ TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeFindsWhatFilteringFinds)
     unconverged += pruned.unconverged;
   }
   EXPECT_GT(unconverged, 0U);
+  // Also where all are made, as with distinct fingers.
+  options.generator.identity = FingerIdentity::distinct;
+  options.references.clear();
+  constrain(options, {"sheaths<=0"});
+  EXPECT_EQ(explore(options).unconverged, 0U);
 }
 
 TEST(ExplorePruning, WithDistinctFingersEverythingIsMade) {

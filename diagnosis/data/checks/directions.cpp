@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <string>
 
 #include "core/motor_sides.hpp"
@@ -18,6 +19,7 @@ namespace {
 // A pulled row, its tensions at the strands.
 struct PulledRow {
   std::size_t line = 0;
+  bool assumed = false;  // nothing says that it was pulled
   double motor_N = 0;
   std::vector<std::pair<std::size_t, double>> strands_N;  // by channel
   std::optional<double> beside_sheaths_N;                 // Σ, if all are measured
@@ -46,7 +48,11 @@ std::vector<PulledRow> pulled_rows(const MeasuredData& data) {
         !(reading.motor_tension_N.value_or(0) > 0)) {
       continue;
     }
-    PulledRow row{reading.line, *reading.motor_tension_N, {}, sum_beside_sheaths(data, reading)};
+    PulledRow row{reading.line,
+                  reading.direction_assumed,
+                  *reading.motor_tension_N,
+                  {},
+                  sum_beside_sheaths(data, reading)};
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
       if (data.channels[c].segment.kind == SegmentKind::strand && reading.tension_N[c]) {
         row.strands_N.emplace_back(c, *reading.tension_N[c]);
@@ -80,6 +86,15 @@ bool breaks_release(const PulledRow& row) {
   return row.beside_sheaths_N.value_or(row.motor_N) < (1 - direction_tolerance) * row.motor_N;
 }
 
+// A cycle of which nobody wrote down where the carriage went back.
+bool broken_may_be_released(const std::vector<PulledRow>& rows) {
+  std::vector<PulledRow> broken;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(broken), breaks_pull);
+  return std::all_of(broken.begin(), broken.end(),
+                     [](const PulledRow& row) { return row.assumed; }) &&
+         mended(broken, breaks_release);
+}
+
 bool breaks_exchanged(const PulledRow& row, std::size_t channel) {
   const auto other = std::find_if(row.strands_N.begin(), row.strands_N.end(),
                                   [&](const auto& strand) { return strand.first == channel; });
@@ -103,7 +118,11 @@ bool unit_mends(const std::vector<PulledRow>& rows, double factor) {
 
 std::vector<std::string> remedies(const MeasuredData& data, const std::vector<PulledRow>& rows) {
   std::vector<std::string> result;
-  if (mended(rows, breaks_release)) result.emplace_back("direction = release");
+  if (mended(rows, breaks_release)) {
+    result.emplace_back("direction = release");
+  } else if (broken_may_be_released(rows)) {
+    result.emplace_back("direction = release in these rows");
+  }
   for (std::size_t c = 0; c < data.channels.size(); ++c) {
     if (mended(rows, [&](const PulledRow& row) { return breaks_exchanged(row, c); })) {
       result.push_back(fmt::format("motor_tension_N and {}_N exchanged", data.channels[c].name));
