@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,6 +81,35 @@ TEST(NullModel, CutsOffWhatNoSensorReads) {
   const double variance = 0.5 - 0.5 / std::numbers::pi;
   EXPECT_NEAR(sum / n, 0, 4 * std::sqrt(variance / n));
   EXPECT_NEAR(square / n, variance, 0.02);
+}
+
+// What T4 scatters about 0 in replicates, where its sensor read 0 in all rows but the first ones.
+double scatter_of_T4(std::size_t alive) {
+  Bench bench(Pattern{});
+  Forecast zero = forecast(bench.dataset, {});
+  for (std::size_t row = 0; row < bench.data.readings.size(); ++row) {
+    const std::size_t cell = 4 * row + 3;
+    zero.reading_N[static_cast<Eigen::Index>(cell)] = 0;
+    bench.problem.clips[cell] = false;
+    if (row < alive) continue;
+    bench.data.readings[row].tension_N[3] = 0;
+    bench.problem.measured_N[static_cast<Eigen::Index>(cell)] = 0;
+  }
+  const Projection nothing(bench.problem, {}, zero);
+  const NullModel null_model(bench.problem, nothing, zero, 1, replicates);
+  Workers workers(1);
+  double greatest = 0;
+  null_model.for_each(workers, [&](std::size_t, const Eigen::MatrixXd& residuals) {
+    const Eigen::Index last = residuals.rows() - 1;  // T4 of the last row
+    greatest = std::max(greatest, residuals.row(last).cwiseAbs().maxCoeff());
+  });
+  return greatest;
+}
+
+TEST(NullModel, HasNoNoiseOfASensorThatIsDead) {
+  EXPECT_EQ(scatter_of_T4(0), 0);
+  // A coarse one that reads 0 now and then is not.
+  EXPECT_GT(scatter_of_T4(1), 1);
 }
 
 TEST(NullModel, IsDrawnByTheSeedWhateverTheThreads) {
