@@ -5,7 +5,6 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,51 +154,49 @@ TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
   }
 }
 
-TEST(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.disturbance = Disturbance{SIGTERM, [](const RunningProcess& process) {
-                                      return process.err.find('\n') != std::string::npos;
-                                    }};
+bool said_something(const RunningProcess& process) {
+  return process.err.find('\n') != std::string::npos;
+}
+
+// In a folder with a pipe that nobody has at its other end.
+class Pipe : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+    options_.directory = folder_.path();
+  }
+
+  TemporaryFolder folder_;
+  ProcessOptions options_;
+};
+
+TEST_F(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
+  options_.disturbance = Disturbance{SIGTERM, said_something};
   for (const Arguments& command :
        {Arguments{"compare", "pipe"}, Arguments{"import", "pipe", "--routing", "TR1", "-o", "x"},
         Arguments{"show", "TR1", "--hardware", "pipe"}}) {
-    const ProcessResult result = reeve(command, options);
+    const ProcessResult result = reeve(command, options_);
     EXPECT_EQ(result.signal, SIGTERM);
     EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody has written to yet\n");
   }
 }
 
-TEST(Pipe, ThatNobodyReadsIsSaidToBeWaitedFor) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.disturbance = Disturbance{SIGTERM, [](const RunningProcess& process) {
-                                      return process.err.find('\n') != std::string::npos;
-                                    }};
-  const ProcessResult result = reeve({"show", "TR1", "--svg", "pipe"}, options);
+TEST_F(Pipe, ThatNobodyReadsIsSaidToBeWaitedFor) {
+  options_.disturbance = Disturbance{SIGTERM, said_something};
+  const ProcessResult result = reeve({"show", "TR1", "--svg", "pipe"}, options_);
   EXPECT_EQ(result.signal, SIGTERM);
   EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody reads yet\n");
 }
 
 // Whether that has been said or not.
-TEST(Pipe, ThatNobodyReadsIsLeftOnCtrlC) {
+TEST_F(Pipe, ThatNobodyReadsIsLeftOnCtrlC) {
   for (const bool is_said : {false, true}) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-    ProcessOptions options;
-    options.directory = folder.path();
-    const std::function<bool(const RunningProcess&)> said = [](const RunningProcess& process) {
-      return process.err.find('\n') != std::string::npos;
-    };
-    options.disturbance = Disturbance{SIGINT, is_said ? said : after_it_catches(SIGINT, 700ms)};
+    options_.disturbance =
+        Disturbance{SIGINT, is_said ? said_something : after_it_catches(SIGINT, 700ms)};
     const ProcessResult result =
         reeve({"diagnose", std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_cause.csv",
                "--save-model", "pipe"},
-              options);
+              options_);
     EXPECT_EQ(result.exit_code, 3) << result.signal;
     EXPECT_NE(result.err.find("reeve: interrupted"), std::string::npos) << result.err;
     if (is_said) {
