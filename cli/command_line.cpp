@@ -7,11 +7,6 @@
 namespace reeve::cli {
 namespace {
 
-bool names(const std::vector<std::string>& list, const CLI::Option& option) {
-  return std::any_of(list.begin(), list.end(),
-                     [&](const std::string& name) { return option.check_name(name); });
-}
-
 // A value that begins with '-' would pass for an option.
 std::string option_text(const CLI::Option& option) {
   const std::string name = option.get_name();
@@ -46,20 +41,26 @@ std::string positionals_text(const CLI::App& command) {
 
 }  // namespace
 
+bool is_among(const std::vector<std::string>& names, const CLI::Option& option) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return option.check_name(name); });
+}
+
 std::string command_line(const CLI::App& command, const std::vector<std::string>& left_out) {
   return "reeve " + command.get_name() + positionals_text(command) +
-         options_text(command, [&](const CLI::Option& option) { return !names(left_out, option); });
+         options_text(command,
+                      [&](const CLI::Option& option) { return !is_among(left_out, option); });
 }
 
 std::string given_options(const CLI::App& command, const std::vector<std::string>& wanted) {
-  return options_text(command, [&](const CLI::Option& option) { return names(wanted, option); });
+  return options_text(command, [&](const CLI::Option& option) { return is_among(wanted, option); });
 }
 
 std::vector<std::string> given_arguments(const CLI::App& command,
                                          const std::vector<std::string>& left_out) {
   std::vector<std::string> arguments;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || !option->nonpositional() || names(left_out, *option)) continue;
+    if (option->count() == 0 || !option->nonpositional() || is_among(left_out, *option)) continue;
     if (option->get_expected_max() == 0) {
       arguments.push_back(option->get_name());
       continue;

@@ -11,6 +11,9 @@
 
 namespace reeve::cli {
 
+// Whether one of these names, "--threads", is the option's.
+bool is_among(const std::vector<std::string>& names, const CLI::Option& option);
+
 // "reeve explore --fingers 3 --hardware 'my glove.toml'": what was given, not what it defaults to,
 // positionals first. `left_out` names options that the results do not depend on.
 std::string command_line(const CLI::App& command, const std::vector<std::string>& left_out = {});

@@ -32,11 +32,6 @@ const Arguments askable{"--objectives", "--score", "--constraint", "--top"};
 // Decides how it is shown, or how fast.
 const Arguments showing{"--columns", "--text-width", "--threads", "--format"};
 
-bool names(const Arguments& list, const CLI::Option& option) {
-  return std::any_of(list.begin(), list.end(),
-                     [&](const std::string& name) { return option.check_name(name); });
-}
-
 bool sets(const std::string& argument, const std::string& option) {
   return argument == option || argument.starts_with(option + "=");
 }
@@ -44,7 +39,7 @@ bool sets(const std::string& argument, const std::string& option) {
 void require_nothing_else(const CLI::App& rank) {
   for (const CLI::Option* option : rank.get_options()) {
     if (option->count() == 0 || option->check_name("--store")) continue;
-    if (names(askable, *option) || names(showing, *option)) continue;
+    if (is_among(askable, *option) || is_among(showing, *option)) continue;
     throw InputError({.where = option->get_name(),
                       .what = "a store has been evaluated already",
                       .expected =

@@ -1,5 +1,7 @@
 #include "cli/flags/size_flags.hpp"
 
+#include "cli/printing.hpp"
+
 namespace reeve::cli {
 namespace {
 

@@ -14,14 +14,14 @@
 namespace reeve::diagnosis {
 namespace {
 
-struct Range {
+struct CellRange {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
 // The greatest numbers are far above any rig: they catch a slipped decimal mark, and keep sums of
 // squares finite. An angle of 100 rad is sixteen turns of a sheath; more is likely in degrees.
-Range range_of(DataRole role) {
+CellRange range_of(DataRole role) {
   switch (role) {
     case DataRole::motor_tension:
     case DataRole::tension:
@@ -111,13 +111,13 @@ class ColumnReader {
       return {DataRole::group, name, 0, 0, {}, {}};
     }
     require_short_name(name);
-    const Range any = range_of(DataRole::covariate);
+    const CellRange any = range_of(DataRole::covariate);
     DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
     const auto named = column_named(meaning_of(name, options_));
     if (!named) return covariate;
     const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
     if (named->needs_unit && !unit) return covariate;
-    const Range range = range_of(named->role);
+    const CellRange range = range_of(named->role);
     DataColumn column{named->role, name, range.low, range.high, named->place, {}};
     column.unit = unit.value_or(own_unit(dimension_of(named->role)));
     note_name(*named, name, unit);

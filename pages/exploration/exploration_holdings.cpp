@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/ladder_part.hpp"
 #include "pages/shell/compressed.hpp"

@@ -94,7 +94,7 @@ Json noise_json(const DiagnosisReport& report) {
           {"of_group", noise_of_groups_json(report)}};
 }
 
-Json settings_json(const DiagnosisReport& report) {
+Json diagnosis_settings_json(const DiagnosisReport& report) {
   const DiagnosisSettings& settings = report.settings;
   return {{"data", report.data.file},         {"alpha", settings.alpha},
           {"hold_out", settings.hold_out},    {"seed", settings.seed},
@@ -275,7 +275,7 @@ std::string diagnosis_json(const DiagnosisReport& report) {
   json["notes"] = Json::array();
   add_notes(json["notes"], result.notes);
   json["seconds"] = report.seconds;
-  json["settings"] = settings_json(report);
+  json["settings"] = diagnosis_settings_json(report);
   json["version"] = version_json();
   return print(json);
 }

@@ -51,7 +51,7 @@ Section data_section(const DiagnosisReport& report) {
   return section;
 }
 
-std::string range_text(const std::optional<Range>& range) {
+std::string literature_text(const std::optional<Range>& range) {
   return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : "-";
 }
 
@@ -87,7 +87,7 @@ Section causes_section(const DiagnosisReport& report) {
                  fmt::format("{} to {}", estimate(parameter, parameter.low),
                              estimate(parameter, parameter.high)),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
-                 range_text(parameter.literature), parameter.unit, first ? p : "",
+                 literature_text(parameter.literature), parameter.unit, first ? p : "",
                  first ? other : ""});
     }
   }

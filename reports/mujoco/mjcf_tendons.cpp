@@ -19,7 +19,7 @@ void write_sum(const std::string& name, const std::vector<Term>& terms, MjcfText
 }
 
 std::string given_up_name(std::size_t f) { return fmt::format("given_up_{}", f + 1); }
-std::string arms_name(const Block& block) { return "arms_of_" + block_name(block); }
+std::string arms_name(const core::Block& block) { return "arms_of_" + block_name(block); }
 std::string travel_name(const std::string& mover) { return "travel_of_" + mover; }
 
 void write_finger_sums(const MjcfRig& rig, std::size_t f, MjcfText& out) {
@@ -32,7 +32,7 @@ void write_finger_sums(const MjcfRig& rig, std::size_t f, MjcfText& out) {
   write_sum(travel_name(runner_name(f)), {{runner_name(f)}}, out);
 }
 
-void write_bar_sums(const Block& block, MjcfText& out) {
+void write_bar_sums(const core::Block& block, MjcfText& out) {
   const std::string name = block_name(block);
   const double both = block.arms.left + block.arms.right;
   write_sum(arms_name(block),
@@ -73,7 +73,7 @@ void write_tendons(const MjcfRig& rig, MjcfText& out) {
     out.close();
   }
   for (std::size_t f = 0; f < rig.layout.fingers.size(); ++f) write_finger_sums(rig, f, out);
-  for (const Block& block : rig.network.blocks) {
+  for (const core::Block& block : rig.network.blocks) {
     if (block.is_bar) write_bar_sums(block, out);
   }
   out.close();
@@ -85,7 +85,7 @@ void write_equalities(const MjcfRig& rig, MjcfText& out) {
     out.leaf("tendon", {{"name", rope_name(r)}, {"tendon1", rope_name(r)}});
   }
   for (std::size_t f = 0; f < rig.layout.fingers.size(); ++f) write_finger_equalities(rig, f, out);
-  for (const Block& block : rig.network.blocks) {
+  for (const core::Block& block : rig.network.blocks) {
     if (block.is_bar) write_same(block_name(block), arms_name(block), out);
   }
   out.close();

@@ -11,8 +11,7 @@ namespace {
 using namespace svg;
 using namespace measures;
 
-const char* const paper = " class=\"reeve-paper\" fill=\"#ffffff\"";
-const char* const ink = " fill=\"currentColor\" stroke=\"none\"";
+const char* const solid = " fill=\"currentColor\" stroke=\"none\"";
 
 // A plate that narrows from a wheel to its foot.
 std::string cheek(Point axle, double half, double foot) {
@@ -46,7 +45,7 @@ std::string arm(Point eye, double beam) {
 
 }  // namespace
 
-std::string anchor(Point at, double radius) { return circle(at, radius, ink); }
+std::string anchor(Point at, double radius) { return circle(at, radius, solid); }
 
 std::string shell(const DrawnBlock& block) {
   const Box box = beam(block);
@@ -75,7 +74,7 @@ std::string eyes(const DrawnBlock& block) {
     content += circle(eye, block.is_bar ? 3 : eye_radius, paper);
   }
   for (const Point& tail : block.tails) {
-    content += block.is_bar ? circle(tail, 4.5, paper) + circle(tail, 1.5, ink)
+    content += block.is_bar ? circle(tail, 4.5, paper) + circle(tail, 1.5, solid)
                             : circle(tail, eye_radius, paper);
   }
   return content;

@@ -12,7 +12,6 @@ namespace {
 
 using namespace svg;
 
-const char* const paper = " class=\"reeve-paper\" fill=\"#ffffff\"";
 const char* const ink = " fill=\"currentColor\"";
 
 // A triangle with its tip ahead of `at`.

@@ -11,6 +11,9 @@
 
 namespace reeve::reports::symbols {
 
+// How what hides the tendons behind it is filled.
+inline const char* const paper = " class=\"reeve-paper\" fill=\"#ffffff\"";
+
 // The half ring on which a tendon of that radius lies; `half` is half its width.
 std::string tube(const DrawnContact& turn, double half);
 std::string wheel(Point centre, double radius);

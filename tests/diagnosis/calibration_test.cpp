@@ -32,7 +32,7 @@ std::string sheath_csv(double mu, int runs, double scatter = 0) {
   return csv;
 }
 
-DiagnosisResult diagnosed(const std::string& csv, const Hardware& hardware = {}) {
+DiagnosisResult diagnosed_sheaths(const std::string& csv, const Hardware& hardware = {}) {
   DiagnoseOptions options;
   options.replicates = 400;
   options.threads = 1;
@@ -50,7 +50,7 @@ bool is_named(const DiagnosisResult& result, const std::string& name) {
 }
 
 TEST(Calibration, FindsTheCoefficientAndSaysThatItIsAnother) {
-  const DiagnosisResult result = diagnosed(sheath_csv(0.12, 6));
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.12, 6));
   ASSERT_EQ(result.calibration.size(), 1U);
   EXPECT_EQ(result.calibration[0].name, "sheath_friction");
   EXPECT_TRUE(result.calibration[0].differs);
@@ -60,7 +60,7 @@ TEST(Calibration, FindsTheCoefficientAndSaysThatItIsAnother) {
 }
 
 TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
-  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 6));
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.18, 6));
   ASSERT_EQ(result.calibration.size(), 1U);
   EXPECT_FALSE(result.calibration[0].differs);
   EXPECT_TRUE(result.causes.empty());
@@ -69,7 +69,7 @@ TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
 TEST(Calibration, LeavesAKnownCoefficientAsItIs) {
   Hardware hardware;
   hardware.sheath.known = true;
-  const DiagnosisResult result = diagnosed(sheath_csv(0.12, 6), hardware);
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.12, 6), hardware);
   EXPECT_TRUE(result.calibration.empty());
   EXPECT_FALSE(is_named(result, "sheath_friction"));
 }
@@ -77,13 +77,13 @@ TEST(Calibration, LeavesAKnownCoefficientAsItIs) {
 TEST(Calibration, LeavesNoFrictionAsItIs) {
   Hardware hardware;
   hardware.sheath.mu = 0;
-  EXPECT_TRUE(diagnosed(sheath_csv(0, 6), hardware).calibration.empty());
+  EXPECT_TRUE(diagnosed_sheaths(sheath_csv(0, 6), hardware).calibration.empty());
 }
 
 TEST(Calibration, OfNoFrictionIsACauseLikeOthers) {
   Hardware hardware;
   hardware.sheath.mu = 0;
-  const DiagnosisResult result = diagnosed(sheath_csv(0.12, 6), hardware);
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.12, 6), hardware);
   EXPECT_TRUE(result.calibration.empty());
   EXPECT_TRUE(is_named(result, "sheath_friction"));
 }
@@ -99,7 +99,7 @@ TEST(Calibration, NamesNoSizeAtTheEndOfWhatIsSearched) {
     csv += fmt::format("{},M-1-F,{},{}\n", i / 10, motor,
                        tension * (1 + 0.01 * normal(5, 6, static_cast<std::uint64_t>(i))));
   }
-  const DiagnosisResult result = diagnosed(csv, hardware);
+  const DiagnosisResult result = diagnosed_sheaths(csv, hardware);
   EXPECT_TRUE(result.causes.empty());
   EXPECT_FALSE(result.not_sure.empty());
   EXPECT_EQ(result.verdict, Verdict::unexplained);
@@ -108,7 +108,7 @@ TEST(Calibration, NamesNoSizeAtTheEndOfWhatIsSearched) {
 // Runs that differ by 10 % know less than their sixty readings; each mounted again tells by how
 // much.
 TEST(Calibration, IsAsSureAsTheMountingsAre) {
-  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 9, 0.1));
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.18, 9, 0.1));
   ASSERT_EQ(result.calibration.size(), 1U);
   const EstimatedParameter& mu = result.calibration[0].parameter;
   const double of_readings = 2 * 0.01 / (2 * std::numbers::pi) / std::sqrt(60.0);
@@ -120,7 +120,7 @@ TEST(Calibration, IsAsSureAsTheMountingsAre) {
 }
 
 TEST(Calibration, OfOneMountingAssumesHowTheyDiffer) {
-  const DiagnosisResult result = diagnosed(sheath_csv(0.18, 1));
+  const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.18, 1));
   EXPECT_EQ(result.mounting.mounted_again, 0U);
   EXPECT_LT(result.mounting.told_by[0], 1);
   EXPECT_NEAR(result.mounting.relative[0], assumed_scatter[0], 1e-3);

@@ -16,10 +16,10 @@ using testing::read_data;
 
 using Lines = std::vector<std::size_t>;
 
-const std::string header = "run,routing,held,motor_tension_N,T1_N,Ta_N,x\n";
+const std::string notes_header = "run,routing,held,motor_tension_N,T1_N,Ta_N,x\n";
 
 Lines lines(const std::string& rows, NoteKind kind) {
-  return noted_lines(read_data(header + rows).notes, kind);
+  return noted_lines(read_data(notes_header + rows).notes, kind);
 }
 
 TEST(AMotorSideSegment, WithMoreThanTheMotorGivesIsNoted) {
@@ -51,7 +51,7 @@ TEST(UnitsOffByAThousand, AreSuspected) {
 
 TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
   const MeasuredData data =
-      read_data("# source\n" + header + "A,TR5,,20,4,10,1\n#A,TR5,,20,5,10,1\n");
+      read_data("# source\n" + notes_header + "A,TR5,,20,4,10,1\n#A,TR5,,20,5,10,1\n");
   EXPECT_EQ(count_notes(data.notes, NoteKind::covariate), 1U);
   EXPECT_EQ(noted_lines(data.notes, NoteKind::comment), Lines{4});
 }

@@ -7,11 +7,11 @@
 namespace reeve::testing {
 namespace {
 
-const std::string header =
+const std::string dataset_header =
     "run,routing,held,direction,motor_tension_N,sheath_angle_rad,T1_N,T2_N,Ta_N\n";
 
 TEST(Dataset, HasACellForEveryMeasuredTensionByRow) {
-  const MeasuredData data = read_data(header +
+  const MeasuredData data = read_data(dataset_header +
                                       "1,M-1-F,,,10,,3,2,\n"
                                       "1,M-1-F,,,20,,6,,19\n");
   const Dataset dataset = reeve::dataset(data, {0, 1});
@@ -26,14 +26,14 @@ TEST(Dataset, HasACellForEveryMeasuredTensionByRow) {
 }
 
 TEST(Dataset, IsOfTheReadingsAskedFor) {
-  const MeasuredData data = read_data(header + "1,M-1-F,,,10,,3,,\n2,M-1-F,,,20,,6,,\n");
+  const MeasuredData data = read_data(dataset_header + "1,M-1-F,,,10,,3,,\n2,M-1-F,,,20,,6,,\n");
   const Dataset dataset = reeve::dataset(data, {1});
   ASSERT_EQ(dataset.rows.size(), 1U);
   EXPECT_EQ(dataset.rows[0].reading, 1U);
 }
 
 TEST(Dataset, GroupsWhatSharesANetworkAndItsAngle) {
-  const MeasuredData data = read_data(header +
+  const MeasuredData data = read_data(dataset_header +
                                       "1,M-1-F,,,10,,3,2,\n"
                                       "2,M-1-F,,,30,,9,6,\n"
                                       "2,M-1-F,1,,30,,9,6,\n"
@@ -47,7 +47,7 @@ TEST(Dataset, GroupsWhatSharesANetworkAndItsAngle) {
 
 // Without motor tension the sum of a row says nothing.
 TEST(Dataset, LosesADegreeOfFreedomForEachFreeScale) {
-  const MeasuredData data = read_data(header +
+  const MeasuredData data = read_data(dataset_header +
                                       "1,M-1-F,,,10,,3,2,\n"
                                       "1,M-1-F,,,,,3,2,\n"
                                       "1,M-1-F,,,,,3,2,9\n");
@@ -59,7 +59,7 @@ TEST(Dataset, LosesADegreeOfFreedomForEachFreeScale) {
 }
 
 TEST(Dataset, LeavesOutRowsThatSayNothing) {
-  const MeasuredData data = read_data(header +
+  const MeasuredData data = read_data(dataset_header +
                                       "1,M-1-F,,,0,,3,2,\n"    // nothing pulls
                                       "1,M-1-F,,,,,3,,\n"      // one tension of unknown scale
                                       "1,M-1-F,,,,,0,0,\n"     // both slack

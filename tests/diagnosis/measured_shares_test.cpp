@@ -9,11 +9,11 @@
 namespace reeve::testing {
 namespace {
 
-const std::string header = "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n";
+const std::string shares_header = "run,routing,held,direction,T1_N,T2_N,T3_N,T4_N\n";
 
 TEST(MeasuredShares, AreTheMeansOfTheReadingsOfARoutingInAGrasp) {
   const SharesOfData shares = measured_shares(read_data(
-      header + "1,TR5,1,,6,2,1,1\n2,TR5,1,,8,8,2,2\n2,TR5,2,,1,1,1,1\n2,TR3,1,,1,1,1,1\n"));
+      shares_header + "1,TR5,1,,6,2,1,1\n2,TR5,1,,8,8,2,2\n2,TR5,2,,1,1,1,1\n2,TR3,1,,1,1,1,1\n"));
   ASSERT_EQ(shares.groups.size(), 3U);
   EXPECT_TRUE(shares.notes.empty());
   const MeasuredShares& first = shares.groups[0];
@@ -30,8 +30,9 @@ TEST(MeasuredShares, AreTheMeansOfTheReadingsOfARoutingInAGrasp) {
 }
 
 TEST(MeasuredShares, NeedAllStrandsPulledAndNotAllSlack) {
-  const SharesOfData shares = measured_shares(read_data(
-      header + "1,TR5,1,release,6,2,1,1\n1,TR5,1,,6,,1,1\n1,TR5,1,,0,0,0,0\n1,TR5,1,,6,2,1,1\n"));
+  const SharesOfData shares = measured_shares(
+      read_data(shares_header +
+                "1,TR5,1,release,6,2,1,1\n1,TR5,1,,6,,1,1\n1,TR5,1,,0,0,0,0\n1,TR5,1,,6,2,1,1\n"));
   ASSERT_EQ(shares.groups.size(), 1U);
   EXPECT_EQ(shares.groups[0].readings, 1U);
   ASSERT_EQ(shares.notes.size(), 2U);

@@ -11,8 +11,8 @@
 namespace reeve::testing {
 namespace {
 
-constexpr int draws = 4000;
-constexpr double phi = 0.18 * 2 * 3.141592653589793;
+constexpr int all_draws = 4000;
+constexpr double nominal_exponent = 0.18 * 2 * 3.141592653589793;
 
 // Two mountings of one routing; of the first, two rows.
 MeasuredData two_mountings() {
@@ -25,11 +25,12 @@ std::vector<std::vector<double>> logs(const MountingScatter& scatter) {
   const Dataset all = dataset(data, all_readings(data));
   const MountedDraws mounted(all, Model{Hardware{}}, scatter);
   std::vector<std::vector<double>> result(3);
-  for (int d = 0; d < draws; ++d) {
+  for (int d = 0; d < all_draws; ++d) {
     const Eigen::VectorXd drawn = mounted.draw(5, static_cast<std::uint32_t>(d), 100);
     for (Eigen::Index i = 0; i < 3; ++i) {
       const double motor_N = *data.readings[static_cast<std::size_t>(i)].motor_tension_N;
-      result[static_cast<std::size_t>(i)].push_back(std::log(drawn[i] / motor_N) + phi);
+      result[static_cast<std::size_t>(i)].push_back(std::log(drawn[i] / motor_N) +
+                                                    nominal_exponent);
     }
   }
   return result;
@@ -56,7 +57,7 @@ TEST(MountedDraws, WithoutScatterAreTheModels) {
 TEST(MountedDraws, ShareTheExponentWithinAMountingAndNotBetween) {
   constexpr double tau = 0.3;  // no first order would do
   const auto rows = logs(of_sheaths(tau, 0));
-  const double variance = std::pow(phi * tau, 2);
+  const double variance = std::pow(nominal_exponent * tau, 2);
   EXPECT_NEAR(mean_product(rows[0], rows[0]) / variance, 1, 0.07);
   EXPECT_NEAR(mean_product(rows[0], rows[1]) / variance, 1, 0.07);
   EXPECT_NEAR(mean_product(rows[0], rows[2]) / variance, 0, 0.05);
@@ -74,7 +75,7 @@ TEST(MountedDraws, ScaleReadingsByTwoGains) {
 // A scatter told by ν differences: τ² is ν / χ², whose mean is ν / (ν - 2).
 TEST(MountedDraws, KnowTheScatterNoBetterThanItWasTold) {
   const auto rows = logs(of_sheaths(0.05, 12));
-  EXPECT_NEAR(mean_product(rows[0], rows[0]) / std::pow(phi * 0.05, 2), 1.2, 0.1);
+  EXPECT_NEAR(mean_product(rows[0], rows[0]) / std::pow(nominal_exponent * 0.05, 2), 1.2, 0.1);
 }
 
 TEST(MountedDraws, AreTheSameForOneStream) {

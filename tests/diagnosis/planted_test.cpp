@@ -15,7 +15,7 @@
 namespace reeve::testing {
 namespace {
 
-DiagnosisResult diagnosed(const std::string& csv) {
+DiagnosisResult diagnosed_plant(const std::string& csv) {
   DiagnoseOptions options;
   options.replicates = 300;
   return diagnose(read_data(csv), Hardware{}, options);
@@ -47,7 +47,7 @@ class PlantedCauses : public ::testing::TestWithParam<EffectKind> {};
 
 TEST_P(PlantedCauses, AreNamedAndNothingElseIs) {
   const Planted planted = plant({GetParam()}, 51);
-  const DiagnosisResult result = diagnosed(planted.csv);
+  const DiagnosisResult result = diagnosed_plant(planted.csv);
   EXPECT_EQ(named(result), hidden(planted));
   EXPECT_EQ(result.verdict, Verdict::cause);
   ASSERT_TRUE(result.held_out.has_value());
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PlantedCauses, ::testing::ValuesIn(library_effect
 class PlantedUnknowns : public ::testing::TestWithParam<EffectKind> {};
 
 TEST_P(PlantedUnknowns, AreUnexplained) {
-  EXPECT_EQ(diagnosed(plant({GetParam()}, 52).csv).verdict, Verdict::unexplained);
+  EXPECT_EQ(diagnosed_plant(plant({GetParam()}, 52).csv).verdict, Verdict::unexplained);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effects()),
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effe
 TEST(PlantedNothing, IsNothingFound) {
   int alarms = 0;
   for (std::uint64_t seed = 53; seed <= 60; ++seed) {
-    const DiagnosisResult result = diagnosed(plant({}, seed).csv);
+    const DiagnosisResult result = diagnosed_plant(plant({}, seed).csv);
     alarms += result.verdict == Verdict::none ? 0 : 1;
     EXPECT_EQ(result.causes.empty(), result.verdict == Verdict::none) << seed;
   }
@@ -81,12 +81,12 @@ TEST(PlantedNothing, IsNothingFound) {
 TEST(PlantedPairs, AreBothNamed) {
   const Planted planted =
       plant({EffectKind::sheath_friction, EffectKind::load_dependent_friction}, 57);
-  EXPECT_EQ(named(diagnosed(planted.csv)), hidden(planted));
+  EXPECT_EQ(named(diagnosed_plant(planted.csv)), hidden(planted));
 }
 
 TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
   const PlantedAlias planted = plant_alias(AliasKind::speed_or_temperature, low_noise, 58);
-  const DiagnosisResult alike = diagnosed(planted.aliased.csv);
+  const DiagnosisResult alike = diagnosed_plant(planted.aliased.csv);
   EXPECT_EQ(alike.verdict, Verdict::indistinguishable);
   ASSERT_FALSE(alike.indistinguishable.empty());
   for (const std::string& name : planted.names) {
@@ -94,15 +94,15 @@ TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
     EXPECT_NE(std::find(group.begin(), group.end(), name), group.end()) << name;
   }
   EXPECT_TRUE(alike.separating_measurement.has_value());
-  const DiagnosisResult apart = diagnosed(planted.separated.csv);
+  const DiagnosisResult apart = diagnosed_plant(planted.separated.csv);
   EXPECT_EQ(apart.verdict, Verdict::cause);
   EXPECT_EQ(named(apart), std::vector<std::string>{planted.names[0]});
 }
 
 TEST(PlantedLeakage, IsNoticedAndChangesNothing) {
   const Planted planted = plant({EffectKind::tube_friction}, 59);
-  const DiagnosisResult clean = diagnosed(planted.csv);
-  const DiagnosisResult leaking = diagnosed(with_copied_runs(planted, 2));
+  const DiagnosisResult clean = diagnosed_plant(planted.csv);
+  const DiagnosisResult leaking = diagnosed_plant(with_copied_runs(planted, 2));
   EXPECT_GT(leaking.dropped_duplicates, 10U);
   EXPECT_EQ(leaking.rows, clean.rows);
   EXPECT_EQ(named(leaking), named(clean));

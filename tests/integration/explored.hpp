@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/process.hpp"
@@ -18,6 +20,12 @@ using Json = nlohmann::ordered_json;
 using Arguments = std::vector<std::string>;
 
 inline const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
+
+inline ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
+  ProcessOptions options;
+  options.disturbance = Disturbance{signal, std::move(when)};
+  return options;
+}
 
 struct Explored {
   TemporaryFolder folder;

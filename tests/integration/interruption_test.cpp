@@ -19,12 +19,6 @@ const Arguments long_work{"--fingers", "9", "--parts", "full", "--threads", "2",
 // Half a megabyte of designs and more of summary.
 const Arguments long_files{"--fingers", "4", "--parts", "full", "--top", "10000"};
 
-ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
-  ProcessOptions options;
-  options.disturbance = Disturbance{signal, std::move(when)};
-  return options;
-}
-
 void expect_whole_csv(const std::string& csv, const std::string& first_line) {
   std::istringstream lines(csv);
   std::string line;

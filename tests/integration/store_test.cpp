@@ -17,13 +17,7 @@ using namespace std::chrono_literals;
 // A dozen batches.
 const Arguments some_work{"--fingers", "5", "--parts", "full", "--top", "50"};
 // Hours.
-const Arguments long_work{"--fingers", "9", "--parts", "full", "--top", "50", "--threads", "2"};
-
-ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
-  ProcessOptions options;
-  options.disturbance = Disturbance{signal, std::move(when)};
-  return options;
-}
+const Arguments hours_of_work{"--fingers", "9", "--parts", "full", "--top", "50", "--threads", "2"};
 
 TEST_F(Stored, GoesOnAfterKillsToTheBytesOfTheWhole) {
   const Explored whole(some_work);
@@ -249,9 +243,9 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
 TEST_F(Stored, RefusesASecondWriterAndLetsOthersRead) {
   ProcessResult second;
   ProcessResult reader;
-  explore(long_work, disturbed(SIGINT, [&](const RunningProcess&) {
+  explore(hours_of_work, disturbed(SIGINT, [&](const RunningProcess&) {
             if (generated() == 0) return false;
-            second = explore(long_work);
+            second = explore(hours_of_work);
             reader = run({"rank", "--store", "s.db", "--format", "json"});
             return true;
           }));

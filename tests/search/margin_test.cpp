@@ -9,15 +9,12 @@
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
+#include "tests/search/uncertain.hpp"
 
 namespace reeve {
 namespace {
 
-std::vector<Routing> parsed(const std::vector<std::string>& words) {
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return routings;
-}
+using testing::parsed;
 
 MarginOptions options(const UncertaintyRanges& ranges) {
   return {Model{}, ranges, single_grasps(2), 500, 2};

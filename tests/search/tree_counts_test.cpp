@@ -13,20 +13,20 @@ namespace reeve::testing {
 namespace {
 
 // All, actuated, actuated and one tree.
-using Counts = std::vector<std::uint64_t>;
+using TreeCounts = std::vector<std::uint64_t>;
 
 template <typename Source>
-Counts values(const Source& counts) {
+TreeCounts values(const Source& counts) {
   return {counts.all, counts.actuated, counts.one_tendon};
 }
 
 // With exactly so many blocks, as the difference to fewer.
-Counts exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
+TreeCounts exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
   parts.blocks = blocks;
-  Counts counts = values(count_routings(parts, fingers, identity));
+  TreeCounts counts = values(count_routings(parts, fingers, identity));
   if (blocks == 0) return counts;
   parts.blocks = blocks - 1;
-  const Counts fewer = values(count_routings(parts, fingers, identity));
+  const TreeCounts fewer = values(count_routings(parts, fingers, identity));
   for (std::size_t i = 0; i < counts.size(); ++i) counts[i] -= fewer[i];
   return counts;
 }
@@ -52,7 +52,7 @@ TEST(TreeCounts, TableOfAnchoredTipsAndBlocks) {
   };
   for (const Row& row : table) {
     for (int fingers = 1; fingers <= 5; ++fingers) {
-      const Counts counts = exactly(row.parts, row.blocks, fingers, identical);
+      const TreeCounts counts = exactly(row.parts, row.blocks, fingers, identical);
       const auto column = static_cast<std::size_t>(fingers - 1);
       EXPECT_EQ(counts[0], row.all[column]) << row.blocks << " blocks, " << fingers;
       EXPECT_EQ(counts[1], row.actuated[column]) << row.blocks << " blocks, " << fingers;

@@ -18,13 +18,8 @@ namespace reeve {
 namespace {
 
 using testing::options_for;
+using testing::parsed;
 using testing::published_words;
-
-std::vector<Routing> parsed(const std::vector<std::string>& words) {
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return routings;
-}
 
 std::vector<RankDistribution> drawn(const std::vector<std::string>& words,
                                     const UncertaintyOptions& options) {

@@ -53,14 +53,14 @@ double step_of(const std::vector<double>& values) {
 }
 
 // What the sensor of a channel does, in a kind.
-struct Sensor {
+struct SensorCells {
   double step_N = 0;
   double scatter = 0;  // relative, about the levels
   double zeros = 0;    // the share of its readings that are 0
 };
 
-std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLevels& levels,
-                                      bool simulated) {
+std::map<std::size_t, SensorCells> sensors(const KindCells& cells, const PolishedLevels& levels,
+                                           bool simulated) {
   const double least_scatter = simulated ? 0 : least_relative_scatter;
   std::map<std::size_t, std::vector<double>> values, left;
   for (const KindCell& cell : cells) {
@@ -68,7 +68,7 @@ std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLeve
     const double expected_N = levels.expected_N(cell);
     if (expected_N > 0) left[cell.channel].push_back(std::abs(cell.value_N / expected_N - 1));
   }
-  std::map<std::size_t, Sensor> result;
+  std::map<std::size_t, SensorCells> result;
   for (const auto& [channel, list] : values) {
     const auto zeros = static_cast<double>(std::count(list.begin(), list.end(), 0.0));
     result[channel] = {
@@ -80,7 +80,7 @@ std::map<std::size_t, Sensor> sensors(const KindCells& cells, const PolishedLeve
 }
 
 // p_c; 1 where nothing is known.
-double chance_of_equal(const Sensor& sensor, const KindCell& cell, double level_N) {
+double chance_of_equal(const SensorCells& sensor, const KindCell& cell, double level_N) {
   if (cell.value_N == 0) return sensor.zeros;
   const double scatter_N = sensor.scatter * level_N;
   if (!(scatter_N > 0) || sensor.step_N == 0) return 1;
@@ -97,7 +97,7 @@ struct Kind {
 Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
   const std::size_t motor = data.channels.size();
   const PolishedLevels levels = polished_levels(cells, motor);
-  const std::map<std::size_t, Sensor> of_channel = sensors(cells, levels, data.simulated);
+  const std::map<std::size_t, SensorCells> of_channel = sensors(cells, levels, data.simulated);
   Kind kind;
   std::map<double, std::vector<double>> at_load;
   for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {

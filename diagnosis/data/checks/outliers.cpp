@@ -24,7 +24,7 @@ std::optional<double>& value(MeasuredData& data, const KindCell& cell) {
 }
 
 // How far the cells of one channel usually are from their levels.
-struct Spread {
+struct CellSpread {
   std::vector<double> logs;
   std::vector<double> newtons;
   std::vector<double> readings;
@@ -37,11 +37,11 @@ struct FarCell {
 
 void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCell>& far) {
   const PolishedLevels levels = polished_levels(cells, motor);
-  std::map<std::size_t, Spread> spreads;
+  std::map<std::size_t, CellSpread> spreads;
   for (const KindCell& cell : cells) {
     const double expected_N = levels.expected_N(cell);
     if (!(expected_N > 0)) continue;
-    Spread& spread = spreads[cell.channel];
+    CellSpread& spread = spreads[cell.channel];
     spread.readings.push_back(cell.value_N);
     spread.newtons.push_back(std::abs(cell.value_N - expected_N));
     if (cell.value_N > 0) spread.logs.push_back(std::abs(std::log(cell.value_N / expected_N)));

@@ -92,9 +92,9 @@ MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
   return result;
 }
 
-class Comparison {
+class MountedComparison {
  public:
-  Comparison(const Problem& problem, const Forecast& at, const MountingModes& modes)
+  MountedComparison(const Problem& problem, const Forecast& at, const MountingModes& modes)
       : common_(problem, at), modes_(modes), problem_(problem), at_(at) {
     residuals_ = own_residuals(problem, at);
     conditions_ = without_scales(condition_columns(problem, modes));
@@ -218,7 +218,7 @@ class Comparison {
 
 MountedEquations mounted_equations(const Problem& problem, const Forecast& at,
                                    const MountingModes& modes) {
-  return Comparison(problem, at, modes).equations();
+  return MountedComparison(problem, at, modes).equations();
 }
 
 }  // namespace reeve::diagnosis

@@ -11,7 +11,7 @@
 namespace reeve::reports {
 namespace {
 
-using Order = std::vector<std::size_t>;
+using PortOrder = std::vector<std::size_t>;
 
 // In pairs of ports looked at: some seconds at most.
 constexpr std::size_t most_work = 10'000'000;
@@ -46,7 +46,7 @@ class Arranging {
   }
 
   // Fittings between those that their lines lead to, fingers in their places.
-  Order first_order() const {
+  PortOrder first_order() const {
     const std::size_t size = all_.fittings.size();
     std::vector<double> place(size, 0);
     for (int f = 0; f < net_.fingers; ++f) place[static_cast<std::size_t>(f)] = f;
@@ -56,7 +56,7 @@ class Arranging {
         if (all_.fittings[i].kind != FittingKind::finger) place[i] = mean_of_neighbours(i, place);
       }
     }
-    Order order;
+    PortOrder order;
     for (std::size_t i = 0; i < size; ++i) {
       if (is_free(i) || all_.fittings[i].kind == FittingKind::finger) order.push_back(i);
     }
@@ -112,12 +112,12 @@ class Arranging {
     return kind == FittingKind::block || kind == FittingKind::join || kind == FittingKind::pulley;
   }
 
-  void reorder(std::size_t fitting, const Order& ports) {
+  void reorder(std::size_t fitting, const PortOrder& ports) {
     all_.fittings[fitting].ports = ports;
     place_ports(net_, fitting, all_);
   }
 
-  static Order reversed(Order ports) {
+  static PortOrder reversed(PortOrder ports) {
     std::reverse(ports.begin(), ports.end());
     return ports;
   }
@@ -181,7 +181,7 @@ class Arranging {
     bool improved = false;
     for (std::size_t i = 1; i < order_.size(); ++i) {
       if (both_fingers(order_[i - 1], order_[i])) continue;
-      const Order before = order_;
+      const PortOrder before = order_;
       std::swap(order_[i - 1], order_[i]);
       if (keep_if_better()) {
         improved = true;
@@ -198,7 +198,7 @@ class Arranging {
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
       if (!is_free(i)) continue;
       for (std::size_t to = 0; to < order_.size(); ++to) {
-        const Order before = order_;
+        const PortOrder before = order_;
         order_.erase(std::find(order_.begin(), order_.end(), i));
         order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(to), i);
         if (order_ == before) continue;
@@ -226,8 +226,8 @@ class Arranging {
     return improved;
   }
 
-  bool keep_ports_if_better(std::size_t fitting, const Order& ports) {
-    const Order before = all_.fittings[fitting].ports;
+  bool keep_ports_if_better(std::size_t fitting, const PortOrder& ports) {
+    const PortOrder before = all_.fittings[fitting].ports;
     if (ports == before) return false;
     reorder(fitting, ports);
     if (keep_if_better()) return true;
@@ -237,8 +237,8 @@ class Arranging {
 
   // Within a pass its two legs, otherwise what stands there and the next, both legs of a pass as
   // one.
-  Order exchanged(std::size_t fitting, std::size_t at) const {
-    Order ports = all_.fittings[fitting].ports;
+  PortOrder exchanged(std::size_t fitting, std::size_t at) const {
+    PortOrder ports = all_.fittings[fitting].ports;
     const auto legs = [&](std::size_t port) {
       const PortRole role = all_.ports[port].role;
       return role == PortRole::turn || role == PortRole::arm ? 2 : 1;
@@ -256,7 +256,7 @@ class Arranging {
   const Network& net_;
   double palm_;
   Fittings& all_;
-  Order order_;
+  PortOrder order_;
   Arrangement made_;
   double best_ = 0;
   std::size_t work_ = 0;

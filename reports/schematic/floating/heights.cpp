@@ -40,7 +40,7 @@ Extent extent(const Network& network, const Fitting& fitting) {
 }
 
 // The bands of a channel, for labels and fixed ends.
-struct Bands {
+struct HeightBands {
   double upper = 0;
   double lower = 0;
 };
@@ -90,7 +90,7 @@ class Measuring {
 
   void need(std::size_t port, double room) {
     const bool down = all_.faces_down(port);
-    Bands& bands = bands_[all_.of(port).level - (down ? 0 : 1)];
+    HeightBands& bands = bands_[all_.of(port).level - (down ? 0 : 1)];
     double& band = down ? bands.upper : bands.lower;
     band = std::max(band, room);
   }
@@ -138,7 +138,7 @@ class Measuring {
   const Network& net_;
   const Fittings& all_;
   const Lanes& lanes_;
-  std::vector<Bands> bands_;
+  std::vector<HeightBands> bands_;
   FloatingHeights out_;
 };
 

@@ -1,0 +1,133 @@
+#include "cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/complaint.hpp"
+#include "cli/launched.hpp"
+#include "core/error.hpp"
+#include "core/input/input_file.hpp"
+#include "core/version.hpp"
+#include "numerics/parallel.hpp"
+#include "numerics/processes.hpp"
+#include "reports/files.hpp"
+#include "studies/shared/crew.hpp"
+
+namespace reeve::cli {
+namespace {
+
+constexpr const char* description =
+    "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be\n"
+    "led through the fingers of a soft wearable hand.\n\n"
+    "A routing is written as the walk of its tendon, such as M-1-T-2-F or 1-P-2-P-1:\n"
+    "  1, 2, …  through that finger (b behind the number: a bearing at the fingertip)\n"
+    "  M, F     an end tied to the carriage of the motor, an end fixed at the hand\n"
+    "  T, B, P  strands joined by a tube, a pulley with bearing, a movable pulley on the carriage\n"
+    "  -, +     between tokens, between tendons; a walk back to its first finger is a loop\n"
+    "Names of the catalogue, such as TR7, can stand in place of a routing.";
+
+std::string version_text() {
+  const Version build = version();
+  return fmt::format("reeve {} ({})", build.number, build.commit);
+}
+
+// A script that hangs should say why.
+void say_what_is_waited_for(const char* file, core::Awaited awaited) {
+  const char* const why =
+      awaited == core::Awaited::writer ? "nobody has written to yet" : "nobody reads yet";
+  std::cerr << "reeve: " << shortened(fmt::format("waiting for '{}': a pipe that {}", file, why))
+            << '\n';
+}
+
+int run(int argc, char** argv) {
+  CLI::App reeve(description, "reeve");
+  int exit_code = done;
+  bool answered = false;  // by the help or the version
+  const Launch launch = launched();
+  reeve.require_subcommand(0, 1);
+  reeve.set_version_flag("--version", version_text());
+  add_explore(reeve, exit_code);
+  add_rank(reeve, exit_code);
+  add_show(reeve, exit_code);
+  add_count(reeve, exit_code);
+  add_check(reeve, exit_code);
+  add_compare(reeve, exit_code);
+  add_import(reeve, exit_code);
+  add_simulate(reeve, exit_code);
+  add_diagnose(reeve, exit_code);
+  add_size(reeve, exit_code);
+  add_merge(reeve, exit_code);
+  add_export(reeve, exit_code);
+  refuse_leading_zeros(reeve);
+  reeve.parse_complete_callback([&] {
+    if (!reeve.got_subcommand("explore")) require_alone(launch);
+  });
+  core::set_waiting_notice(say_what_is_waited_for);
+  reeve.footer(
+      "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
+      "standard output cannot be written, not enough memory, or an internal error.");
+  try {
+    reeve.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      return complain(std::string(error.what()) + "; see reeve --help", bad_input);
+    }
+    if (!follows_another()) reeve.exit(error);
+    answered = true;
+  }
+  if (reeve.get_subcommands().empty() && !answered) {
+    return complain("a subcommand is required; see reeve --help", bad_input);
+  }
+  std::cout.flush();
+  if (!std::cout) return complain("standard output cannot be written", interrupted);
+  return exit_code;
+}
+
+int run_to_last_words(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const Unconnected&) {
+    throw;
+  } catch (const InputError& error) {
+    return complain(error.what(), bad_input);
+  } catch (const OutOfRange& error) {
+    return complain(error.what(), bad_input);
+  } catch (const Interrupted& error) {
+    return complain(error.what(), interrupted);
+  } catch (const reports::WaitInterrupted& error) {
+    return complain(error.what(), interrupted);
+  } catch (const FollowerFailed& error) {
+    return complain(error.what(), interrupted);
+  } catch (const NoThreads&) {
+    return complain_of_threads();
+  } catch (const std::bad_alloc&) {
+    return complain_of_memory();
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(error.what(), bad_input);
+  } catch (const std::exception& error) {
+    return complain(std::string("internal error: ") + error.what(), interrupted);
+  }
+}
+
+}  // namespace
+
+int program(int argc, char** argv) {
+  if (!follows_another()) return run_to_last_words(argc, argv);
+  leave_complaints_to_others();
+  try {
+    run_to_last_words(argc, argv);
+  } catch (const Unconnected& error) {
+    return complain_alone(error.what(), interrupted);
+  }
+  // Another one would have mpirun end the process that has something to say.
+  return done;
+}
+
+}  // namespace reeve::cli
