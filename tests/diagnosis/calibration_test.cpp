@@ -32,10 +32,12 @@ std::string sheath_csv(double mu, int runs, double scatter = 0) {
   return csv;
 }
 
-DiagnosisResult diagnosed_sheaths(const std::string& csv, const Hardware& hardware = {}) {
+DiagnosisResult diagnosed_sheaths(const std::string& csv, const Hardware& hardware = {},
+                                  double alpha = DiagnoseOptions{}.alpha) {
   DiagnoseOptions options;
   options.replicates = 400;
   options.threads = 1;
+  options.alpha = alpha;
   return diagnose(read_data(csv), hardware, options);
 }
 
@@ -64,6 +66,14 @@ TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
   ASSERT_EQ(result.calibration.size(), 1U);
   EXPECT_FALSE(result.calibration[0].differs);
   EXPECT_TRUE(result.causes.empty());
+}
+
+// Six standard errors from what the hardware says, as twelve runs know them: few for one in a
+// million.
+TEST(Calibration, DiffersWhereChanceSaysSo) {
+  const std::string csv = sheath_csv(0.182, 12);
+  EXPECT_TRUE(diagnosed_sheaths(csv, {}, 0.01).calibration.at(0).differs);
+  EXPECT_FALSE(diagnosed_sheaths(csv, {}, 1e-6).calibration.at(0).differs);
 }
 
 TEST(Calibration, LeavesAKnownCoefficientAsItIs) {

@@ -43,8 +43,9 @@ TEST(Diagnose, RefusesDataInWhichNothingReadsAnything) {
 constexpr int alarm_sets = 60;
 
 // Of sets that differ by their noise alone.
-std::vector<DiagnosisResult> of_alarm_sets(std::size_t most_causes, const Pattern& offset) {
-  DiagnoseOptions options = quick(0.5);
+std::vector<DiagnosisResult> of_alarm_sets(double alpha, std::size_t most_causes,
+                                           const Pattern& offset) {
+  DiagnoseOptions options = quick(alpha);
   options.most_causes = most_causes;
   options.hold_out = 0;
   std::vector<DiagnosisResult> results;
@@ -60,7 +61,7 @@ std::vector<DiagnosisResult> of_alarm_sets(std::size_t most_causes, const Patter
 // with a probability below 1 in 1000 more than 16. At alpha itself it would be 30.
 TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
   int alarms = 0;
-  for (const DiagnosisResult& result : of_alarm_sets(0, {})) {
+  for (const DiagnosisResult& result : of_alarm_sets(0.5, 0, {})) {
     EXPECT_EQ(result.unexplained.has_value(), result.structure_p_value < 0.125);
     EXPECT_EQ(result.verdict, result.unexplained ? Verdict::unexplained : Verdict::none);
     alarms += result.unexplained ? 1 : 0;
@@ -69,20 +70,18 @@ TEST(Diagnose, SaysUnexplainedAtAQuarterOfAlpha) {
   EXPECT_LE(alarms, 16);
 }
 
-// One effect that is really there; a second name at half of alpha: here 15 of 60, and with a
-// probability below 1 in 1000 more than 26. Whatever is named has a chance up to that, not beyond.
+// One effect that cannot be missed, and one of three standard errors, which chance makes in some of
+// the many places that are looked at: whatever is named second has a chance up to half of alpha.
 TEST(Diagnose, GivesASecondNameAtHalfOfAlpha) {
-  int alarms = 0;
+  constexpr double alpha = 0.1;
   double highest = 0;
-  for (const DiagnosisResult& result : of_alarm_sets(2, {2})) {
+  for (const DiagnosisResult& result : of_alarm_sets(alpha, 2, {2, 0.03})) {
     ASSERT_FALSE(result.causes.empty());
     if (result.causes.size() < 2) continue;
-    ++alarms;
     highest = std::max(highest, result.causes[1].p_value);
   }
-  EXPECT_LE(alarms, 26);
-  EXPECT_GT(highest, 0.125);
-  EXPECT_LE(highest, 0.25);
+  EXPECT_GT(highest, alpha / 4);
+  EXPECT_LE(highest, alpha / 2);
 }
 
 // T1 of each run; which runs are held out, the seed decides, not the readings.

@@ -67,7 +67,7 @@ TEST(InOrderOfContents, IsByRunThenByWhatRowsSay) {
 
 TEST(InOrderOfContents, TakesNoiseAndSegmentsWithTheirChannels) {
   ReadingOptions options;
-  options.noise = {{"T2", {0.1, 0}}};
+  options.noise = {{"Ta", {0.1, 0}}};
   const MeasuredData data = in_order_of_contents(
       read_data("run,routing,motor_tension_N,Ta_N,T2_N,T1_N\n1,TR5,20,9,2,1\n", options));
   ASSERT_EQ(data.channels.size(), 3U);
@@ -76,7 +76,8 @@ TEST(InOrderOfContents, TakesNoiseAndSegmentsWithTheirChannels) {
   EXPECT_EQ(data.channels[2].name, "a");
   EXPECT_EQ(data.readings[0].tension_N, (std::vector<std::optional<double>>{1, 2, 9}));
   EXPECT_FALSE(data.known_noise[0]);
-  EXPECT_TRUE(data.known_noise[1]);
+  EXPECT_FALSE(data.known_noise[1]);
+  EXPECT_TRUE(data.known_noise[2]);
   const MeasuredRouting& routing = data.routings[0];
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_EQ(routing.network.segments[*routing.segments[c]], data.channels[c].segment);
