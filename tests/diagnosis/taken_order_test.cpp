@@ -34,7 +34,7 @@ TEST(TakenOrder, IsThatOfTheFileWhereTheClockHasGaps) {
 }
 
 TEST(TakenOrder, HasRunsAsInTheFileWhereTheClockBeginsAgain) {
-  EXPECT_EQ(places_taken("b,TR3,10,1,5\na,TR3,11,1,4\nb,TR3,12,1,1\na,TR3,13,1,2\n"),
+  EXPECT_EQ(places_taken("b,TR3,10,1,5\na,TR3,11,1,4\nb,TR3,12,1,2\na,TR3,13,1,1\n"),
             (Places{1, 3, 0, 2}));
 }
 

@@ -71,6 +71,13 @@ TEST(Knee, ComesLaterWhereTheLadderIsSteepForLonger) {
   EXPECT_EQ(steps.rungs[*steps.knee].design.word, "C");
 }
 
+TEST(Knee, IsTheRungAboveTheChordAndNotTheFirstHighOne) {
+  const Ladder steps = ladder_of(
+      {design("A", 1, 0.4), design("B", 3, 0.7), design("C", 10, 0.94), design("D", 21, 1.0)});
+  ASSERT_TRUE(steps.knee);
+  EXPECT_EQ(steps.rungs[*steps.knee].design.word, "C");
+}
+
 TEST(Knee, IsNoneOfAStraightOrASaggingOrAShortLadder) {
   EXPECT_FALSE(ladder_of({design("A", 1, 0.5), design("B", 2, 0.75), design("C", 3, 1.0)}).knee);
   EXPECT_FALSE(ladder_of({design("A", 1, 0.5), design("B", 2, 0.6), design("C", 3, 1.0)}).knee);

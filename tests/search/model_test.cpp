@@ -139,6 +139,20 @@ TEST(ExploreThreads, DoNotChangeHowManySolvesDidNotConverge) {
   EXPECT_EQ(explore(options).unconverged, one);
 }
 
+TEST(ExploreUnderAModel, AddsUpWhatDidNotConvergeOverTheRoutings) {
+  ExploreOptions options;
+  options.generator = {full_parts(), 2, FingerIdentity::identical, false};
+  options.grasps = single_grasps(2);
+  options.model = unsettled();
+  const ExploreResult whole = explore(options);
+  std::uint64_t one_by_one = 0;
+  for (options.shard = {1, whole.total}; options.shard.index <= whole.total;
+       ++options.shard.index) {
+    one_by_one += explore(options).unconverged;
+  }
+  EXPECT_EQ(whole.unconverged, one_by_one);
+}
+
 // The draw varies the hardware; a coefficient that an effect sets stays.
 TEST(UncertaintyOfAModel, KeepsTheEffects) {
   UncertaintyOptions options;
