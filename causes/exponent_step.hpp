@@ -14,7 +14,6 @@
 // is as true. Not for networks with floating blocks, whose balances it does not know.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/mechanics.hpp"
