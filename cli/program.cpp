@@ -12,6 +12,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/complaint.hpp"
 #include "cli/launched.hpp"
+#include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
 #include "core/version.hpp"

@@ -12,6 +12,19 @@ if(EXISTS "${SOURCE}/.git")
   if(result EQUAL 0)
     set(commit "${described}")
   endif()
+  # Two programs with other changes are two programs: a store of the one is none of the other's.
+  if(commit MATCHES "-dirty$")
+    execute_process(
+      COMMAND git -c "safe.directory=${SOURCE}" --no-optional-locks diff HEAD --
+              . ":(exclude)tests" ":(exclude)docs" ":(exclude)*.md"
+      WORKING_DIRECTORY "${SOURCE}"
+      OUTPUT_VARIABLE changes ERROR_QUIET)
+    if(changes)
+      string(SHA1 digest "${changes}")
+      string(SUBSTRING "${digest}" 0 8 digest)
+      string(APPEND commit "-${digest}")
+    endif()
+  endif()
 endif()
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[
 #pragma once

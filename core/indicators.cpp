@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/performance.hpp"
-
 namespace reeve::core {
 
 Indicators indicators(const Network& network, const TensionState& state) {
+  return indicators(network, state, finger_pulls(network, state));
+}
+
+Indicators indicators(const Network& network, const TensionState& state, const FingerPulls& pulls) {
   constexpr double best = 10;
   double sum = 0;
   int motor_sides = 0;
@@ -32,7 +34,6 @@ Indicators indicators(const Network& network, const TensionState& state) {
       if (contact.place == ContactPlace::tip) twist = std::max(twist, drop);
     }
   }
-  const FingerPulls pulls = finger_pulls(network, state);
   const double transmission = best * sum / strands;
   return {best * (1 - (pulls.greatest - pulls.least) / sum), best * (1 - twist / sum),
           best * (1 - friction / sum), motor_sides * transmission, transmission};

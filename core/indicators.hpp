@@ -17,6 +17,7 @@
 #pragma once
 
 #include "core/network.hpp"
+#include "core/performance.hpp"
 #include "core/tension/tension.hpp"
 
 namespace reeve::core {
@@ -30,5 +31,7 @@ struct Indicators {
 };
 
 Indicators indicators(const Network& network, const TensionState& state);
+// With what finger_pulls gives.
+Indicators indicators(const Network& network, const TensionState& state, const FingerPulls& pulls);
 
 }  // namespace reeve::core

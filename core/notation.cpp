@@ -17,6 +17,8 @@ constexpr std::size_t max_word_length = 4096;
 
 PlacedWalk read_walk(std::string_view word, std::size_t begin, std::size_t end) {
   PlacedWalk walk;
+  const std::string_view all = word.substr(begin, end - begin);
+  walk.reserve(1 + static_cast<std::size_t>(std::count(all.begin(), all.end(), '-')));
   std::size_t at = begin;
   while (true) {
     const std::size_t dash = std::min(word.find('-', at), end);
@@ -114,6 +116,7 @@ Routing parse_routing(std::string_view word) {
                                          word.size(), max_word_length)});
   }
   Routing routing;
+  routing.tendons.reserve(1 + static_cast<std::size_t>(std::count(word.begin(), word.end(), '+')));
   FingerLedger fingers(word);
   BlockLedger blocks(word);
   std::size_t at = 0;

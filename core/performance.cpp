@@ -59,7 +59,9 @@ Performance performance(const StrandTally& tally, const FingerPulls& pulls) {
   return result;
 }
 
-Performance performance(const Network& network, const TensionState& state, Direction direction) {
+namespace {
+
+StrandTally strand_tally(const Network& network, const TensionState& state, Direction direction) {
   StrandTally tally;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
@@ -67,11 +69,26 @@ Performance performance(const Network& network, const TensionState& state, Direc
     tally.add(state.tension[i], state.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }
   if (direction == Direction::release && tally.work > 0) tally.work = 1 / tally.work;
-  return performance(tally, finger_pulls(network, state));
+  return tally;
 }
 
-double round_trip_efficiency(const Performance& pull, const Performance& release) {
-  return pull.efficiency * release.efficiency;
+}  // namespace
+
+Performance performance(const Network& network, const TensionState& state, Direction direction) {
+  return performance(strand_tally(network, state, direction), finger_pulls(network, state));
+}
+
+Performance performance(const Network& network, const TensionState& state,
+                        const FingerPulls& pulls) {
+  return performance(strand_tally(network, state, Direction::pull), pulls);
+}
+
+double motor_efficiency(const Network& network, const TensionState& state, Direction direction) {
+  return without_gain(strand_tally(network, state, direction).work);
+}
+
+double round_trip_efficiency(double pull_efficiency, double release_efficiency) {
+  return pull_efficiency * release_efficiency;
 }
 
 namespace {

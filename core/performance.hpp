@@ -45,6 +45,11 @@ FingerPulls finger_pulls(const Network& network, const TensionState& state);
 
 Performance performance(const Network& network, const TensionState& state,
                         Direction direction = Direction::pull);
+// In a pull, with what finger_pulls gives.
+Performance performance(const Network& network, const TensionState& state,
+                        const FingerPulls& pulls);
+// Its motor efficiency alone.
+double motor_efficiency(const Network& network, const TensionState& state, Direction direction);
 
 // What performance is made of, strand by strand.
 struct StrandTally {
@@ -67,7 +72,7 @@ Performance performance(const StrandTally& tally, const FingerPulls& pulls);
 // Motor tension while the fingers draw the tendon out over motor tension while the motor draws it
 // in, at equal work of the strands: the product of both efficiencies. 1 without friction, 0 where
 // the grasp jams.
-double round_trip_efficiency(const Performance& pull, const Performance& release);
+double round_trip_efficiency(double pull_efficiency, double release_efficiency);
 
 // Parts that a routing needs.
 struct PartCount {

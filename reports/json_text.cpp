@@ -3,7 +3,6 @@
 #include <utility>
 
 namespace reeve::reports {
-namespace {
 
 // Strings have no line ends of their own in them: JSON escapes these.
 void append_indented(std::string& text, const Json& json, std::string_view indent) {
@@ -16,8 +15,6 @@ void append_indented(std::string& text, const Json& json, std::string_view inden
   }
   text += rest;
 }
-
-}  // namespace
 
 void ObjectText::begin_member(std::string_view key) {
   text_ += text_.empty() ? "{\n  " : ",\n  ";
@@ -34,10 +31,12 @@ void ObjectText::add_members(const Json& object) {
   for (const auto& [key, value] : object.items()) add(key, value);
 }
 
-void ObjectText::add_entry(std::string_view before, const Json& entry) {
-  text_ += before;
-  text_ += "    ";
-  append_indented(text_, entry, "    ");
+// A text that grows by doubling is copied and takes up to twice its size.
+void ObjectText::make_room(std::size_t entries, std::size_t begin, std::size_t done) {
+  constexpr std::size_t told_from = 64;
+  if (done != told_from || entries <= done) return;
+  const std::size_t of_one = (text_.size() - begin) / done + 1;
+  text_.reserve(text_.size() + of_one * 17 / 16 * (entries - done) + text_.size() - begin);
 }
 
 std::string ObjectText::text() && { return text_.empty() ? "{}\n" : std::move(text_) + "\n}\n"; }

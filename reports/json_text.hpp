@@ -9,6 +9,9 @@
 
 namespace reeve::reports {
 
+// As print() prints it, but for the last line end; lines after the first begin with `indent`.
+void append_indented(std::string& text, const Json& json, std::string_view indent);
+
 class ObjectText {
  public:
   void add(std::string_view key, const Json& value);
@@ -16,16 +19,28 @@ class ObjectText {
 
   template <typename Entries, typename ToJson>
   void add_list(std::string_view key, const Entries& entries, ToJson to_json) {
+    add_text_list(key, entries, [&](std::string& text, const auto& entry) {
+      append_indented(text, to_json(entry), "    ");
+    });
+  }
+
+  // `append(text, entry)` appends the text of an entry, as it would be printed there.
+  template <typename Entries, typename Append>
+  void add_text_list(std::string_view key, const Entries& entries, Append append) {
     if (entries.empty()) {
       add(key, Json::array());
       return;
     }
     begin_member(key);
     text_ += '[';
-    const char* between = "\n";
+    const std::size_t begin = text_.size();
+    const char* between = "\n    ";
+    std::size_t done = 0;
     for (const auto& entry : entries) {
-      add_entry(between, to_json(entry));
-      between = ",\n";
+      text_ += between;
+      append(text_, entry);
+      between = ",\n    ";
+      make_room(entries.size(), begin, ++done);
     }
     text_ += "\n  ]";
   }
@@ -35,7 +50,7 @@ class ObjectText {
 
  private:
   void begin_member(std::string_view key);
-  void add_entry(std::string_view before, const Json& entry);
+  void make_room(std::size_t entries, std::size_t begin, std::size_t done);
 
   std::string text_;
 };

@@ -1,6 +1,9 @@
 #include "search/exploration_part.hpp"
 
+#include <algorithm>
 #include <numeric>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "core/notation.hpp"
@@ -21,16 +24,21 @@ class Evaluators {
   explicit Evaluators(const ExploreOptions& options) : workers_(options.threads) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices);
+      evaluators_.back().share_trees();
     }
   }
 
-  // All values of designs of which there are those by which they were kept.
-  void complete(const std::vector<Design*>& designs) {
-    workers_.for_each_block(designs.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
+  // All values of designs of which there are those by which they were kept, and their routings.
+  std::vector<Routing> complete(std::vector<RankedDesign>& listed) {
+    std::vector<Routing> routings(listed.size());
+    workers_.for_each_block(listed.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
-        designs[i]->values = evaluators_[block.worker].evaluate(parse_routing(designs[i]->word));
+        Design& design = listed[i].design;
+        routings[i] = parse_routing(design.word);
+        design.values = evaluators_[block.worker].evaluate(routings[i]);
       }
     });
+    return routings;
   }
 
   std::vector<Design> evaluate(const std::vector<Routing>& routings) {
@@ -54,18 +62,26 @@ class Evaluators {
   std::vector<DesignEvaluator> evaluators_;
 };
 
-// Beyond the first `top` and the front the archive has gaps, so only ranks in these are ranks.
-ReferenceStanding standing(Design design, const ReferenceCount& count,
-                           const std::vector<RankedDesign>& ranked, std::size_t top) {
-  ReferenceStanding result{std::move(design), count.dominated_by, 0, 0,
-                           count.generated,   count.rejected_by};
-  for (const RankedDesign& entry : ranked) {
-    if (entry.design.word != result.design.word) continue;
-    if (entry.rank > top && entry.front > 1) continue;
-    result.rank = entry.rank;
-    result.front = entry.front;
+// Parallel to the designs.
+std::vector<ReferenceStanding> standings(std::vector<Design> designs,
+                                         const std::vector<ReferenceCount>& counts,
+                                         const std::vector<RankedDesign>& listed) {
+  std::vector<ReferenceStanding> standings;
+  std::unordered_multimap<std::string_view, std::size_t> places;
+  standings.reserve(designs.size());
+  for (std::size_t r = 0; r < designs.size(); ++r) {
+    standings.push_back({std::move(designs[r]), counts[r].dominated_by, 0, 0, counts[r].generated,
+                         counts[r].rejected_by});
+    places.emplace(standings.back().design.word, r);
   }
-  return result;
+  for (const RankedDesign& ranked : listed) {
+    const auto [begin, end] = places.equal_range(ranked.design.word);
+    for (auto found = begin; found != end; ++found) {
+      standings[found->second].rank = ranked.rank;
+      standings[found->second].front = ranked.front;
+    }
+  }
+  return standings;
 }
 
 std::vector<Rejection> rejections(const ExplorationPart& part) {
@@ -89,37 +105,40 @@ std::uint64_t pruned_designs(const ExplorationPart& part, const ExploreOptions& 
   return std::accumulate(begin, begin + many, std::uint64_t{0});
 }
 
-// Beyond these nothing of the ranking is shown.
-void complete_listed(Archive::Content& content, const ExploreOptions& options,
-                     Evaluators& evaluators) {
-  std::vector<Design*> listed;
-  for (RankedDesign& ranked : content.ranked) {
-    if (ranked.front == 1 || ranked.rank <= options.top) listed.push_back(&ranked.design);
-  }
-  evaluators.complete(listed);
+// The first `top` and the front: beyond these the archive has gaps, so that no rank there is one.
+std::vector<RankedDesign> listed_of(std::vector<RankedDesign> ranked, std::size_t top) {
+  const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const RankedDesign& design) {
+    return design.front > 1 && design.rank > top;
+  });
+  ranked.erase(end, ranked.end());
+  return ranked;
 }
 
 // These were evaluated before, as far as they count among the solves.
 void complete_ladder(Ladder& ladder, const ExploreOptions& options) {
-  std::vector<Design*> designs;
-  for (Rung& rung : ladder.rungs) designs.push_back(&rung.design);
-  if (ladder.affordable) designs.push_back(&*ladder.affordable);
-  Evaluators(options).complete(designs);
+  DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
+  const auto complete = [&](Design& design) {
+    design.values = evaluator.evaluate(parse_routing(design.word));
+  };
+  for (Rung& rung : ladder.rungs) complete(rung.design);
+  if (ladder.affordable) complete(*ladder.affordable);
 }
 
-void place_kept(ExploreResult& result, const Archive::Content& content,
-                const ExploreOptions& options) {
-  result.front_equals_left_out = content.front_equals_left_out;
-  for (const RankedDesign& ranked : content.ranked) {
-    if (ranked.front == 1) result.front.push_back(ranked);
-    if (ranked.rank <= options.top) result.top.push_back(ranked);
-  }
-  // Both are the beginning of one ranking.
-  const std::vector<RankedDesign>& listed =
-      result.front.size() > result.top.size() ? result.front : result.top;
+// Both are the beginning of one ranking.
+void place_listed(ExploreResult& result, std::vector<RankedDesign> listed,
+                  std::vector<Routing> routings, std::size_t top) {
+  const auto behind_front = std::find_if(listed.begin(), listed.end(),
+                                         [](const RankedDesign& each) { return each.front > 1; });
+  const auto behind_top =
+      listed.begin() + static_cast<std::ptrdiff_t>(std::min(top, listed.size()));
   result.best = best_by_objective(listed, named_as_best);
-  for (const RankedDesign& ranked : listed) {
-    result.routings.push_back(parse_routing(ranked.design.word));
+  result.routings = std::move(routings);
+  if (behind_top == listed.end()) {
+    result.front.assign(listed.begin(), behind_front);
+    result.top = std::move(listed);
+  } else {
+    result.top.assign(listed.begin(), behind_top);
+    result.front = std::move(listed);
   }
 }
 
@@ -215,25 +234,23 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   result.seconds = part.seconds;
   result.rejected = rejections(part);
   result.pruned = pruned_designs(part, options);
-  Archive::Content content = part.archive.content();
+  if (options.keeps_record) result.record = record_of(part);
+  Archive::Content content = std::move(part.archive).content();
+  result.front_equals_left_out = content.front_equals_left_out;
   Evaluators evaluators(options);
-  complete_listed(content, options, evaluators);
-  place_kept(result, content, options);
-  if (content.ranked.empty()) {
+  std::vector<RankedDesign> listed = listed_of(std::move(content.ranked), options.top);
+  std::vector<Routing> routings = evaluators.complete(listed);
+  if (listed.empty()) {
     result.unmet = unmet(part);
   } else {
-    result.ladder = ladder(part.ladder.candidates(), content.ranked.front().design, options.order,
-                           options.ladder);
+    result.ladder =
+        ladder(part.ladder.candidates(), listed.front().design, options.order, options.ladder);
     complete_ladder(result.ladder, options);
   }
-  std::vector<Design> known = evaluators.evaluate(options.references);
-  for (std::size_t r = 0; r < known.size(); ++r) {
-    result.references.push_back(
-        standing(std::move(known[r]), part.references[r], content.ranked, options.top));
-  }
+  result.references = standings(evaluators.evaluate(options.references), part.references, listed);
+  place_listed(result, std::move(listed), std::move(routings), options.top);
   result.sample = evaluators.evaluate(part.sample.routings());
   result.unconverged = part.unconverged + evaluators.unconverged();
-  if (options.keeps_record) result.record = record_of(part);
   return result;
 }
 

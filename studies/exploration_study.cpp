@@ -5,6 +5,8 @@
 
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
+#include "search/decide/alike.hpp"
+#include "search/decide/places.hpp"
 #include "search/exploration_part.hpp"
 #include "search/judge/evaluation.hpp"
 
@@ -86,15 +88,25 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
                              const DrawnDesigns& drawn, const Catalogue& catalogue) {
   ExploreReport report;
   report.options = options;
-  report.top = list_designs(result.top, result.routings, drawn, catalogue);
-  report.front = list_designs(result.front, result.routings, drawn, catalogue);
-  mark_alike(report.top, options.order, options.generator.identity);
-  mark_alike(report.front, options.order, options.generator.identity);
-  mark_places(report.top, options.order);
-  mark_places(report.front, options.order);
-  report.ladder = list_ladder(result.ladder,
-                              report.front.size() > report.top.size() ? report.front : report.top,
-                              options.prices, catalogue);
+  const bool front_is_longer = result.front.size() > result.top.size();
+  std::vector<RankedDesign>& ranked = front_is_longer ? result.front : result.top;
+  std::vector<RankedDesign>& first = front_is_longer ? result.top : result.front;
+  const std::vector<std::size_t> alike =
+      first_alike(ranked, result.routings, options.order, options.generator.identity);
+  const std::vector<std::size_t> shared = places(ranked, options.order);
+  const auto listed = [&](std::vector<RankedDesign> designs, std::vector<Routing> routings) {
+    std::vector<ListedDesign> list =
+        list_designs(std::move(designs), std::move(routings), drawn, catalogue);
+    mark_alike(list, alike);
+    mark_places(list, shared);
+    return list;
+  };
+  const auto end_of_first = result.routings.begin() + static_cast<std::ptrdiff_t>(first.size());
+  std::vector<ListedDesign>& shorter = front_is_longer ? report.top : report.front;
+  std::vector<ListedDesign>& longer = front_is_longer ? report.front : report.top;
+  shorter = listed(std::move(first), {result.routings.begin(), end_of_first});
+  longer = listed(std::move(ranked), std::move(result.routings));
+  report.ladder = list_ladder(result.ladder, longer, options.prices, catalogue);
   report.reference_names = names_of(options.references, catalogue);
   report.result = std::move(result);
   return report;

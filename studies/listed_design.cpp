@@ -2,20 +2,22 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "catalog/names.hpp"
 #include "core/notation.hpp"
-#include "search/decide/alike.hpp"
-#include "search/decide/places.hpp"
 
 namespace reeve::studies {
 
-std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
-                                       const std::vector<Routing>& routings,
-                                       const DrawnDesigns& drawn, const Catalogue& catalogue) {
+std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
+                                       std::vector<Routing> routings, const DrawnDesigns& drawn,
+                                       const Catalogue& catalogue) {
   std::vector<ListedDesign> designs;
+  designs.reserve(ranked.size());
   for (std::size_t i = 0; i < ranked.size(); ++i) {
-    designs.push_back({ranked[i], routings[i], name_of(catalogue, routings[i]), std::nullopt});
+    std::string name = name_of(catalogue, routings[i]);
+    designs.push_back(
+        {std::move(ranked[i]), std::move(routings[i]), std::move(name), std::nullopt});
     if (!drawn.ranks.empty()) designs.back().distribution = drawn.ranks[i];
     if (!drawn.bands.empty()) designs.back().bands = drawn.bands[i];
     if (!drawn.constraints_met.empty()) designs.back().constraints_met = drawn.constraints_met[i];
@@ -23,35 +25,31 @@ std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
   return designs;
 }
 
-void mark_places(std::vector<ListedDesign>& designs, const Order& order) {
-  std::vector<RankedDesign> ranked;
-  for (const ListedDesign& design : designs) ranked.push_back(design.ranked);
-  const std::vector<std::size_t> shared = places(ranked, order);
-  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].place = shared[i];
+void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places) {
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].place = places[i];
 }
 
-void mark_alike(std::vector<ListedDesign>& designs, const Order& order, FingerIdentity identity) {
-  std::vector<RankedDesign> ranked;
-  std::vector<Routing> routings;
-  for (const ListedDesign& design : designs) {
-    ranked.push_back(design.ranked);
-    routings.push_back(design.routing);
-  }
-  const std::vector<std::size_t> firsts = first_alike(ranked, routings, order, identity);
+void mark_alike(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts) {
   for (std::size_t i = 0; i < designs.size(); ++i) {
     if (firsts[i] == i) continue;
-    designs[i].same_as = ranked[firsts[i]].design.word;
-    designs[firsts[i]].alike.push_back(ranked[i].design.word);
+    ListedDesign& first = designs[firsts[i]];
+    designs[i].same_as = first.ranked.design.word;
+    first.alike.push_back(designs[i].ranked.design.word);
   }
 }
 
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
                          const std::optional<PartPrices>& prices, const Catalogue& catalogue) {
   std::map<std::string_view, const ListedDesign*> by_word;
-  for (const ListedDesign& design : listed) by_word[design.ranked.design.word] = &design;
+  for (const Rung& rung : ladder.rungs) by_word[rung.design.word] = nullptr;
+  if (ladder.affordable) by_word[ladder.affordable->word] = nullptr;
+  for (const ListedDesign& design : listed) {
+    const auto found = by_word.find(design.ranked.design.word);
+    if (found != by_word.end()) found->second = &design;
+  }
   const auto as_listed = [&](const Design& design) -> ListedDesign {
-    const auto found = by_word.find(design.word);
-    if (found != by_word.end()) return *found->second;
+    const ListedDesign* found = by_word.at(design.word);
+    if (found != nullptr) return *found;
     const Routing routing = parse_routing(design.word);
     return {{design}, routing, name_of(catalogue, routing), std::nullopt};
   };

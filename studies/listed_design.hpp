@@ -41,13 +41,15 @@ struct ListedLadder {
 };
 
 // `routings` begins parallel to `ranked`, and so is what was drawn, or it is empty.
-std::vector<ListedDesign> list_designs(const std::vector<RankedDesign>& ranked,
-                                       const std::vector<Routing>& routings,
-                                       const DrawnDesigns& drawn, const Catalogue& catalogue);
+std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
+                                       std::vector<Routing> routings, const DrawnDesigns& drawn,
+                                       const Catalogue& catalogue);
 
-void mark_places(std::vector<ListedDesign>& designs, const Order& order);
+// Of a ranking that begins with these designs: search/decide/places.hpp.
+void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
 
-void mark_alike(std::vector<ListedDesign>& designs, const Order& order, FingerIdentity identity);
+// Likewise: search/decide/alike.hpp.
+void mark_alike(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
 
 // `listed` is where ranks are looked up.
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,

@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "search/decide/alike.hpp"
 #include "search/decide/ladder_archive.hpp"
+#include "search/decide/places.hpp"
 #include "search/judge/evaluation.hpp"
 
 namespace reeve::studies {
@@ -75,8 +77,9 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   }
   report.designs = list_designs(designs, routings, drawn, catalogue);
   // Fingers are told apart here: a finger of another number is no superfluous bearing.
-  mark_alike(report.designs, request.order, FingerIdentity::distinct);
-  mark_places(report.designs, request.order);
+  mark_alike(report.designs,
+             first_alike(designs, routings, request.order, FingerIdentity::distinct));
+  mark_places(report.designs, places(designs, request.order));
   report.ladder =
       list_ladder(ladder_of(request, designs), report.designs, request.prices, catalogue);
   report.prices = request.prices;

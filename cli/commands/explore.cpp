@@ -169,7 +169,7 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
-  const bool none_is_left = report.result.evaluated > 0 && report.result.top.empty();
+  const bool none_is_left = report.result.evaluated > 0 && report.top.empty();
   return none_is_left ? answer_is_no : done;
 }
 

@@ -61,6 +61,7 @@ void BlockLedger::pass(const PlacedWalk& walk) {
   for (const PlacedToken& placed : walk) {
     if (!is_of_block(placed.token.kind)) continue;
     Entry& entry = entries_[block_key(placed.token)];
+    any_named_ = true;
     if (!std::exchange(entry.named, true)) entry.column = placed.column;
     if (is_tail(placed.token.kind)) {
       entry.tail = true;
@@ -119,9 +120,7 @@ void BlockLedger::require_no_ring(const Routing& routing) const {
 }
 
 void BlockLedger::require_whole(const Routing& routing) const {
-  const bool any =
-      std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.named; });
-  if (!any) return;
+  if (!any_named_) return;
   for (std::size_t key = 0; key < block_keys; ++key) {
     if (entries_[key].named) require_parts(key);
   }

@@ -44,6 +44,7 @@ class BlockLedger {
 
   std::string_view word_;
   std::array<Entry, block_keys> entries_{};
+  bool any_named_ = false;
 };
 
 }  // namespace reeve::core

@@ -30,7 +30,8 @@ NumberedText read_number(std::string_view text, int highest) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
   NumberedText read{std::nullopt, text.substr(digits)};
   if (digits == 0 || digits > 2 || text[0] == '0') return read;
-  const int number = std::stoi(std::string(text.substr(0, digits)));
+  int number = 0;
+  std::from_chars(text.data(), text.data() + digits, number);
   if (number <= highest) read.number = number;
   return read;
 }
@@ -155,7 +156,7 @@ void print_token(std::string& word, const Token& token) {
   for (const auto& [letter, kind] : letters) {
     if (kind == token.kind) word += letter;
   }
-  if (is_of_finger(token.kind)) word += std::to_string(token.finger);
+  if (is_of_finger(token.kind)) word += fmt::format_int(token.finger).c_str();
   if (token.kind == TokenKind::anchored_tip) word += 'x';
   if (token.tip == TipKind::bearing) word += 'b';
   if (!is_of_block(token.kind)) return;

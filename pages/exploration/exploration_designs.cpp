@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "pages/exploration/objective_title.hpp"
@@ -14,13 +15,17 @@
 namespace reeve::pages {
 namespace {
 
+constexpr std::array<double, 23> power_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
 // Eight digits: enough to round as the rest of the page does, and half the bytes. A whole number
 // over a power of ten is the nearest number to those digits.
 Json rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return number(value);
   const double decimals = 7 - std::floor(std::log10(std::abs(value)));
   if (decimals < 0 || decimals > 22) return value;
-  const double power = std::pow(10, decimals);
+  const double power = power_of_ten[static_cast<std::size_t>(decimals)];
   return std::round(value * power) / power;
 }
 
@@ -55,14 +60,33 @@ std::vector<const ListedDesign*> of_the_ladder(const ExploreReport& report) {
 }
 
 Json same_as_column(const std::vector<PageDesign>& designs) {
-  std::map<std::string, std::size_t> places;
+  std::unordered_map<std::string_view, std::size_t> places(designs.size());
   for (std::size_t i = 0; i < designs.size(); ++i) places.emplace(designs[i].word, i);
   Json column = Json::array();
   for (const PageDesign& design : designs) {
-    const auto found = places.find(design.same_as);
+    const auto found = design.same_as.empty() ? places.end() : places.find(design.same_as);
     column.push_back(found == places.end() ? -1 : static_cast<int>(found->second));
   }
   return column;
+}
+
+std::vector<std::string_view> words_of_others(const ExploreReport& report) {
+  std::vector<std::string_view> words;
+  for (const ReferenceStanding& reference : report.result.references) {
+    words.push_back(reference.design.word);
+  }
+  for (const ListedDesign* design : of_the_ladder(report)) {
+    words.push_back(design->ranked.design.word);
+  }
+  for (const Design& design : report.result.sample) words.push_back(design.word);
+  return words;
+}
+
+PageDesign page_design(const ListedDesign& listed, Kind kind) {
+  const RankedDesign& ranked = listed.ranked;
+  return {kind,           ranked.design.word,    listed.name,         ranked.rank,
+          ranked.front,   ranked.design.values,  listed.distribution, listed.bands,
+          listed.same_as, listed.constraints_met};
 }
 
 }  // namespace
@@ -89,39 +113,52 @@ chart::Style design_style(Kind kind) {
 
 chart::Style advised_style() { return {chart::Colour::violet, chart::Symbol::diamond, 8, 2, 0}; }
 
+WordPlaces listed_places(const ExploreReport& report, const std::vector<std::string_view>& words) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  WordPlaces places;
+  for (const std::string_view word : words) places.emplace(word, listed.size());
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const auto found = places.find(listed[i].ranked.design.word);
+    if (found != places.end()) found->second = i;
+  }
+  std::erase_if(places, [&](const auto& entry) { return entry.second == listed.size(); });
+  return places;
+}
+
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
+  const std::size_t count = std::min(most, listed.size());
   const std::set<std::string> known = known_words(report);
   std::vector<PageDesign> designs;
-  std::set<std::string> held;
-  for (std::size_t i = 0; i < std::min(most, listed.size()); ++i) {
-    const RankedDesign& ranked = listed[i].ranked;
-    const std::string& word = ranked.design.word;
-    const Kind kind = known.contains(word) ? Kind::known
-                      : ranked.front == 1  ? Kind::front
-                                           : Kind::listed;
-    held.insert(word);
-    designs.push_back({kind, word, listed[i].name, ranked.rank, ranked.front, ranked.design.values,
-                       listed[i].distribution, listed[i].bands, listed[i].same_as,
-                       listed[i].constraints_met});
+  designs.reserve(count + report.result.sample.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Kind kind = known.contains(listed[i].ranked.design.word) ? Kind::known
+                      : listed[i].ranked.front == 1                ? Kind::front
+                                                                   : Kind::listed;
+    designs.push_back(page_design(listed[i], kind));
   }
+  const WordPlaces places = listed_places(report, words_of_others(report));
+  std::set<std::string_view> added;
+  const auto is_new = [&](std::string_view word) {
+    const auto place = places.find(word);
+    return (place == places.end() || place->second >= count) && added.insert(word).second;
+  };
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
-    if (!held.insert(reference.design.word).second) continue;
+    if (!is_new(reference.design.word)) continue;
     designs.push_back({Kind::known, reference.design.word, report.reference_names[i],
                        reference.rank, reference.front, reference.design.values, std::nullopt,
                        report.reference_bands.empty() ? Bands{} : report.reference_bands[i]});
   }
   for (const ListedDesign* design : of_the_ladder(report)) {
     const RankedDesign& ranked = design->ranked;
-    if (!held.insert(ranked.design.word).second) continue;
+    if (!is_new(ranked.design.word)) continue;
     designs.push_back({Kind::listed, ranked.design.word, design->name, ranked.rank, ranked.front,
                        ranked.design.values, std::nullopt});
   }
   // What is listed has a rank, even if there is no room for it here.
-  for (const ListedDesign& design : listed) held.insert(design.ranked.design.word);
   for (const Design& design : report.result.sample) {
-    if (held.contains(design.word)) continue;
+    if (places.contains(design.word) || added.contains(design.word)) continue;
     designs.push_back({Kind::sample, design.word, "", 0, 0, design.values, std::nullopt});
   }
   return designs;

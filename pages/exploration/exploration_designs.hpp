@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "reports/chart/chart.hpp"
@@ -38,6 +40,10 @@ struct PageDesign {
   std::string same_as = {};  // the design that stands for it where alike designs are one line
   std::optional<double> constraints_met = std::nullopt;  // share of the draws
 };
+
+// Where some words stand among the listed designs, from 0; without those that do not.
+using WordPlaces = std::unordered_map<std::string_view, std::size_t>;
+WordPlaces listed_places(const ExploreReport& report, const std::vector<std::string_view>& words);
 
 // Of the listed designs the first `most`, then the known routings and those of the ladder that are
 // not among these, then the random sample.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/notation.hpp"
@@ -16,6 +17,8 @@ namespace reeve::pages {
 namespace {
 
 constexpr std::size_t column_bytes = 2'000'000;
+constexpr double filled = 0.97;  // of them, where not all designs fit
+constexpr std::size_t probed = 5'000;
 
 // Those of the ladder, known routings, then the best in the order of the ranking, which the front
 // begins.
@@ -36,6 +39,42 @@ std::size_t details_of(const ExplorationView& view) {
   return view.details.value_or(usual_schematics / view.report.options.grasps.size());
 }
 
+// How many there could be, however many are asked for.
+std::size_t designs_with_details(const ExploreReport& report) {
+  std::set<std::string> others;
+  for (const Routing* routing : ladder_routings(report)) others.insert(to_word(*routing));
+  for (const Routing& known : report.options.references) others.insert(to_word(known));
+  const std::vector<std::string_view> words(others.begin(), others.end());
+  return listed_designs(report).size() + words.size() - listed_places(report, words).size();
+}
+
+HeldDesigns packed_designs(const ExploreReport& report, std::size_t most) {
+  HeldDesigns held{page_designs(report, most), "", most};
+  const std::vector<Objective> objectives = page_objectives(report);
+  Json columns = design_columns(held.designs, objectives);
+  if (report.uncertainty) {
+    columns["bands"] = band_columns(held.designs, objectives, report.options.order.objectives);
+  }
+  held.packed = compressed(columns.dump());
+  return held;
+}
+
+double share_of_room(const HeldDesigns& held) {
+  return static_cast<double>(column_bytes) / static_cast<double>(held.packed.size());
+}
+
+// All, unless the first of them show that they are far too many: packing a long list only to see
+// that takes longer than what is then held.
+std::size_t room_for(const ExploreReport& report) {
+  const std::size_t listed = listed_designs(report).size();
+  if (listed <= 4 * probed) return listed;
+  const HeldDesigns first = packed_designs(report, probed);
+  const auto others = static_cast<double>(first.designs.size() - probed);
+  const double room = filled * share_of_room(first) * (probed + others) - others;
+  constexpr double clearly = 1.25;
+  return clearly * room < static_cast<double>(listed) ? static_cast<std::size_t>(room) : listed;
+}
+
 // Why a known routing is not in the list, or one of the ladder.
 std::string standing(const ReferenceStanding& reference, const ExploreReport& report) {
   if (!reference.generated && report.result.partial)
@@ -51,18 +90,11 @@ std::string standing(const ReferenceStanding& reference, const ExploreReport& re
 }  // namespace
 
 HeldDesigns held_designs(const ExploreReport& report) {
-  std::size_t most = listed_designs(report).size();
+  std::size_t most = room_for(report);
   for (;;) {
-    std::vector<PageDesign> designs = page_designs(report, most);
-    Json columns = design_columns(designs, page_objectives(report));
-    if (report.uncertainty) {
-      columns["bands"] =
-          band_columns(designs, page_objectives(report), report.options.order.objectives);
-    }
-    std::string packed = compressed(columns.dump());
-    if (packed.size() <= column_bytes) return {std::move(designs), std::move(packed), most};
-    const double share = static_cast<double>(column_bytes) / static_cast<double>(packed.size());
-    most = static_cast<std::size_t>(0.97 * share * static_cast<double>(most));
+    HeldDesigns held = packed_designs(report, most);
+    if (held.packed.size() <= column_bytes) return held;
+    most = static_cast<std::size_t>(filled * share_of_room(held) * static_cast<double>(most));
   }
 }
 
@@ -106,7 +138,7 @@ Json standings_json(const ExploreReport& report) {
 
 std::string details_text(const ExplorationView& view, const DesignDetails& details) {
   const std::size_t listed = listed_designs(view.report).size();
-  const std::size_t all = in_order_of_details(view.report, listed).size();
+  const std::size_t all = designs_with_details(view.report);
   if (details.designs >= all) {
     return fmt::format(
         "All {} listed designs and known routings have schematics, tensions and contacts here.",

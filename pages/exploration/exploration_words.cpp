@@ -215,9 +215,8 @@ std::vector<std::string> changes(const ExploreReport& report) {
   }
   text.push_back(draws_text(report, listed));
   constexpr std::size_t best = 10;
-  std::vector<ListedDesign> first = one_of_each(listed);
-  if (first.size() > best) first.resize(best);
-  for (const SheetLine& line : shared_carriage_lines(first)) text.push_back(line.text + ".");
+  for (const SheetLine& line : shared_carriage_lines(one_of_each(listed, best)))
+    text.push_back(line.text + ".");
   return text;
 }
 

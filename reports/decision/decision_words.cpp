@@ -217,7 +217,7 @@ std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreR
           {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});
     }
   }
-  if (result.unmet.empty() && result.evaluated > 0 && result.top.empty() && !result.partial) {
+  if (result.unmet.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
     return {{"No design of this shard meets the constraints", true}};
   }
   if (!alone.empty() || result.unmet.empty()) return alone;

@@ -86,7 +86,7 @@ Json rung_json(const ListedLadder& listed, std::size_t i) {
   return json;
 }
 
-std::string csv_row(const ListedLadder& listed, std::size_t i) {
+std::string csv_row(const ListedLadder& listed, std::size_t i, NumberTexts& numbers) {
   const Ladder& ladder = listed.ladder;
   const Rung& rung = ladder.rungs[i];
   const std::size_t rank = listed.rungs[i].ranked.rank;
@@ -94,7 +94,7 @@ std::string csv_row(const ListedLadder& listed, std::size_t i) {
       fmt::format("{},{},{},{},{},{},{}", row(ladder.options.by).name, rung.at_most,
                   rung.design.word, csv_field(listed.rungs[i].name),
                   rank > 0 ? std::to_string(rank) : "", rung.kept, csv_field(marks(listed, i)));
-  line += objective_cells(rung.design.values);
+  append_objective_cells(line, rung.design.values, numbers);
   for (const Objective objective : ladder.objectives) {
     line += i == 0 ? "," : "," + csv_number(gain(objective, rung, ladder.rungs[i - 1]));
   }
@@ -152,7 +152,8 @@ std::string ladder_csv(const ListedLadder& ladder, const std::string& note) {
     }
   }
   csv += '\n';
-  for (std::size_t i = 0; i < ladder.rungs.size(); ++i) csv += csv_row(ladder, i);
+  NumberTexts numbers(print_csv_number);
+  for (std::size_t i = 0; i < ladder.rungs.size(); ++i) csv += csv_row(ladder, i, numbers);
   return csv;
 }
 

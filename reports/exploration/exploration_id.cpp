@@ -66,7 +66,9 @@ std::string exploration_id(const ExploreReport& report) {
 }
 
 std::string stamped_csv(const std::string& csv, const std::string& id) {
+  const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
   std::string stamped;
+  stamped.reserve(csv.size() + (lines + 1) * (id.size() + 1));
   std::string_view rest = csv;
   bool in_header = true;
   while (!rest.empty()) {

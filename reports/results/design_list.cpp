@@ -183,10 +183,12 @@ ListColumns priced(ListColumns wanted, const std::optional<PartPrices>& prices) 
   return wanted;
 }
 
-std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs) {
+std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs, std::size_t most) {
   std::vector<ListedDesign> firsts;
-  std::copy_if(designs.begin(), designs.end(), std::back_inserter(firsts),
-               [](const ListedDesign& design) { return design.same_as.empty(); });
+  for (const ListedDesign& design : designs) {
+    if (firsts.size() == most) break;
+    if (design.same_as.empty()) firsts.push_back(design);
+  }
   return firsts;
 }
 
@@ -204,12 +206,12 @@ std::string objective_headings(const ObjectiveValues& values) {
   return text;
 }
 
-std::string objective_cells(const ObjectiveValues& values) {
-  std::string text;
+void append_objective_cells(std::string& csv, const ObjectiveValues& values, NumberTexts& numbers) {
   for (const ObjectiveRow& row : objective_table()) {
-    if (is_there(row, values)) text += "," + csv_number(value(values, row.objective));
+    if (!is_there(row, values)) continue;
+    csv += ',';
+    csv += numbers.text(value(values, row.objective));
   }
-  return text;
 }
 
 std::string sample_csv(const std::vector<Design>& designs, const std::string& note) {
@@ -217,8 +219,10 @@ std::string sample_csv(const std::vector<Design>& designs, const std::string& no
   csv +=
       "routing" + objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
   csv += '\n';
+  NumberTexts numbers(print_csv_number);
   for (const Design& design : designs) {
-    csv += design.word + objective_cells(design.values);
+    csv += design.word;
+    append_objective_cells(csv, design.values, numbers);
     csv += '\n';
   }
   return csv;
@@ -235,17 +239,21 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as,place" : ",same_as,place";
   csv += (uncertain ? ",first_shared" : "") + band_headings(bands);
   csv += constrained ? ",constraints_met\n" : "\n";
+  NumberTexts numbers(print_csv_number);
   for (const ListedDesign& design : designs) {
-    csv += fmt::format("{},{},{},{}", design.ranked.rank, design.ranked.front,
-                       design.ranked.design.word, csv_field(design.name));
-    csv += objective_cells(design.ranked.design.values);
+    csv += fmt::format_int(design.ranked.rank).c_str();
+    csv += ',';
+    csv += fmt::format_int(design.ranked.front).c_str();
+    csv += ',' + design.ranked.design.word + ',' + csv_field(design.name);
+    append_objective_cells(csv, design.ranked.design.values, numbers);
     if (design.distribution) {
       const RankDistribution& d = *design.distribution;
-      csv += fmt::format(",{},{},{},{}", d.first, d.median, d.low, d.high);
+      fmt::format_to(std::back_inserter(csv), ",{},{},{},{}", d.first, d.median, d.low, d.high);
     } else if (uncertain) {
       csv += ",,,,";
     }
-    csv += fmt::format(",{},{}", design.same_as, design.place);
+    csv += ',' + design.same_as + ',';
+    csv += fmt::format_int(design.place).c_str();
     if (uncertain) {
       csv += design.distribution ? fmt::format(",{}", design.distribution->first_shared) : ",";
       csv += design.bands.empty() ? std::string(3 * bands.size(), ',') : band_cells(design.bands);

@@ -7,6 +7,7 @@
 
 #include "core/parts/part_prices.hpp"
 #include "reports/json.hpp"
+#include "reports/number_texts.hpp"
 #include "reports/sheet/chosen_columns.hpp"
 #include "reports/sheet/sheet.hpp"
 #include "studies/listed_design.hpp"
@@ -38,14 +39,16 @@ std::vector<MissingColumns> missing_columns(const ListedWith& with);
 ListedDesign shortest_line(const std::string& word, const Order& order, const ListedWith& with);
 
 // Without those for which another one stands: a line of a table is for all designs that are alike.
-std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs);
+// The first `most`.
+std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs,
+                                      std::size_t most = static_cast<std::size_t>(-1));
 
 // Below such a table: which designs stand for others, and which rest on how their tendons share.
 std::vector<SheetLine> list_notes(const std::vector<ListedDesign>& shown);
 
 // ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
 std::string objective_headings(const ObjectiveValues& values);
-std::string objective_cells(const ObjectiveValues& values);
+void append_objective_cells(std::string& csv, const ObjectiveValues& values, NumberTexts& numbers);
 
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");

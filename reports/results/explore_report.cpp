@@ -10,6 +10,7 @@
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/json_text.hpp"
 #include "reports/results/design_list.hpp"
+#include "reports/results/listed_design_text.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/range_notes.hpp"
@@ -20,13 +21,6 @@ namespace reeve::reports {
 namespace {
 
 constexpr std::size_t shown_at_most = 10;
-
-// As many lines of a table.
-std::vector<ListedDesign> first(const std::vector<ListedDesign>& designs, std::size_t count) {
-  std::vector<ListedDesign> lines = one_of_each(designs);
-  if (lines.size() > count) lines.resize(count);
-  return lines;
-}
 
 double rate(const ExploreResult& result) {
   const auto evaluated = static_cast<double>(result.evaluated - result.pruned);
@@ -70,14 +64,17 @@ Section front_section(const ExploreReport& report, const ListColumns& columns) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
-  const std::vector<ListedDesign> lines = one_of_each(report.front);
-  if (lines.size() < report.front.size()) {
-    text += fmt::format(", {} but for bearings that change nothing", lines.size());
+  const auto lines = static_cast<std::size_t>(
+      std::count_if(report.front.begin(), report.front.end(),
+                    [](const ListedDesign& design) { return design.same_as.empty(); }));
+  if (lines < report.front.size()) {
+    text += fmt::format(", {} but for bearings that change nothing", lines);
   }
-  if (lines.size() > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
-  return {text,
-          design_table(first(report.front, shown_at_most), objectives_to_show(report), columns),
-          {}};
+  if (lines > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
+  return {
+      text,
+      design_table(one_of_each(report.front, shown_at_most), objectives_to_show(report), columns),
+      {}};
 }
 
 std::string rank_cell(const ExploreReport& report, const ReferenceStanding& reference) {
@@ -187,7 +184,7 @@ Json unmet_json(const ExploreReport& report) {
 
 Sheet explore_sheet(const ExploreReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.options.prices);
-  const std::vector<ListedDesign> top = first(report.top, shown_at_most);
+  const std::vector<ListedDesign> top = one_of_each(report.top, shown_at_most);
   const Section best{fmt::format("Top {}", top.size()),
                      design_table(top, objectives_to_show(report), columns), list_notes(top)};
   Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
@@ -298,9 +295,12 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["front_equals_left_out"] = result.front_equals_left_out;
   ObjectText text;
   text.add_members(json);
-  const auto listed = [](const ListedDesign& design) { return to_json(design); };
-  text.add_list("front", report.front, listed);
-  text.add_list("top", report.top, listed);
+  ListedDesignText designs;
+  const auto listed = [&](std::string& to, const ListedDesign& design) {
+    designs.append(to, design);
+  };
+  text.add_text_list("front", report.front, listed);
+  text.add_text_list("top", report.top, listed);
   json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);

@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "core/notation.hpp"
@@ -26,6 +27,19 @@ std::vector<double> ranked_values(const RankedDesign& ranked, const Order& order
   return values;
 }
 
+// Designs that are equal in what is ranked, in the order of the ranking.
+using Equals = std::vector<std::size_t>;
+
+void mark_firsts(const Equals& equals, const std::vector<Routing>& routings,
+                 FingerIdentity identity, std::vector<std::size_t>& firsts) {
+  if (equals.size() < 2) return;
+  std::unordered_map<std::string, std::size_t> seen;
+  for (const std::size_t i : equals) {
+    std::string plain = to_word(without_bearings(routings[i], identity));
+    firsts[i] = seen.try_emplace(std::move(plain), i).first->second;
+  }
+}
+
 }  // namespace
 
 Routing without_bearings(Routing routing, FingerIdentity identity) {
@@ -47,11 +61,11 @@ std::vector<std::size_t> first_alike(const std::vector<RankedDesign>& ranked,
     std::size_t end = begin + 1;
     const Standing here = standing(ranked[begin], order);
     while (end < ranked.size() && standing(ranked[end], order) == here) ++end;
-    std::map<std::pair<std::vector<double>, std::string>, std::size_t> seen;
+    std::map<std::vector<double>, Equals> all;
     for (std::size_t i = begin; i < end && end - begin > 1; ++i) {
-      const std::string plain = to_word(without_bearings(routings[i], identity));
-      firsts[i] = seen.try_emplace({ranked_values(ranked[i], order), plain}, i).first->second;
+      all[ranked_values(ranked[i], order)].push_back(i);
     }
+    for (const auto& [values, equals] : all) mark_firsts(equals, routings, identity, firsts);
     begin = end;
   }
   return firsts;

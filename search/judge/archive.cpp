@@ -29,7 +29,7 @@ bool Archive::may_rank(const ObjectiveValues& values) const {
 
 void Archive::add(Design design, std::uint64_t equals_left_out) {
   Goodness value = goodness(design.values, order_.objectives);
-  entries_.push_back({std::move(design), std::move(value), equals_left_out});
+  entries_.emplace_back(Entry{std::move(design), std::move(value), equals_left_out});
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
 }
 
@@ -45,22 +45,19 @@ bool Archive::has_enough_dominators(Eigen::Index rows, const Goodness& candidate
 SweepCounter Archive::counter() const {
   std::vector<double> values;
   if (!sweeps()) return SweepCounter({});
-  for (const Entry& entry : entries_) values.push_back(second_value(entry.goodness));
+  for (const Place& entry : entries_) values.push_back(second_value(entry->goodness));
   return SweepCounter(std::move(values));
 }
 
-// By their places, since an entry is many times as large.
+// What came since the last time, and then both together.
 void Archive::sort_entries() {
-  std::vector<Entry*> order;
-  for (Entry& entry : entries_) order.push_back(&entry);
-  std::sort(order.begin(), order.end(), [this](const Entry* a, const Entry* b) {
+  const auto precedes = [this](const Place& a, const Place& b) {
     if (!equal(a->goodness, b->goodness)) return greater(a->goodness, b->goodness);
     return precedes_within_front(a->design, b->design, order_);
-  });
-  std::vector<Entry> sorted;
-  sorted.reserve(entries_.size());
-  for (Entry* entry : order) sorted.push_back(std::move(*entry));
-  entries_ = std::move(sorted);
+  };
+  const auto newer = entries_.begin() + static_cast<std::ptrdiff_t>(compacted_);
+  std::sort(newer, entries_.end(), precedes);
+  std::inplace_merge(entries_.begin(), newer, entries_.end(), precedes);
 }
 
 void Archive::compact() {
@@ -72,8 +69,9 @@ void Archive::compact() {
                  static_cast<Eigen::Index>(order_.objectives.size()));
   Eigen::Index kept = 0;
   Eigen::Index equals = 0;  // kept entries that equal the next one
-  for (Entry& entry : entries_) {
-    Entry* last = kept == 0 ? nullptr : &entries_[static_cast<std::size_t>(kept - 1)];
+  for (Place& place : entries_) {
+    const Entry& entry = *place;
+    Entry* last = kept == 0 ? nullptr : &*entries_[static_cast<std::size_t>(kept - 1)];
     const bool is_twin = last != nullptr && equal(last->goodness, entry.goodness);
     equals = is_twin ? equals : 0;
     if (is_twin && equals >= enough) {
@@ -86,12 +84,12 @@ void Archive::compact() {
     }
     if (sweeps()) better.add(second_value(entry.goodness));
     guards_.row(kept) = entry.goodness.transpose();
-    Entry& slot = entries_[static_cast<std::size_t>(kept)];
-    if (&slot != &entry) slot = std::move(entry);
+    Place& slot = entries_[static_cast<std::size_t>(kept)];
+    if (&slot != &place) slot = std::move(place);
     ++kept;
     ++equals;
   }
-  entries_.resize(static_cast<std::size_t>(kept));
+  entries_.erase(entries_.begin() + kept, entries_.end());
   guards_.conservativeResize(kept, Eigen::NoChange);
   compacted_ = entries_.size();
   place_guards();
@@ -131,19 +129,35 @@ void Archive::place_corner() {
 std::vector<ArchivedDesign> Archive::members() {
   compact();
   std::vector<ArchivedDesign> members;
-  for (const Entry& entry : entries_) members.push_back({entry.design, entry.equals_left_out});
+  members.reserve(entries_.size());
+  for (const Place& entry : entries_) members.push_back({entry->design, entry->equals_left_out});
   return members;
 }
 
-Archive::Content Archive::content() {
-  compact();
+Archive::Content Archive::ranked_content(std::vector<Design> designs) const {
   Content content;
-  std::vector<Design> designs;
-  for (const Entry& entry : entries_) designs.push_back(entry.design);
   content.ranked = rank(std::move(designs), order_);
   for (const RankedDesign& ranked : content.ranked) {
-    if (ranked.front == 1) content.front_equals_left_out += entries_[ranked.given].equals_left_out;
+    if (ranked.front == 1) content.front_equals_left_out += entries_[ranked.given]->equals_left_out;
   }
+  return content;
+}
+
+Archive::Content Archive::content() & {
+  compact();
+  std::vector<Design> designs;
+  designs.reserve(entries_.size());
+  for (const Place& entry : entries_) designs.push_back(entry->design);
+  return ranked_content(std::move(designs));
+}
+
+Archive::Content Archive::content() && {
+  compact();
+  std::vector<Design> designs;
+  designs.reserve(entries_.size());
+  for (const Place& entry : entries_) designs.push_back(std::move(entry->design));
+  Content content = ranked_content(std::move(designs));
+  entries_.clear();
   return content;
 }
 

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "search/judge/pareto.hpp"
@@ -42,7 +44,8 @@ class Archive {
     std::vector<RankedDesign> ranked;  // best first; at least the first `keep` and the front
     std::uint64_t front_equals_left_out = 0;
   };
-  Content content();
+  Content content() &;
+  Content content() &&;  // which needs no second copy of the designs
 
   std::size_t held() const { return entries_.size(); }
 
@@ -53,6 +56,26 @@ class Archive {
     std::uint64_t equals_left_out = 0;
   };
 
+  // Where an entry is, which is many times as large. Copied with it.
+  class Place {
+   public:
+    explicit Place(Entry entry) : entry_(std::make_unique<Entry>(std::move(entry))) {}
+    Place(const Place& other) : Place(*other) {}
+    Place(Place&&) noexcept = default;
+    Place& operator=(Place other) noexcept {
+      entry_.swap(other.entry_);
+      return *this;
+    }
+    ~Place() = default;
+
+    Entry& operator*() const { return *entry_; }
+    Entry* operator->() const { return entry_.get(); }
+
+   private:
+    std::unique_ptr<Entry> entry_;
+  };
+
+  Content ranked_content(std::vector<Design> designs) const;
   bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
                              Eigen::Index beaten) const;
   bool sweeps() const { return order_.objectives.size() <= 2; }
@@ -64,7 +87,7 @@ class Archive {
 
   Order order_;
   std::size_t keep_;
-  std::vector<Entry> entries_;  // the first compacted_ are sorted and thinned out
+  std::vector<Place> entries_;  // the first compacted_ are sorted and thinned out
   std::size_t compacted_ = 0;
   GoodnessMatrix guards_;  // of the compacted entries
   Staircase staircase_;    // of the guards, where it can hold them …

@@ -1,31 +1,14 @@
 #include "search/judge/deciding_evaluation.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "search/judge/trees/shared_states.hpp"
+
 namespace reeve::search {
 namespace {
-
-bool all_fingers_are_alike(const Model& model) {
-  const Hardware hardware = possible_hardware(model);
-  return hardware.fingers.empty() && hardware.contacts.empty() && !hand(hardware);
-}
-
-bool routings_share_states(const Model& model) {
-  return !reaches(model, Reach::contact) && !reaches(model, Reach::load) &&
-         !reaches(model, Reach::conditions) && all_fingers_are_alike(model);
-}
-
-// A single grasp is solved as quickly as the states of a tree.
-bool hold_one_finger_at_most(const GraspSet& grasps) {
-  return grasps.size() > 1 &&
-         std::all_of(grasps.begin(), grasps.end(), [](const WeightedGrasp& grasp) {
-           return std::popcount(grasp.grasp.held) <= 1;
-         });
-}
 
 bool are_of_strands(const Extent& extent) { return extent == Extent{false, false, false}; }
 
@@ -40,12 +23,6 @@ std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& sc
 
 bool contains(const std::vector<Objective>& objectives, Objective objective) {
   return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
-}
-
-// No finger, or the one that is held if it is one of the tree.
-std::size_t state_of(const TreeSpan& span, Grasp grasp) {
-  const int held = grasp.held == 0 ? 0 : std::countr_zero(grasp.held) + 1 - span.fingers_before;
-  return held > 0 && held <= span.fingers ? static_cast<std::size_t>(held) : 0;
 }
 
 }  // namespace
@@ -63,7 +40,9 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
       grasps_(grasps),
       whole_(model, grasps, score, prices) {
   if (!whole_.has_hand()) extent_.hand = false;
-  if (are_of_strands(extent_) && hold_one_finger_at_most(grasps) && routings_share_states(model)) {
+  // A single grasp is solved as quickly as the states of a tree.
+  const bool share = grasps.size() > 1 && hold_one_finger_at_most(grasps);
+  if (are_of_strands(extent_) && share && routings_share_states(model)) {
     known_.emplace(possible_hardware(model));
   }
 }
@@ -111,7 +90,7 @@ bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcom
   outcome.weight = grasp.weight;
   outcome.jams = false;
   for (std::size_t t = 0; t < spans_.size(); ++t) {
-    states_.push_back((*trees_)[t]->in_state(state_of(spans_[t], grasp.grasp)));
+    states_.push_back((*trees_)[t]->in_state(held_in_tree(spans_[t], grasp.grasp)));
     if (!states_.back().in_range) return false;
     outcome.jams |= states_.back().jams;
   }

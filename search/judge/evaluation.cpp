@@ -49,7 +49,14 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
   if (search::may_not_converge(model)) model_solver_.emplace(*model_);
 }
 
+void DesignEvaluator::share_trees() {
+  if (hold_one_finger_at_most(grasps_) && routings_share_states(*model_)) {
+    shared_.emplace(possible_hardware(*model_));
+  }
+}
+
 const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+  if (is_shared_ && shared_->solve(grasp, direction, state_)) return state_;
   if (!model_solver_) {
     solver_.solve(network_, mechanics_, grasp, direction, state_);
     return require_in_range(state_);
@@ -65,15 +72,16 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   outcome.weight = grasp.weight;
   const TensionState& pulled = solve(grasp.grasp, Direction::pull);
   outcome.jams = pulled.jams;
-  outcome.pull = performance(network_, pulled);
-  if (extent.indicators) outcome.indicators = indicators(network_, pulled);
+  const FingerPulls pulls = finger_pulls(network_, pulled);
+  outcome.pull = performance(network_, pulled, pulls);
+  if (extent.indicators) outcome.indicators = indicators(network_, pulled, pulls);
   if (judges_hand(extent)) {
     outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
   }
   if (!extent.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
-  outcome.round_trip_efficiency =
-      round_trip_efficiency(outcome.pull, performance(network_, released, Direction::release));
+  outcome.round_trip_efficiency = round_trip_efficiency(
+      outcome.pull.efficiency, motor_efficiency(network_, released, Direction::release));
   return outcome;
 }
 
@@ -113,6 +121,7 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
   if (model_solver_) {
     model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
   }
+  is_shared_ = shared_ && shared_->set_routing(routing);
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);

@@ -18,6 +18,7 @@
 #include "core/tension/tension.hpp"
 #include "search/judge/objectives.hpp"
 #include "search/judge/score.hpp"
+#include "search/judge/trees/shared_states.hpp"
 
 namespace reeve::search {
 
@@ -46,6 +47,10 @@ class DesignEvaluator {
   DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score(),
                   std::optional<PartPrices> prices = std::nullopt);
 
+  // For who evaluates many routings of the same tendons: solves each tree of them once, where model
+  // and grasps allow it. The figures stay the same, bit for bit.
+  void share_trees();
+
   // The outcome is valid until the next call. Throws OutOfRange where the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
 
@@ -72,6 +77,8 @@ class DesignEvaluator {
   std::optional<ModelSolver> model_solver_;
   bool needs_word_ = false;
   std::size_t unconverged_ = 0;
+  std::optional<SharedStates> shared_;
+  bool is_shared_ = false;  // the routing at hand
   MechanicsBuilder builder_;
   std::optional<Hand> hand_;
   GraspSet grasps_;

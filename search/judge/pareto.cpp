@@ -36,12 +36,16 @@ void for_each_dominator(const GoodnessMatrix& matrix, Eigen::Index rows, const G
 std::vector<Eigen::Index> descending(const GoodnessMatrix& matrix) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(matrix.rows()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+  const auto precedes = [&](Eigen::Index a, Eigen::Index b) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
       if (matrix(a, j) != matrix(b, j)) return matrix(a, j) > matrix(b, j);
     }
     return a < b;
-  });
+  };
+  // What an archive holds is.
+  if (!std::is_sorted(order.begin(), order.end(), precedes)) {
+    std::sort(order.begin(), order.end(), precedes);
+  }
   return order;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -31,12 +32,18 @@ std::vector<Objective> within_front_objectives(const Order& order) {
   return order.by_score ? by_score : by_product;
 }
 
+namespace {
+
+using WithinFrontKey = std::tuple<double, double, std::string_view>;
+
+WithinFrontKey within_front_key(const Design& design, const Order& order) {
+  return {-decisive_value(design.values, order), part_total(design.values), design.word};
+}
+
+}  // namespace
+
 bool precedes_within_front(const Design& a, const Design& b, const Order& order) {
-  const auto key = [&](const Design& design) {
-    return std::make_tuple(-decisive_value(design.values, order), part_total(design.values),
-                           std::string_view(design.word));
-  };
-  return key(a) < key(b);
+  return within_front_key(a, order) < within_front_key(b, order);
 }
 
 std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) {
@@ -47,38 +54,49 @@ std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) 
     matrix.row(static_cast<Eigen::Index>(i)) = goodness(designs[i].values, objectives).transpose();
   }
   const std::vector<int> front = fronts(matrix);
-  std::vector<RankedDesign> ranked;
+  // Designs are large, and compared many times.
+  std::vector<std::tuple<int, WithinFrontKey, std::size_t>> places;
+  places.reserve(designs.size());
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    ranked.push_back({std::move(designs[i]), front[i], 0, i});
+    places.emplace_back(front[i], within_front_key(designs[i], order), i);
   }
-  std::sort(ranked.begin(), ranked.end(), [&](const RankedDesign& a, const RankedDesign& b) {
-    if (a.front != b.front) return a.front < b.front;
-    return precedes_within_front(a.design, b.design, order);
-  });
-  for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i].rank = i + 1;
+  std::sort(places.begin(), places.end());
+  std::vector<RankedDesign> ranked;
+  ranked.reserve(designs.size());
+  for (const auto& [of_front, key, given] : places) {
+    ranked.push_back({std::move(designs[given]), of_front, ranked.size() + 1, given});
+  }
   return ranked;
 }
+
+namespace {
+
+void hold_against(const Design& design, std::size_t named, BestDesigns& best) {
+  const double candidate = value(design.values, best.objective);
+  const bool better = row(best.objective).better == Better::higher ? candidate > best.value
+                                                                   : candidate < best.value;
+  if (best.count == 0 || better) best = {best.objective, candidate, {}, 0};
+  if (candidate != best.value) return;
+  if (best.words.size() < named) best.words.push_back(design.word);
+  ++best.count;
+}
+
+}  // namespace
 
 std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
                                            std::size_t named) {
   std::vector<BestDesigns> result;
   if (ranked.empty()) return result;
   for (const ObjectiveRow& row : objective_table()) {
-    if (!is_there(row, ranked.front().design.values)) continue;
-    BestDesigns best{row.objective, 0, {}, 0};
-    for (const RankedDesign& entry : ranked) {
-      const double candidate = value(entry.design.values, row.objective);
-      const bool better =
-          row.better == Better::higher ? candidate > best.value : candidate < best.value;
-      if (best.count == 0 || better) best = {row.objective, candidate, {}, 0};
-      if (candidate != best.value) continue;
-      if (best.words.size() < named) best.words.push_back(entry.design.word);
-      ++best.count;
-    }
-    // Without prices there is no cost to be best by.
-    const bool unknown = row.objective == Objective::cost && !std::isfinite(best.value);
-    if (!unknown) result.push_back(std::move(best));
+    if (is_there(row, ranked.front().design.values)) result.push_back({row.objective, 0, {}, 0});
   }
+  for (const RankedDesign& entry : ranked) {
+    for (BestDesigns& best : result) hold_against(entry.design, named, best);
+  }
+  // Without prices there is no cost to be best by.
+  std::erase_if(result, [](const BestDesigns& best) {
+    return best.objective == Objective::cost && !std::isfinite(best.value);
+  });
   return result;
 }
 

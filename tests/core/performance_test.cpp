@@ -152,24 +152,25 @@ TEST(ReturnFriction, IsWhatAPullAndAReleaseLose) {
   const Performance release = performance_of("M-1-F", Grasp{}, Direction::release);
   const double s = Hardware{}.sheath.exponent();
   const double t = Hardware{}.tube.exponent();
-  EXPECT_NEAR(round_trip_efficiency(pull, release), std::exp(-2 * s - t), 1e-12);
+  EXPECT_NEAR(round_trip_efficiency(pull.efficiency, release.efficiency), std::exp(-2 * s - t),
+              1e-12);
 }
 
 TEST(ReturnFriction, IsOneWithoutFriction) {
   Hardware smooth;
   smooth.tube.mu = smooth.bearing.mu = smooth.sheath.mu = 0;
   for (const ReferenceRow& row : reference_rows) {
-    EXPECT_NEAR(
-        round_trip_efficiency(performance_of(row.word, hold({1}), Direction::pull, smooth),
-                              performance_of(row.word, hold({1}), Direction::release, smooth)),
-        1, 1e-12);
+    EXPECT_NEAR(round_trip_efficiency(
+                    performance_of(row.word, hold({1}), Direction::pull, smooth).efficiency,
+                    performance_of(row.word, hold({1}), Direction::release, smooth).efficiency),
+                1, 1e-12);
   }
 }
 
 TEST(ReturnFriction, IsZeroWhereTheGraspJams) {
   const Grasp all = hold({1});
-  EXPECT_EQ(round_trip_efficiency(performance_of("M-1-F", all),
-                                  performance_of("M-1-F", all, Direction::release)),
+  EXPECT_EQ(round_trip_efficiency(performance_of("M-1-F", all).efficiency,
+                                  performance_of("M-1-F", all, Direction::release).efficiency),
             0);
 }
 

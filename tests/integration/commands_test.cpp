@@ -127,9 +127,58 @@ TEST(Version, NamesReleaseAndCommit) {
   const ProcessResult result = reeve({"--version"});
   EXPECT_EQ(result.exit_code, 0);
   const bool has_history = std::filesystem::exists(std::string(REEVE_SOURCE_DIR) + "/.git");
-  const std::regex expected(has_history ? R"(reeve \d+\.\d+\.\d+ \([0-9a-f]{7,40}(-dirty)?\)\n)"
-                                        : R"(reeve \d+\.\d+\.\d+ \(.+\)\n)");
+  const std::regex expected(
+      has_history ? R"(reeve \d+\.\d+\.\d+ \([0-9a-f]{7,40}(-dirty(-[0-9a-f]{8})?)?\)\n)"
+                  : R"(reeve \d+\.\d+\.\d+ \(.+\)\n)");
   EXPECT_TRUE(std::regex_match(result.out, expected)) << result.out;
+}
+
+// A checkout whose program would be built.
+class Checkout {
+ public:
+  Checkout() {
+    std::filesystem::create_directory(folder_.path() / "tests");
+    write("one.cpp", "int one();\n");
+    write("tests/one_test.cpp", "\n");
+    git({"init", "-q"});
+    git({"add", "."});
+    git({"-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "one"});
+  }
+
+  void write(const std::string& path, const std::string& text) const { folder_.write(path, text); }
+
+  // As the build asks for it.
+  std::string commit() const {
+    const std::string header = (folder_.path() / "version_info.hpp").string();
+    run_process({"cmake", "-DSOURCE=" + folder_.path().string(), "-DOUTPUT=" + header,
+                 "-DNUMBER=1.2.3", "-P", REEVE_SOURCE_DIR "/cmake/version.cmake"});
+    const std::string text = read_text(header);
+    const std::size_t begin = text.find("COMMIT \"") + 8;
+    return text.substr(begin, text.find('"', begin) - begin);
+  }
+
+ private:
+  void git(std::vector<std::string> command) const {
+    command.insert(command.begin(), {"git", "-C", folder_.path().string()});
+    ASSERT_EQ(run_process(command).exit_code, 0);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST(Version, TellsProgramsWithOtherChangesApart) {
+  const Checkout checkout;
+  const std::string clean = checkout.commit();
+  EXPECT_TRUE(std::regex_match(clean, std::regex("[0-9a-f]{7,40}"))) << clean;
+  checkout.write("one.cpp", "int one(int);\n");
+  const std::string changed = checkout.commit();
+  EXPECT_TRUE(std::regex_match(changed, std::regex(clean + "-dirty-[0-9a-f]{8}"))) << changed;
+  checkout.write("tests/one_test.cpp", "int two;\n");
+  EXPECT_EQ(checkout.commit(), changed);
+  checkout.write("one.cpp", "int one(long);\n");
+  EXPECT_NE(checkout.commit(), changed);
+  checkout.write("one.cpp", "int one();\n");
+  EXPECT_EQ(checkout.commit(), clean + "-dirty");
 }
 
 TEST(Help, MentionsEveryOption) {

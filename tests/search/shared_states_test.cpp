@@ -1,0 +1,97 @@
+#include "search/judge/trees/shared_states.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "search/judge/evaluation.hpp"
+#include "tests/search/generated.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::anchored;
+using testing::with_blocks;
+
+Model model_of_other_numbers() {
+  Model model;
+  model.hardware.tube = {0.07, 3.0};
+  model.hardware.sheath = {0.11, 5.5};
+  model.hardware.block = ContactLaw{0.03, 3.1};
+  model.hardware.strand_mm = 83.7;
+  model.hardware.motor_side_mm = 412.3;
+  model.hardware.hand_mm = 21.9;
+  return model;
+}
+
+struct SharedCase {
+  PartSet parts;
+  int fingers;
+  Model model;
+  GraspSet grasps;
+};
+
+std::vector<SharedCase> shared_cases() {
+  return {{full_parts(), 4, {}, single_grasps(4)},
+          {anchored(full_parts()), 3, model_of_other_numbers(), single_grasps(3)},
+          {with_blocks(all_parts(), 2), 3, model_of_other_numbers(), single_grasps(3)},
+          {full_parts(), 3, {}, parse_grasps("none:2/2:0.5/3", 3)},
+          {full_parts(), 3, {}, parse_grasps("2", 3)}};
+}
+
+TEST(SharedStates, GiveEveryObjectiveToTheLastBit) {
+  for (const SharedCase& c : shared_cases()) {
+    DesignEvaluator plain(c.model, c.grasps);
+    DesignEvaluator sharing(c.model, c.grasps);
+    sharing.share_trees();
+    testing::for_each_generated(
+        testing::generating(c.parts, c.fingers, testing::identical), [&](const Routing& routing) {
+          if (!is_actuated(routing)) return;
+          const ObjectiveValues expected = plain.evaluate(routing);
+          ASSERT_EQ(sharing.evaluate(routing), expected) << to_word(routing);
+        });
+  }
+}
+
+TEST(SharedStates, HoldTensionsOfPullAndReleaseInEveryGrasp) {
+  SharedStates shared{Hardware{}};
+  const Routing routing = parse_routing("1-P-2-P-1+M-3b-B-4-F+M-5-F");
+  ASSERT_TRUE(shared.set_routing(routing));
+  const Network network = expand(routing);
+  const Mechanics parts = mechanics(network, Hardware{});
+  TensionState state;
+  for (const WeightedGrasp& grasp : single_grasps(5)) {
+    for (const Direction direction : {Direction::pull, Direction::release}) {
+      ASSERT_TRUE(shared.solve(grasp.grasp, direction, state));
+      const TensionState expected = tensions(network, parts, grasp.grasp, direction);
+      EXPECT_EQ(state.jams, expected.jams);
+      EXPECT_EQ(state.tension, expected.tension);
+      EXPECT_EQ(state.closing, expected.closing);
+    }
+  }
+}
+
+TEST(SharedStates, LeaveOneTreeToWhoSolvesItAsAWhole) {
+  EXPECT_FALSE(SharedStates{Hardware{}}.set_routing(parse_routing("M-1-T-2-F")));
+}
+
+TEST(SharedStates, NeedFingersThatAreAlike) {
+  Model model;
+  EXPECT_TRUE(routings_share_states(model));
+  FingerHardware finger;
+  finger.finger = 2;
+  finger.tip_mu = 0.3;
+  model.hardware.fingers.push_back(finger);
+  EXPECT_FALSE(routings_share_states(model));
+  const GraspSet grasps = single_grasps(2);
+  DesignEvaluator plain(model, grasps);
+  DesignEvaluator sharing(model, grasps);
+  sharing.share_trees();
+  const Routing routing = parse_routing("M-1-F+M-2-F");
+  EXPECT_EQ(sharing.evaluate(routing), plain.evaluate(routing));
+}
+
+}  // namespace
+}  // namespace reeve
