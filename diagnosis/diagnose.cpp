@@ -167,6 +167,16 @@ class Diagnosis {
             interval.high,  parameter.nominal, parameter.literature, at_bound};
   }
 
+  // What causes are alike is asked of the held-out readings, too: no gain is claimed by it.
+  Indistinguishable alike_by_all_readings(const NamedCause& cause) {
+    const Dataset all = dataset(data_, readings_used());
+    const Problem whole = problem(all, found_.scatter, result_.model, workers_);
+    const Model model = fit(whole, result_.model).model;
+    const std::size_t effect = place(model, cause.effect);
+    return indistinguishable(cause.name, model,
+                             rivals(whole, model, effect, candidates_, workers_));
+  }
+
   bool weigh_rivals() {
     for (NamedCause& cause : result_.causes) {
       if (stopped("weighing other causes")) return false;
@@ -174,7 +184,11 @@ class Diagnosis {
                                candidates_, workers_));
       const std::vector<Rival>& others = rivals_.back();
       if (!others.empty()) cause.runner_up = RunnerUp{others.front().name, others.front().deficit};
-      Indistinguishable group = indistinguishable(cause.name, result_.model, others);
+      const bool some_near = !others.empty() && others.front().deficit < far_margin;
+      if (!some_near) continue;
+      Indistinguishable group = sample_.held_out.cells.empty()
+                                    ? indistinguishable(cause.name, result_.model, others)
+                                    : alike_by_all_readings(cause);
       if (group.names.size() > 1) indistinguishable_.push_back(std::move(group));
     }
     return true;

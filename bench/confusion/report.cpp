@@ -104,6 +104,24 @@ bool right_or_among(const Outcome& outcome) {
   return as_it_should_be(outcome) || names_among_others(outcome);
 }
 
+// By all readings, with the noise as it was planted: of two causes that were as likely before they
+// were taken, the other one would then be hidden in 2 % of such data sets.
+constexpr double least_margin = 3.9;
+
+std::string named_right(const std::vector<const Outcome*>& seen, const std::string& what,
+                        double percent) {
+  std::vector<const Outcome*> separable;
+  for (const Outcome* outcome : seen) {
+    const auto& found = outcome->separability;
+    if (found && found->margin > least_margin) separable.push_back(outcome);
+  }
+  return at_least(what, rate(seen, as_it_should_be), percent) +
+         at_least(what + ", of those that the readings can tell from every other cause",
+                  rate(separable, as_it_should_be), percent) +
+         plain(what + ", or among those that cannot be told apart", rate(seen, right_or_among)) +
+         "\n";
+}
+
 bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding); }
 
 std::string verdicts(const std::vector<const Outcome*>& outcomes) {
@@ -176,10 +194,8 @@ std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
   for (const Outcome* outcome : seen) {
     (outcome->planted.empty() ? calm : hidden).push_back(outcome);
   }
-  return at_least("named right", rate(hidden, as_it_should_be), 95) +
-         plain("named right, or among those that cannot be told apart",
-               rate(hidden, right_or_among)) +
-         "\n" + at_most("named wrong", rate(hidden, wrong), 2) +
+  return named_right(hidden, "named right", 95) +
+         at_most("named wrong", rate(hidden, wrong), 2) +
          at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
          plain("any verdict but none where none is hidden",
                rate(calm, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
@@ -190,10 +206,8 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
   switch (part) {
     case Part::single:
     case Part::rig:
-      return at_least("named right", rate(seen, as_it_should_be), 95) +
-             plain("named right, or among those that cannot be told apart",
-                   rate(seen, right_or_among)) +
-             "\n" + at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
+      return named_right(seen, "named right", 95) +
+             at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
     case Part::coverage:
       return coverage(seen) + gains(seen);
     case Part::null:
@@ -203,10 +217,8 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
                  rate(seen, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
              "\n";
     case Part::pairs:
-      return at_least("both named and nothing else", rate(seen, as_it_should_be), 85) +
-             plain("both named, or among those that cannot be told apart",
-                   rate(seen, right_or_among)) +
-             "\n" + plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
+      return named_right(seen, "both named", 85) +
+             plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
              gains(seen);
     case Part::unknown:
       return at_least("unexplained", rate(seen, as_it_should_be), 90) +
@@ -290,6 +302,10 @@ std::string misses(const std::vector<Outcome>& outcomes, double visible) {
     out += fmt::format("- {} {} ({}), ratio {:.0f}: {} -> {}", part_name(outcome.trial.part),
                        outcome.trial.seed, outcome.trial.column(), outcome.oracle,
                        fmt::join(outcome.planted, " + "), found_text(outcome.finding));
+    if (outcome.separability) {
+      out += fmt::format("; {} less likely by {:.1f}", outcome.separability->nearest,
+                         outcome.separability->margin);
+    }
     if (outcome.with_more) out += "; then " + found_text(*outcome.with_more);
     out += "\n";
   }

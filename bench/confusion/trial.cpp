@@ -214,6 +214,12 @@ void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Out
       result.dropped_duplicates == copied.readings.size() - planted.experiment.rows.size();
 }
 
+bool asks_for_the_right_one(Part part) {
+  constexpr std::array parts{Part::single,   Part::rig,   Part::pairs,
+                             Part::mounting, Part::heavy, Part::negative};
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
 // The name, or the group of those that explain the data as it does.
 std::vector<std::string> said_alike(const Finding& finding, const std::string& name) {
   for (const auto& group : finding.indistinguishable) {
@@ -304,6 +310,9 @@ Outcome run(const Trial& trial, const DiagnoseOptions& options) {
   }
   const Planted planted = testing::plant(trial.plan, trial.seed);
   diagnose_planted(planted, options, outcome);
+  if (asks_for_the_right_one(trial.part)) {
+    outcome.separability = separability(planted, parse(planted.csv));
+  }
   if (trial.part == Part::leakage) diagnose_copies(planted, options, outcome);
   if (trial.part == Part::dirty) {
     const std::string dirty = testing::dirtied(planted.csv, trial.dirt, trial.seed);

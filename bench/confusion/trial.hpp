@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/confusion/separability.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_alias.hpp"
@@ -70,6 +71,7 @@ struct Outcome {
   std::vector<std::string> planted;  // names of the causes
   std::vector<std::string> alike;    // alias: the hidden cause, and the one that looks like it
   double oracle = 0;                 // the least log-likelihood ratio of the hidden causes
+  std::optional<Separability> separability;
   Finding finding;
   std::optional<Finding> with_more;      // alias: with the separating rows; dirty: of that file
   std::optional<bool> copies_dropped;    // leakage: all copied rows, and nothing else

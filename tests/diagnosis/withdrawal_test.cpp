@@ -69,6 +69,25 @@ TEST(Withdrawal, NeedsHeldOutRuns) {
   EXPECT_TRUE(withdraw_what_may_lose(explanation, {}, {}, 1, workers).names.empty());
 }
 
+// The pattern's size that the training runs say, and what the held-out ones read.
+Names withdrawn_of(double size, const Pattern& held_out) {
+  const Bench training({size});
+  Explanation explanation;
+  explanation.problem = training.problem;
+  explanation.scatter.noise.absolute_N = bench_noise_N;
+  add_effect(explanation.model, {&on_T1, {}, {size}});
+  explanation.accepted.push_back({{&on_T1, {}, {size}}, 0.001});
+  return withdrawn(explanation, held_out).names;
+}
+
+// 30 held-out readings with noise of 0.05 N expect 30 (0.02 / 0.05)^2 / 2 = 2.4 of 0.02 N, with a
+// deviation of 2.2: that they gain nothing is no wonder. Of 0.05 N they expect 15.
+TEST(Withdrawal, IsNotForRunsThatHardlyKnowTheCause) {
+  EXPECT_EQ(withdrawn_of(0.02, {0.005}), Names{});
+  EXPECT_EQ(withdrawn_of(0.02, {-0.02}), Names{"on_T1"});
+  EXPECT_EQ(withdrawn_of(0.05, {0.005}), Names{"on_T1"});
+}
+
 // A coefficient that was drawn to the training runs.
 TEST(Withdrawal, TakesBackWhatACoefficientWasSaidToBe) {
   const Bench training({0, 0});

@@ -53,6 +53,13 @@ std::vector<PlantedCell> cells_of(const Experiment& experiment, const Readings& 
   return cells;
 }
 
+void set_beyond(std::vector<PlantedCell>& cells, const Readings& beyond) {
+  std::size_t next = 0;
+  for (const auto& row : beyond) {
+    for (const double value : row) cells[next++].beyond_N = value;
+  }
+}
+
 template <typename Distance>
 double root_mean_square(const std::vector<PlantedCell>& cells, Distance distance) {
   double sum = 0;
@@ -120,8 +127,8 @@ Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& 
   const Truth truth = truth_without(effects, effects.size());
   const Readings nominal = expected_readings({}, experiment);
   const Readings expected = expected_readings(truth, experiment);
-  const Readings readings = with_noise(
-      expected_readings(truth, mounted(experiment, noise, mounting_seed(seed))), noise, seed);
+  const Experiment as_mounted = mounted(experiment, noise, mounting_seed(seed));
+  const Readings readings = with_noise(expected_readings(truth, as_mounted), noise, seed);
   const auto ratio_over = [&](const Readings& other) {
     return differs_by_mounting(noise)
                ? mounted_log_likelihood_ratio(truth, experiment, noise, other, readings)
@@ -131,6 +138,7 @@ Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& 
   Planted planted;
   planted.csv = to_csv(experiment, readings, "seed " + std::to_string(seed));
   planted.noise = noise;
+  planted.truth = truth;
   planted.log_likelihood_ratio = ratio_over(nominal);
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const Readings others =
@@ -140,6 +148,9 @@ Planted measure(const Experiment& experiment, const std::vector<PlantedEffect>& 
   }
   planted.experiment = experiment;
   planted.cells = cells_of(experiment, nominal, expected, readings);
+  if (differs_by_mounting(noise)) {
+    set_beyond(planted.cells, beyond_first_order(truth, experiment, as_mounted));
+  }
   return planted;
 }
 

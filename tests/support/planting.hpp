@@ -41,6 +41,7 @@ struct PlantedCell {
   double nominal_N = 0;   // by the nominal model
   double expected_N = 0;  // by the truth, without noise
   double reading_N = 0;   // as printed
+  double beyond_N = 0;    // of what its mounting does: more than the first order
 };
 
 struct Planted {
@@ -48,6 +49,7 @@ struct Planted {
   std::vector<PlantedCause> causes;
   double log_likelihood_ratio = 0;  // of the truth over the nominal model
   NoiseLevel noise;
+  Truth truth;
   Experiment experiment;
   std::vector<PlantedCell> cells;
 

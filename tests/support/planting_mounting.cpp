@@ -34,6 +34,14 @@ std::vector<ContactName> contacts_of(const std::string& word) {
   return contacts;
 }
 
+std::size_t most_contacts(const Experiment& experiment) {
+  std::size_t most = 0;
+  for (const ExperimentRow& row : experiment.rows) {
+    most = std::max(most, contacts_of(row.condition.word).size());
+  }
+  return most;
+}
+
 Eigen::VectorXd flat(const Readings& readings) {
   std::vector<double> all;
   for (const auto& row : readings) all.insert(all.end(), row.begin(), row.end());
@@ -54,11 +62,7 @@ Eigen::VectorXd change(const Truth& truth, const Experiment& experiment,
 // walk: mountings of different routings share no readings.
 Eigen::MatrixXd changes(const Truth& truth, const Experiment& experiment, const NoiseLevel& noise) {
   std::vector<Eigen::VectorXd> columns;
-  std::size_t most_contacts = 0;
-  for (const ExperimentRow& row : experiment.rows) {
-    most_contacts = std::max(most_contacts, contacts_of(row.condition.word).size());
-  }
-  for (std::size_t k = 0; k < most_contacts; ++k) {
+  for (std::size_t k = 0; k < most_contacts(experiment); ++k) {
     columns.push_back(noise.mounted_exponent *
                       change(truth, experiment, [k](ExperimentRow& row, double factor) {
                         const auto contacts = contacts_of(row.condition.word);
@@ -117,24 +121,67 @@ Experiment mounted(const Experiment& experiment, const NoiseLevel& noise, std::u
   return result;
 }
 
-double mounted_log_likelihood_ratio(const Truth& truth, const Experiment& experiment,
-                                    const NoiseLevel& noise, const Readings& other,
-                                    const Readings& readings) {
+std::vector<MountedScatter> mounted_scatter(const Truth& truth, const Experiment& experiment,
+                                            const NoiseLevel& noise) {
   const Eigen::VectorXd expected = flat(expected_readings(truth, experiment));
-  const Eigen::VectorXd right = flat(readings) - expected;
-  const Eigen::VectorXd wrong = flat(readings) - flat(other);
   const Eigen::MatrixXd shared = changes(truth, experiment, noise);
-  double ratio = 0;
-  for (const auto& [mounting, cells] : cells_by_mounting(experiment)) {
+  std::vector<MountedScatter> scatter;
+  for (auto& [mounting, cells] : cells_by_mounting(experiment)) {
     const Eigen::MatrixXd own = shared(cells, Eigen::all);
     Eigen::MatrixXd covariance = own * own.transpose();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       covariance(at, at) += std::pow(standard_deviation(noise, expected[cells[i]]), 2);
     }
-    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    scatter.push_back({cells, std::move(covariance)});
+  }
+  return scatter;
+}
+
+Readings beyond_first_order(const Truth& truth, const Experiment& experiment,
+                            const Experiment& mounted) {
+  const Readings plain = expected_readings(truth, experiment);
+  Readings beyond = expected_readings(truth, mounted);
+  for (std::size_t r = 0; r < beyond.size(); ++r) {
+    for (std::size_t i = 0; i < beyond[r].size(); ++i) beyond[r][i] -= plain[r][i];
+  }
+  const auto take = [&](const std::function<double&(ExperimentRow&)>& factor_of) {
+    constexpr double step = 1e-3;
+    Experiment moved = experiment;
+    for (ExperimentRow& row : moved.rows) factor_of(row) = 1 + step;
+    const Readings there = expected_readings(truth, moved);
+    for (std::size_t r = 0; r < beyond.size(); ++r) {
+      ExperimentRow row = mounted.rows[r];
+      const double off = factor_of(row) - 1;
+      for (std::size_t i = 0; i < beyond[r].size(); ++i) {
+        beyond[r][i] -= off * (there[r][i] - plain[r][i]) / step;
+      }
+    }
+  };
+  double none = 1;
+  for (std::size_t k = 0; k < most_contacts(experiment); ++k) {
+    take([&](ExperimentRow& row) -> double& {
+      const auto contacts = contacts_of(row.condition.word);
+      if (k >= contacts.size()) return none = 1;
+      return row.condition.exponent_factor.try_emplace(contacts[k], 1).first->second;
+    });
+  }
+  for (const std::string& channel : experiment.channels) {
+    take([&](ExperimentRow& row) -> double& { return row.gain.try_emplace(channel, 1).first->second; });
+  }
+  return beyond;
+}
+
+double mounted_log_likelihood_ratio(const Truth& truth, const Experiment& experiment,
+                                    const NoiseLevel& noise, const Readings& other,
+                                    const Readings& readings) {
+  const Eigen::VectorXd right = flat(readings) - flat(expected_readings(truth, experiment));
+  const Eigen::VectorXd wrong = flat(readings) - flat(other);
+  double ratio = 0;
+  for (const MountedScatter& scatter : mounted_scatter(truth, experiment, noise)) {
+    const Eigen::LLT<Eigen::MatrixXd> factor(scatter.covariance);
     const auto distance = [&](const Eigen::VectorXd& off) {
-      const Eigen::VectorXd here = off(cells);
+      const Eigen::VectorXd here = off(scatter.cells);
       return here.dot(factor.solve(here));
     };
     ratio += (distance(wrong) - distance(right)) / 2;

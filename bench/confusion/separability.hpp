@@ -1,0 +1,29 @@
+// Whether the readings of planted data tell the hidden cause from every other one at all.
+//
+//   margin = ln L(hidden cause) - max over other causes of ln L(that cause in its place)
+//
+// L: how likely all readings are, those that a diagnosis holds out among them, under the noise and
+// the scatter of mountings as they were planted, normal or Student's t. Neither is estimated, and
+// no rule of the diagnosis enters: what is common with it is how causes change forecasts, and that
+// friction coefficients are free beside each cause. With two hidden causes the other one stays, and
+// the lesser margin counts.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "diagnosis/data/measured_data.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::bench {
+
+struct Separability {
+  double margin = 0;
+  std::string nearest;  // of the other causes
+};
+
+// Nothing without a hidden cause of the library.
+std::optional<Separability> separability(const testing::Planted& planted,
+                                         const diagnosis::MeasuredData& data);
+
+}  // namespace reeve::bench
