@@ -15,8 +15,8 @@ if(EXISTS "${SOURCE}/.git")
   # Two programs with other changes are two programs: a store of the one is none of the other's.
   if(commit MATCHES "-dirty$")
     execute_process(
-      COMMAND git -c "safe.directory=${SOURCE}" --no-optional-locks diff HEAD --
-              . ":(exclude)tests" ":(exclude)docs" ":(exclude)*.md"
+      COMMAND git -c "safe.directory=${SOURCE}" --no-optional-locks diff-index -p --full-index
+              --no-ext-diff --no-textconv --no-color HEAD -- . ":(exclude)tests" ":(exclude)docs" ":(exclude)*.md"
       WORKING_DIRECTORY "${SOURCE}"
       OUTPUT_VARIABLE changes ERROR_QUIET)
     if(changes)

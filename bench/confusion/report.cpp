@@ -194,8 +194,7 @@ std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
   for (const Outcome* outcome : seen) {
     (outcome->planted.empty() ? calm : hidden).push_back(outcome);
   }
-  return named_right(hidden, "named right", 95) +
-         at_most("named wrong", rate(hidden, wrong), 2) +
+  return named_right(hidden, "named right", 95) + at_most("named wrong", rate(hidden, wrong), 2) +
          at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
          plain("any verdict but none where none is hidden",
                rate(calm, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
@@ -206,8 +205,8 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
   switch (part) {
     case Part::single:
     case Part::rig:
-      return named_right(seen, "named right", 95) +
-             at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
+      return named_right(seen, "named right", 95) + at_most("named wrong", rate(seen, wrong), 2) +
+             coverage(seen) + gains(seen);
     case Part::coverage:
       return coverage(seen) + gains(seen);
     case Part::null:

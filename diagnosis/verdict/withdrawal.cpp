@@ -36,8 +36,8 @@ Withdrawal withdraw_what_may_lose(Explanation& explanation, const Dataset& held_
     const Problem unseen = problem(held_out, explanation.scatter, explanation.model, workers);
     const HeldOut gain = held_out_gain(unseen, before, explanation.model, seed);
     const std::size_t more = parameter_count(explanation.model) - parameter_count(before);
-    const double refuted = std::min(-chance_loss(std::max<std::size_t>(more, 1)),
-                                    least_if_right(gain.expected_gain));
+    const double refuted =
+        std::min(-chance_loss(std::max<std::size_t>(more, 1)), least_if_right(gain.expected_gain));
     if (gain.gain_low >= refuted) return false;
     result.held_out = gain;
     return true;

@@ -70,7 +70,7 @@ std::size_t room_for(const ExploreReport& report) {
   if (listed <= 4 * probed) return listed;
   const HeldDesigns first = packed_designs(report, probed);
   const auto others = static_cast<double>(first.designs.size() - probed);
-  const double room = filled * share_of_room(first) * (probed + others) - others;
+  const double room = std::max(0.0, filled * share_of_room(first) * (probed + others) - others);
   constexpr double clearly = 1.25;
   return clearly * room < static_cast<double>(listed) ? static_cast<std::size_t>(room) : listed;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "reports/json_text.hpp"
 #include "reports/results/design_list.hpp"

@@ -157,7 +157,7 @@ Archive::Content Archive::content() && {
   designs.reserve(entries_.size());
   for (const Place& entry : entries_) designs.push_back(std::move(entry->design));
   Content content = ranked_content(std::move(designs));
-  entries_.clear();
+  *this = Archive(order_, keep_);
   return content;
 }
 

@@ -54,7 +54,8 @@ std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order) 
     matrix.row(static_cast<Eigen::Index>(i)) = goodness(designs[i].values, objectives).transpose();
   }
   const std::vector<int> front = fronts(matrix);
-  // Designs are large, and compared many times.
+  // Designs are large, and compared many times. The keys hold views of their words, which are
+  // moved when the keys have served.
   std::vector<std::tuple<int, WithinFrontKey, std::size_t>> places;
   places.reserve(designs.size());
   for (std::size_t i = 0; i < designs.size(); ++i) {

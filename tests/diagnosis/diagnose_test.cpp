@@ -134,7 +134,7 @@ TEST(Diagnose, NamesNothingThatMayLoseOnTheHeldOutRuns) {
 
 // T1 reads a tenth too much, under one load in the training runs and under these in turn in those
 // that are held out.
-std::string with_gain(const std::vector<double>& held_out_N) {
+std::string with_gain_on_T1(const std::vector<double>& held_out_N) {
   const Network network = expand(parse_routing("M-1-T-2-F"));
   const TensionState state = tensions(network, mechanics(network, {}), Grasp{});
   const BenchPlan plan{10, 6, 3};
@@ -161,9 +161,9 @@ std::string with_gain(const std::vector<double>& held_out_N) {
 // A gain and an offset are one thing under one load, whoever looks. What other loads tell, runs say
 // that no fit has seen: not which cause it is, but that it is no other.
 TEST(Diagnose, AsksAllReadingsWhetherCausesAreAlike) {
-  const DiagnosisResult one_load = diagnosed(with_gain({20}), quick(0.05));
+  const DiagnosisResult one_load = diagnosed(with_gain_on_T1({20}), quick(0.05));
   EXPECT_EQ(one_load.verdict, Verdict::indistinguishable);
-  const DiagnosisResult loads = diagnosed(with_gain({12, 20, 32}), quick(0.05));
+  const DiagnosisResult loads = diagnosed(with_gain_on_T1({12, 20, 32}), quick(0.05));
   EXPECT_EQ(loads.verdict, Verdict::cause);
   ASSERT_EQ(loads.causes.size(), 1U);
   EXPECT_EQ(loads.causes[0].name, "sensor_gain[T1]");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/network.hpp"
 #include "core/notation.hpp"
 

@@ -167,7 +167,9 @@ Readings beyond_first_order(const Truth& truth, const Experiment& experiment,
     });
   }
   for (const std::string& channel : experiment.channels) {
-    take([&](ExperimentRow& row) -> double& { return row.gain.try_emplace(channel, 1).first->second; });
+    take([&](ExperimentRow& row) -> double& {
+      return row.gain.try_emplace(channel, 1).first->second;
+    });
   }
   return beyond;
 }

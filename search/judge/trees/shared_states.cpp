@@ -10,7 +10,7 @@
 namespace reeve::search {
 namespace {
 
-// A few kilobytes each.
+// A few kilobytes each, of trees of up to some seven fingers.
 constexpr std::size_t most_shared_trees = 8192;
 
 bool have_like_fingers(const Model& model) {
