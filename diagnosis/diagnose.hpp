@@ -2,9 +2,9 @@
 //
 //   data without repetitions → runs held out → coefficients calibrated (calibration.hpp) → scatter
 //   of readings and of mountings → causes accepted on the training runs (cause_search.hpp) → do
-//   these confirm each other (cross_validation.hpp), are their sizes sure → the gain on the held-out
-//   runs, which are opened once: if all names together may lose there, none is named → what else
-//   would explain all readings as much → is anything left (structure.hpp) → verdict
+//   these confirm each other (cross_validation.hpp), are their sizes sure → the gain on the
+//   held-out runs, which are opened once: if all names together may lose there, none is named →
+//   what else would explain all readings as much → is anything left (structure.hpp) → verdict
 //
 // A cause is named if it was accepted against chance (family-wise, alpha), if the training runs,
 // each forecast from the others, confirm it, if the interval of its size excludes the nominal one
