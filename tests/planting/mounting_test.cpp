@@ -108,16 +108,16 @@ TEST(PlantedMounting, ReadingsFollowTheCapstanLawOfTheMountedExponentsAndGains) 
 TEST(PlantedMounting, KnowsWhatItDoesBeyondTheFirstOrder) {
   const Experiment plain = rows_of({"A"});
   Experiment other = plain;
-  other.rows[0].condition.exponent_factor = {{{"a", "T1"}, 1.1}, {{"T1", "T2"}, 0.7}};
+  other.rows[0].condition.exponent_factor = {{{"a", "T1"}, 1.3}, {{"T1", "T2"}, 1.2}};
   other.rows[0].gain = {{"T1", 1.02}, {"T2", 0.97}};
   const std::vector<double> nominal = closed_form(1, 1, 1, 1);
-  const std::vector<double> exact = closed_form(1.1, 0.7, 1.02, 0.97);
+  const std::vector<double> exact = closed_form(1.3, 1.2, 1.02, 0.97);
   const double tube = 0.18 * std::numbers::pi;
-  const std::vector<double> first{0.02 - 0.1 * 2 * tube, -0.03 - 0.1 * 2 * tube + 0.3 * tube};
+  const std::vector<double> first{0.02 - 0.3 * 2 * tube, -0.03 - 0.3 * 2 * tube - 0.2 * tube};
   const Readings beyond = beyond_first_order({}, plain, other);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(beyond[0][i], exact[i] - nominal[i] * (1 + first[i]), 1e-3 * nominal[i]);
-    EXPECT_GT(std::abs(beyond[0][i]), 5e-3 * nominal[i]);
+    EXPECT_GT(std::abs(beyond[0][i]), 5e-2 * nominal[i]);
   }
 }
 
