@@ -23,13 +23,13 @@ beside_geng() { # <key> <designs> <seconds>
 }
 
 of_fingers() { # <fingers>
-  local one one_cpu megabytes two listed listed_cpu _
+  local one one_cpu megabytes two listed_cpu _
   read -r one one_cpu megabytes < <(cost --fingers "$1" --threads 1)
   read -r two _ < <(cost --fingers "$1" --threads 2)
   note "large.$1.memory" "$megabytes"
   note "large.$1.threads" "$(ratio "$one" "$two")"
   beside_geng "large.$1" "${designs[$1]}" "$two"
-  read -r listed listed_cpu _ < <(cost --fingers "$1" --threads 1 --top 100000)
+  read -r _ listed_cpu _ < <(cost --fingers "$1" --threads 1 --top 100000)
   note "large.$1.listed" "$(ratio "$listed_cpu" "$one_cpu")"
 }
 
