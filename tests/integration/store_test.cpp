@@ -46,6 +46,7 @@ TEST_F(Stored, GoesOnAfterAKillInTheMiddleOfAWrite) {
     SCOPED_TRACE(limit);
     ProcessOptions options;
     options.file_size_limit = limit;
+    options.dies_at_file_size_limit = true;
     EXPECT_EQ(explore(some_work, options).signal, SIGXFSZ);
   }
   EXPECT_EQ(explore(some_work).exit_code, 0);
@@ -56,7 +57,6 @@ TEST_F(Stored, SaysThatTheDiskIsFullAndGoesOnLater) {
   const Explored whole(some_work);
   ProcessOptions options;
   options.file_size_limit = 250000;
-  options.ignore_file_size_signal = true;
   const ProcessResult full = explore(some_work, options);
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_NE(full.err.find("reeve: s.db: it cannot be written further; it holds what was stored "
