@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::uint64_t fnv_prime = 0x100000001b3;
 
-template <typename Number>
-std::string_view bytes_of(const Number& number) {
-  return {reinterpret_cast<const char*>(&number), sizeof number};
-}
-
 void add_row(SQLite::Statement& row, Digest& digest) {
   for (int i = 0; i < row.getColumnCount(); ++i) {
     const SQLite::Column cell = row.getColumn(i);
@@ -48,29 +43,27 @@ void add_rows(SQLite::Database& database, const std::string& sql, std::int64_t s
 
 }  // namespace
 
-void Digest::add(std::int64_t number) { add_bytes('i', bytes_of(number)); }
+void Digest::add(std::int64_t number) { add_bits('i', static_cast<std::uint64_t>(number)); }
 
 // SQLite keeps no sign of a zero, and no number that is none.
 void Digest::add(double number) {
   if (std::isnan(number)) return add_null();
-  const double kept = number == 0 ? 0 : number;
-  add_bytes('r', bytes_of(kept));
+  add_bits('r', std::bit_cast<std::uint64_t>(number == 0 ? 0 : number));
 }
 
 void Digest::add(std::string_view text) {
-  add(static_cast<std::int64_t>(text.size()));
-  add_bytes('t', text);
+  add_bits('t', text.size());
+  for (const char byte : text) add_byte(static_cast<unsigned char>(byte));
 }
 
-void Digest::add_null() { add_bytes('0', {}); }
+void Digest::add_null() { add_byte('0'); }
 
-void Digest::add_bytes(char kind, std::string_view bytes) {
-  const auto fold = [this](char byte) {
-    value_ = (value_ ^ static_cast<unsigned char>(byte)) * fnv_prime;
-  };
-  fold(kind);
-  for (const char byte : bytes) fold(byte);
+void Digest::add_bits(unsigned char kind, std::uint64_t bits) {
+  add_byte(kind);
+  for (int byte = 0; byte < 8; ++byte) add_byte(bits >> (8 * byte) & 0xffU);
 }
+
+void Digest::add_byte(std::uint64_t byte) { value_ = (value_ ^ byte) * fnv_prime; }
 
 std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard) {
   Digest digest;

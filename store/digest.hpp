@@ -24,7 +24,8 @@ class Digest {
   std::uint64_t value() const { return value_; }
 
  private:
-  void add_bytes(char kind, std::string_view bytes);
+  void add_bits(unsigned char kind, std::uint64_t bits);
+  void add_byte(std::uint64_t byte);
 
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
