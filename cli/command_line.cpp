@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "reports/shell_word.hpp"
 
@@ -70,6 +71,19 @@ std::vector<std::string> given_arguments(const CLI::App& command,
     }
   }
   return arguments;
+}
+
+void parse(CLI::App& command, const std::vector<std::string>& arguments) {
+  std::vector<std::string> given;
+  const auto positionals = std::find(arguments.begin(), arguments.end(), "--");
+  for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
+    const bool has_empty_value = argument < positionals && argument->starts_with("--") &&
+                                 argument->find('=') == argument->size() - 1;
+    given.push_back(has_empty_value ? argument->substr(0, argument->size() - 1) : *argument);
+    if (has_empty_value) given.emplace_back();
+  }
+  std::reverse(given.begin(), given.end());  // as CLI11 wants them
+  command.parse(std::move(given));
 }
 
 void refuse_leading_zeros(CLI::App& program) {

@@ -26,6 +26,10 @@ std::string given_options(const CLI::App& command, const std::vector<std::string
 std::vector<std::string> given_arguments(const CLI::App& command,
                                          const std::vector<std::string>& left_out);
 
+// Has CLI11 read these, first argument first. By itself it takes what follows "--joins=" for the
+// value; here that is an empty one. Throws CLI::ParseError.
+void parse(CLI::App& command, const std::vector<std::string>& arguments);
+
 // CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. Of all subcommands'
 // options those that are whole numbers take none that begins so.
 void refuse_leading_zeros(CLI::App& program);

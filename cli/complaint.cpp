@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -97,5 +98,7 @@ int complain_of_threads() {
 }
 
 void catch_termination() { std::set_terminate(end); }
+
+void outlive_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
 
 }  // namespace reeve::cli

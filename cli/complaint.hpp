@@ -25,5 +25,8 @@ int complain_of_threads();
 // From here on what nobody can catch (an exception in a destructor, or one for which there is no
 // memory) ends the process with a message and exit code 3, and not by a signal.
 void catch_termination();
+// From here on a file beyond `ulimit -f` is one that cannot be written, as on a full disk, and not
+// the end by a signal, which would leave temporary files.
+void outlive_full_files();
 
 }  // namespace reeve::cli

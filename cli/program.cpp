@@ -75,7 +75,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
       "standard output cannot be written, not enough memory, or an internal error.");
   try {
-    reeve.parse(argc, argv);
+    parse(reeve, {argv + 1, argv + argc});
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
       return complain(std::string(error.what()) + "; see reeve --help", bad_input);

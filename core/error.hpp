@@ -69,6 +69,9 @@ class InputError : public std::runtime_error {
 class OutOfRange : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+
+  // "place: " before the sentence.
+  OutOfRange at(const std::string& place) const { return OutOfRange(place + ": " + what()); }
 };
 
 }  // namespace reeve::core

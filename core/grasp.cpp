@@ -34,15 +34,19 @@ struct ReadGrasp {
   std::optional<InputFault> fault;
 };
 
+std::string expected_fingers(int fingers) {
+  if (fingers == 0) return "none: there is no finger";
+  if (fingers == 1) return "none or 1";
+  return fmt::format("none, or finger numbers from 1 to {} such as 1,2", fingers);
+}
+
 ReadGrasp read_grasp(const std::string& text, int fingers) {
   Grasp grasp;
   if (text == "none") return {grasp, std::nullopt};
   for (const std::string& item : split(text, ',')) {
     int finger = 0;
     if (!read(item, finger) || finger < 1 || finger > fingers) {
-      const std::string expected =
-          fmt::format("none, or finger numbers from 1 to {} such as 1,2", fingers);
-      return {grasp, InputFault{.value = item, .expected = expected}};
+      return {grasp, InputFault{.value = item, .expected = expected_fingers(fingers)}};
     }
     if (grasp.holds(finger)) {
       return {grasp, InputFault{.what = fmt::format("finger {} is named twice", finger)}};

@@ -36,7 +36,8 @@ void store(std::string_view bytes) {
       require(shard.record.generated <= shard.record.total, "a shard is no more than whole");
     }
     reader.for_each_design([](const search::EvaluatedDesign&) {});
-    reader.for_each_of_the_best([](const search::ArchivedDesign&) {});
+    reader.for_each_archived([](const search::ArchivedDesign&) {});
+    reader.for_each_rung([](const search::Design&) {});
   });
   remove_file();
 }

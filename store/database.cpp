@@ -56,6 +56,28 @@ bool is_empty(const SQLite::Database& database) {
       {.where = file.string(), .what = what, .expected = expected, .form = InputForm::unknown});
 }
 
+// What SQLite would say less of, wait for without end (a pipe) or write to (a device).
+void require_place(const fs::path& file, Access access) {
+  if (file.empty()) refuse("''", "it is no name", "that of a file");
+  std::error_code error;
+  switch (fs::status(file, error).type()) {
+    case fs::file_type::regular:
+      return;
+    case fs::file_type::directory:
+      refuse(file, "it is a folder", "the file of a store");
+    case fs::file_type::none:
+      throw InputError({.where = file.string(), .what = "it cannot be opened: " + error.message()});
+    case fs::file_type::not_found:
+      break;
+    default:
+      refuse(file, "it is a device or a pipe", "the file of a store");
+  }
+  if (access == Access::read) refuse(file, "there is no such file", "what reeve explore stored");
+  const fs::path folder = file.parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return;
+  refuse(file, fmt::format("there is no folder '{}'", folder.string()), "one that is there");
+}
+
 }  // namespace
 
 void fail(const fs::path& file, const SQLite::Exception& error) {
@@ -64,10 +86,7 @@ void fail(const fs::path& file, const SQLite::Exception& error) {
 }
 
 OpenedStore open_store(const fs::path& file, Access access) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    refuse(file, "it is a folder", "the file of a store");
-  }
+  require_place(file, access);
   return in_database(file, [&] {
     // Names such as ":memory:" mean something to SQLite, absolute ones do not.
     OpenedStore opened{SQLite::Database(fs::absolute(file).string(), flags(access), patience_ms)};

@@ -8,6 +8,7 @@
 #include "core/notation.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
+#include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
 
@@ -120,10 +121,13 @@ std::optional<ShardRecord> ExplorationStore::record() const {
   const bool fits = record->references.size() == asked_.known.size() &&
                     record->constraint_failures.size() == asked_.limits.size() &&
                     record->generated <= record->total;
-  if (fits) return record;
-  throw InputError({.where = file_.string(),
-                    .what = "its counts are not those of its settings",
-                    .form = InputForm::unknown});
+  if (!fits) {
+    throw InputError({.where = file_.string(),
+                      .what = "its counts are not those of its settings",
+                      .form = InputForm::unknown});
+  }
+  in_database(file_, [&] { require_as_written(connection_->database(), shard_, file_); });
+  return record;
 }
 
 void ExplorationStore::add(const EvaluatedDesign& design) {
@@ -140,16 +144,18 @@ void ExplorationStore::add(const EvaluatedDesign& design) {
     insert->exec();
   });
   ++added_since_save_;
+  added_digest_ += digest_of(design);
 }
 
 void ExplorationStore::save(ExplorationPart& so_far) {
   in_database(file_, [&] {
     // It would hold a commit up.
     connection_->insert.reset();
-    write_record(connection_->database(), shard_, so_far, asked_);
+    write_record(connection_->database(), shard_, so_far, asked_, added_digest_);
     connection_->commit();
   });
   added_since_save_ = 0;
+  added_digest_ = 0;
 }
 
 }  // namespace reeve::store

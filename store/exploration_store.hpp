@@ -48,6 +48,7 @@ class ExplorationStore {
   Shard shard_;
   Keep keep_ = Keep::best;
   std::uint64_t added_since_save_ = 0;
+  std::uint64_t added_digest_ = 0;  // of these
   std::unique_ptr<Connection> connection_;
 };
 

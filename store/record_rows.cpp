@@ -6,8 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "store/database.hpp"
+#include "store/digest.hpp"
 #include "store/schema.hpp"
 
 namespace reeve::store {
@@ -103,6 +105,13 @@ std::uint64_t count_in(SQLite::Statement& row, int column) {
   return static_cast<std::uint64_t>(row.getColumn(column).getInt64());
 }
 
+// 0 if the shard has not begun.
+std::uint64_t digest_in_shards(SQLite::Database& database, const char* column, std::int64_t shard) {
+  SQLite::Statement row(database, fmt::format("SELECT {} FROM shards WHERE shard = ?", column));
+  row.bind(1, shard);
+  return row.executeStep() ? count_in(row, 0) : 0;
+}
+
 std::optional<double> bound_in(SQLite::Statement& row, int column) {
   const SQLite::Column cell = row.getColumn(column);
   return cell.isNull() ? std::nullopt : std::optional(cell.getDouble());
@@ -146,18 +155,40 @@ void read_designs(SQLite::Database& database, std::uint64_t shard, ShardRecord& 
 }  // namespace
 
 void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
-                  const Description& description) {
+                  const Description& description, std::uint64_t designs_digest) {
   const std::int64_t index = whole_number(shard.index);
+  designs_digest += digest_in_shards(database, "designs_digest", index);
   for (const char* table : {"shards", "constraints", "known", "archive", "ladder", "sample"}) {
     RowWriter(database, fmt::format("DELETE FROM {} WHERE shard = ?", table), index).row().write();
   }
-  RowWriter rows(database, "INSERT INTO shards VALUES (?, ?, ?, ?, ?, ?, ?)", index);
+  RowWriter rows(database, "INSERT INTO shards VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0)", index);
   rows.row().add(whole_number(shard.count)).add(whole_number(part.total));
   rows.add(whole_number(part.generated)).add(whole_number(part.evaluated));
-  rows.add(whole_number(part.unconverged)).add(part.seconds).write();
+  rows.add(whole_number(part.unconverged)).add(part.seconds);
+  rows.add(static_cast<std::int64_t>(designs_digest)).write();
   write_constraints(database, index, part, description);
   write_known(database, index, part, description);
   write_designs(database, index, part);
+  SQLite::Statement seal(database, "UPDATE shards SET digest = ? WHERE shard = ?");
+  seal.bind(1, static_cast<std::int64_t>(digest_of_shard(database, index)));
+  seal.bind(2, index);
+  seal.exec();
+}
+
+void require_as_written(SQLite::Database& database, const Shard& shard,
+                        const std::filesystem::path& file) {
+  const std::int64_t index = whole_number(shard.index);
+  if (digest_in_shards(database, "digest", index) == digest_of_shard(database, index)) return;
+  throw InputError({.where = file.string(),
+                    .what = fmt::format("shard {} of {}", shard.index, shard.count),
+                    .expected = "what explore saved of it: the file is damaged, or was changed"});
+}
+
+std::uint64_t written_designs_digest(SQLite::Database& database) {
+  std::uint64_t sum = 0;
+  SQLite::Statement digests(database, "SELECT designs_digest FROM shards");
+  while (digests.executeStep()) sum += count_in(digests, 0);
+  return sum;
 }
 
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard) {

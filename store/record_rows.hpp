@@ -4,6 +4,8 @@
 
 #include <SQLiteCpp/Database.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -13,9 +15,17 @@
 
 namespace reeve::store {
 
-// In place of what was there of the shard.
+// In place of what was there of the shard. `designs_digest` is that of the rows of `designs` that
+// came since the last time.
 void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
-                  const Description& description);
+                  const Description& description, std::uint64_t designs_digest);
+
+// Throws InputError that names the file if the shard's rows are not those that write_record() left.
+void require_as_written(SQLite::Database& database, const Shard& shard,
+                        const std::filesystem::path& file);
+
+// Of all rows of `designs`.
+std::uint64_t written_designs_digest(SQLite::Database& database);
 
 // Nothing if the shard has not begun.
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard);

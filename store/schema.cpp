@@ -13,7 +13,7 @@ CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE settings (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE shards (shard INTEGER PRIMARY KEY, shards INTEGER NOT NULL, total INTEGER NOT NULL,
   generated INTEGER NOT NULL, evaluated INTEGER NOT NULL, unconverged INTEGER NOT NULL,
-  seconds REAL NOT NULL);
+  seconds REAL NOT NULL, designs_digest INTEGER NOT NULL, digest INTEGER NOT NULL);
 CREATE TABLE constraints (shard INTEGER NOT NULL, number INTEGER NOT NULL, text TEXT NOT NULL,
   failures INTEGER NOT NULL, met INTEGER NOT NULL, nearest_below REAL, nearest_above REAL,
   nearest_below_others_met REAL, nearest_above_others_met REAL,
@@ -29,11 +29,6 @@ std::string objective_definitions() {
   std::string text;
   for (const ObjectiveRow& row : objective_table()) text += fmt::format(", {} REAL", row.name);
   return text;
-}
-
-bool is_stored(const ObjectiveRow& row, const ObjectiveValues& values) {
-  if (row.objective == Objective::cost) return std::isfinite(value(values, Objective::cost));
-  return is_there(row, values);
 }
 
 }  // namespace
@@ -66,6 +61,11 @@ std::string objective_marks() {
   std::string text;
   for (std::size_t i = 0; i < objective_count; ++i) text += ", ?";
   return text;
+}
+
+bool is_stored(const ObjectiveRow& row, const ObjectiveValues& values) {
+  if (row.objective == Objective::cost) return std::isfinite(value(values, Objective::cost));
+  return is_there(row, values);
 }
 
 void bind_objectives(SQLite::Statement& statement, int first, const ObjectiveValues& values) {

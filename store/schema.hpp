@@ -11,7 +11,7 @@
 namespace reeve::store {
 
 inline constexpr int application_id = 0x72656576;  // "reev"
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
 void create_tables(SQLite::Database& database);
 
@@ -21,6 +21,7 @@ std::string objective_marks();
 
 // An objective that the design does not have (of a hand, where there is none; a cost without
 // prices) is NULL.
+bool is_stored(const ObjectiveRow& row, const ObjectiveValues& values);
 void bind_objectives(SQLite::Statement& statement, int first, const ObjectiveValues& values);
 ObjectiveValues objectives_of(SQLite::Statement& row, int first);
 

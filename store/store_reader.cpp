@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
+#include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
 
@@ -44,6 +45,7 @@ std::vector<StoredShard> StoreReader::shards() const {
                           .what = fmt::format("shard {} of {}", shard.index, shard.count),
                           .expected = "counts of routings that can be"});
       }
+      require_as_written(database, shard, file_);
       shards.push_back({shard, std::move(*record)});
     }
     if (!shards.empty()) return shards;
@@ -59,25 +61,39 @@ void StoreReader::for_each_design(const std::function<void(const EvaluatedDesign
     SQLite::Statement query(
         connection_->opened.database,
         fmt::format("SELECT place, routing{} FROM designs ORDER BY place", objective_columns()));
+    std::uint64_t digest = 0;
     while (query.executeStep()) {
+      digest += digest_of_row(query);
       visit({static_cast<std::uint64_t>(query.getColumn(0).getInt64()),
              query.getColumn(1).getString(), objectives_of(query, 2)});
+    }
+    if (digest == written_designs_digest(connection_->opened.database)) return;
+    throw InputError({.where = file_.string(),
+                      .what = "the table designs",
+                      .expected = "what explore saved there: the file is damaged, or was changed"});
+  });
+}
+
+void StoreReader::for_each_archived(const std::function<void(const ArchivedDesign&)>& visit) const {
+  in_database(file_, [&] {
+    SQLite::Statement query(
+        connection_->opened.database,
+        fmt::format("SELECT routing, equals_left_out{} FROM archive ORDER BY shard, number",
+                    objective_columns()));
+    while (query.executeStep()) {
+      visit({{query.getColumn(0).getString(), objectives_of(query, 2)},
+             static_cast<std::uint64_t>(query.getColumn(1).getInt64())});
     }
   });
 }
 
-void StoreReader::for_each_of_the_best(
-    const std::function<void(const ArchivedDesign&)>& visit) const {
+void StoreReader::for_each_rung(const std::function<void(const Design&)>& visit) const {
   in_database(file_, [&] {
-    for (const char* source : {"equals_left_out{} FROM archive", "0{} FROM ladder"}) {
-      SQLite::Statement query(connection_->opened.database,
-                              "SELECT routing, " +
-                                  fmt::format(fmt::runtime(source), objective_columns()) +
-                                  " ORDER BY shard, number");
-      while (query.executeStep()) {
-        visit({{query.getColumn(0).getString(), objectives_of(query, 2)},
-               static_cast<std::uint64_t>(query.getColumn(1).getInt64())});
-      }
+    SQLite::Statement query(
+        connection_->opened.database,
+        fmt::format("SELECT routing{} FROM ladder ORDER BY shard, number", objective_columns()));
+    while (query.executeStep()) {
+      visit({query.getColumn(0).getString(), objectives_of(query, 1)});
     }
   });
 }

@@ -21,7 +21,7 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
   ModelSolver solver(model, possible_hardware(model), report.word, report.network);
   for (const WeightedGrasp& weighted : grasps) {
     const TensionState& state =
-        require_in_range(solver.solve(weighted.grasp, direction, model.conditions));
+        require_in_range(solver.solve(weighted.grasp, direction, model.conditions), weighted.grasp);
     if (!solver.converged()) ++report.unconverged;
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }

@@ -53,9 +53,8 @@ void parse_asked(CLI::App& program, const CLI::App& command, const Arguments& ar
   refuse_leading_zeros(program);
   std::vector<std::string> given{command.get_name()};
   given.insert(given.end(), arguments.begin(), arguments.end());
-  std::reverse(given.begin(), given.end());  // as CLI11 wants them
   try {
-    program.parse(std::move(given));
+    parse(program, given);
   } catch (const CLI::ParseError& error) {
     throw OptionError(fmt::format("{}: {}", command.get_name(), error.what()),
                       option_fault(command, error.what()));

@@ -113,7 +113,9 @@ void StoredRankingFlags::add_to(CLI::App& rank) {
                   "Of a store: only designs with, such as 'sheaths<=2'; may be given several times")
       ->allow_extra_args(false)
       ->needs(given_);
-  rank.add_option("--top", top, "Of a store: how many of the best designs")->needs(given_);
+  rank.add_option("--top", top, "Of a store: how many of the best designs")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->needs(given_);
 }
 
 StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& flags,

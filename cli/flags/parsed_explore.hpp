@@ -13,7 +13,7 @@ namespace reeve::cli {
 // With the parser that the options belong to.
 struct ParsedExplore {
   // `place` stands before what is wrong with them. Throws InputError.
-  ParsedExplore(std::vector<std::string> arguments, const std::string& place);
+  ParsedExplore(const std::vector<std::string>& arguments, const std::string& place);
   ParsedExplore(const ParsedExplore&) = delete;
   ParsedExplore& operator=(const ParsedExplore&) = delete;
 

@@ -151,18 +151,20 @@ void TensionSolver::solve_again(const Network& network, const Mechanics& mechani
   make_absolute(network, state);
 }
 
-const TensionState& require_in_range(const TensionState& state) {
+const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
   if (state.in_range) return state;
   throw OutOfRange(
-      "the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-      "against each other, or friction is so strong that tensions fall out of range");
+      "held " + to_text(grasp) +
+      ": the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
+      "against each other, a finger would have to open, or friction is so strong that tensions fall "
+      "out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,
                       Direction direction) {
   TensionState state;
   TensionSolver().solve(network, mechanics, grasp, direction, state);
-  return require_in_range(state);
+  return require_in_range(state, grasp);
 }
 
 }  // namespace reeve::core

@@ -33,7 +33,8 @@ namespace reeve::core {
 struct TensionState {
   bool jams = false;  // no finger of some tendon can move: the carriage is blocked
   // Otherwise a tendon hangs on no motor (is_actuated), blocks are free to move against each other,
-  // or friction is so strong that tensions leave the range of a double; they are no numbers then.
+  // a finger would have to open, or friction is so strong that tensions leave the range of a
+  // double; they are no numbers then.
   bool in_range = true;
   std::vector<double> tension;  // N per N of motor tension; motor-side tensions add up to 1
   std::vector<double> slip;     // left to right, per unit of carriage travel
@@ -79,8 +80,8 @@ class TensionSolver {
   std::vector<double> chain_tension_;
 };
 
-// The state itself. Throws OutOfRange if it has no tensions.
-const TensionState& require_in_range(const TensionState& state);
+// The state itself, of this grasp. Throws OutOfRange that names the grasp if it has no tensions.
+const TensionState& require_in_range(const TensionState& state, Grasp grasp);
 
 // Throws OutOfRange.
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

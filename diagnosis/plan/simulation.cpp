@@ -36,8 +36,7 @@ class Rig {
       bent.emplace(model_, bent_to(*planned.sheath_angle_rad), routing_.word, routing_.network);
     }
     ModelSolver& solver = bent ? *bent : mounted_;
-    const TensionState& state =
-        require_in_range(solver.solve(grasp, planned.direction, conditions));
+    const TensionState& state = in_range(solver.solve(grasp, planned.direction, conditions), grasp);
     if (!solver.converged()) {
       throw InputError(fmt::format(
           "{}: in the grasp '{}' the tensions do not settle under these causes at {} N: expected "
@@ -57,6 +56,14 @@ class Rig {
   }
 
  private:
+  const TensionState& in_range(const TensionState& state, Grasp grasp) const {
+    try {
+      return require_in_range(state, grasp);
+    } catch (const OutOfRange& error) {
+      throw error.at(routing_.label);
+    }
+  }
+
   Hardware bent_to(double sheath_angle_rad) const {
     Hardware hardware =
         effective_hardware(with_sheath_angle(model_.hardware, sheath_angle_rad), model_.effects);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/hand/hand_closing.hpp"
 #include "core/notation.hpp"
 
@@ -59,10 +60,10 @@ const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
   if (is_shared_ && shared_->solve(grasp, direction, state_)) return state_;
   if (!model_solver_) {
     solver_.solve(network_, mechanics_, grasp, direction, state_);
-    return require_in_range(state_);
+    return require_in_range(state_, grasp);
   }
   const TensionState& state =
-      require_in_range(model_solver_->solve(grasp, direction, model_->conditions));
+      require_in_range(model_solver_->solve(grasp, direction, model_->conditions), grasp);
   if (!model_solver_->converged()) ++unconverged_;
   return state;
 }
@@ -115,6 +116,15 @@ HandOutcome DesignEvaluator::hand_outcome() {
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
+  try {
+    find_outcome(routing, extent);
+  } catch (const OutOfRange& error) {
+    throw error.at("routing '" + to_word(routing) + "'");
+  }
+  return outcome_;
+}
+
+void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   require_in_range(network_, mechanics_);
@@ -128,7 +138,6 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
   outcome_.hand = judges_hand(extent) ? hand_outcome() : HandOutcome{};
-  return outcome_;
 }
 
 ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const Extent& extent) {

@@ -51,7 +51,8 @@ class DesignEvaluator {
   // and grasps allow it. The figures stay the same, bit for bit.
   void share_trees();
 
-  // The outcome is valid until the next call. Throws OutOfRange where the model has no tensions.
+  // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
+  // the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
 
   // Whether the hardware has a hand; routings with fingers that it does not know have none.
@@ -66,6 +67,7 @@ class DesignEvaluator {
   bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
+  void find_outcome(const Routing& routing, const Extent& extent);
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
   const TensionState& solve(Grasp grasp, Direction direction);
   double travel();

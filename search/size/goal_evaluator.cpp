@@ -38,8 +38,9 @@ Eigen::MatrixXd GoalEvaluator::shares_by_grasp(const Model& model) const {
   Eigen::MatrixXd shares =
       Eigen::MatrixXd::Zero(static_cast<Index>(grasps_.size()), network_.fingers);
   for (std::size_t g = 0; g < grasps_.size(); ++g) {
+    const Grasp grasp = grasps_[g].grasp;
     const TensionState& state =
-        require_in_range(solver.solve(grasps_[g].grasp, Direction::pull, model.conditions));
+        require_in_range(solver.solve(grasp, Direction::pull, model.conditions), grasp);
     auto row = shares.row(static_cast<Index>(g));
     for (std::size_t i = 0; i < network_.segments.size(); ++i) {
       const Segment& segment = network_.segments[i];

@@ -91,7 +91,7 @@ class HandStudy {
 
  private:
   const TensionState& pulled(Grasp grasp) {
-    return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions));
+    return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions), grasp);
   }
 
   void add_reach(const GraspSet& grasps, ShownHand& shown) {

@@ -43,7 +43,10 @@ class Ranker {
  public:
   explicit Ranker(const ExploreOptions& options) : options_(options), part_(options) {}
 
-  void add(Design design, std::uint64_t equals_left_out) {
+  // A rung that others beat is not for the list.
+  enum class Role : std::uint8_t { ranks, rung };
+
+  void add(Design design, std::uint64_t equals_left_out, Role role) {
     add_score(options_.score, design.values);
     ++kept_;
     const auto failed = std::find_if(
@@ -55,7 +58,7 @@ class Ranker {
       return;
     }
     if (part_.ladder.may_be_rung(design.values)) part_.ladder.add(design);
-    if (part_.archive.may_rank(design.values)) {
+    if (role == Role::ranks && part_.archive.may_rank(design.values)) {
       part_.archive.add(std::move(design), equals_left_out);
     }
   }
@@ -71,18 +74,24 @@ class Ranker {
   std::uint64_t failed_ = 0;
 };
 
-void add_kept(const StoreReader& store, bool same_order, Ranker& ranker) {
+// `is_exact`: the archives hold all that is wanted, and a rung that is in none of them was beaten,
+// or counted where it equals another design.
+void add_kept(const StoreReader& store, bool same_order, bool is_exact, Ranker& ranker) {
   if (store.keep() == Keep::all) {
     store.for_each_design([&](const EvaluatedDesign& design) {
-      ranker.add({design.word, design.values}, 0);
+      ranker.add({design.word, design.values}, 0, Ranker::Role::ranks);
     });
     return;
   }
   // Rungs of the ladder may be in the archive too.
   std::set<std::string> words;
-  store.for_each_of_the_best([&](const ArchivedDesign& kept) {
+  store.for_each_archived([&](const ArchivedDesign& kept) {
     if (!words.insert(kept.design.word).second) return;
-    ranker.add(kept.design, same_order ? kept.equals_left_out : 0);
+    ranker.add(kept.design, same_order ? kept.equals_left_out : 0, Ranker::Role::ranks);
+  });
+  store.for_each_rung([&](const Design& rung) {
+    if (!words.insert(rung.word).second) return;
+    ranker.add(rung, 0, is_exact ? Ranker::Role::rung : Ranker::Role::ranks);
   });
 }
 
@@ -125,7 +134,7 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   if (!ranking.keeps_all) ranking.gaps = gaps(stored, asked);
   Ranker ranker(asked);
   const std::vector<StoredShard> shards = store.shards();
-  add_kept(store, is_same_order(stored, asked), ranker);
+  add_kept(store, is_same_order(stored, asked), ranking.gaps.empty(), ranker);
   ExplorationPart& part = ranker.part();
   for (const StoredShard& shard : shards) {
     part.total += shard.record.total;

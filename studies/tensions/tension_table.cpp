@@ -99,7 +99,7 @@ class SampleSolver {
 
   const TensionState& solve(Grasp grasp) {
     solver_.solve(routing_->network, mechanics_, grasp, request_.direction, state_);
-    return require_in_range(state_);
+    return require_in_range(state_, grasp);
   }
 
  private:

@@ -83,6 +83,33 @@ TEST(CommandLine, ReadsBackAsWhatItWasMadeFrom) {
   }
 }
 
+// "--hardware=$file" with a name that is not set.
+TEST(CommandLine, WithAnEmptyValueKeepsTheOptionBehindIt) {
+  CLI::App app;
+  Taken taken;
+  add_to(app, taken);
+  parse(app, {"--hardware=", "--all", "TR1", "--", "--seed="});
+  EXPECT_EQ(taken.hardware, "");
+  EXPECT_TRUE(taken.all);
+  EXPECT_EQ(taken.routings, (std::vector<std::string>{"TR1", "--seed="}));
+  EXPECT_EQ(taken.seed, 1);
+}
+
+TEST(GivenArguments, AreTakenAgainThoughAValueIsEmpty) {
+  CLI::App app;
+  Taken taken;
+  add_to(app, taken);
+  parse(app, {"--constraint", "a=b", "--hardware", "", "--all", "--seed", "7"});
+  CLI::App again;
+  Taken taken_again;
+  add_to(again, taken_again);
+  parse(again, given_arguments(app, {}));
+  EXPECT_EQ(taken_again.constraints, taken.constraints);
+  EXPECT_EQ(taken_again.hardware, "");
+  EXPECT_TRUE(taken_again.all);
+  EXPECT_EQ(taken_again.seed, 7);
+}
+
 TEST(GivenOptions, AreThoseThatAnotherCommandTakesToo) {
   CLI::App app;
   Taken taken;

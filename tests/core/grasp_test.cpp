@@ -54,6 +54,11 @@ TEST(GraspError, NamesTheItemAndTheFingersThatThereAre) {
   EXPECT_EQ(message("1;2", 3), expected("1;2", "1;2"));
 }
 
+TEST(GraspError, SaysWhatThereIsOfFewFingers) {
+  EXPECT_EQ(message("1", 0), "held '1': '1': expected none: there is no finger");
+  EXPECT_EQ(message("2", 1), "held '2': '2': expected none or 1");
+}
+
 TEST(GraspError, NamesAFingerThatIsNamedTwice) {
   EXPECT_EQ(message("1,2,1", 3), "held '1,2,1': finger 1 is named twice");
 }

@@ -273,13 +273,25 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
 }
 
 const std::string no_motor_tension =
-    "the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-    "against each other, or friction is so strong "
-    "that tensions fall out of range";
+    "held none: the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to "
+    "move against each other, a finger would have to open, or friction is so strong that tensions "
+    "fall out of range";
 
 TEST(TensionSolver, NeedsAMotor) {
   EXPECT_EQ(testing::out_of_range([] { Solved("F-1-F", Hardware{}, Grasp{}); }), no_motor_tension);
   EXPECT_EQ(testing::out_of_range([] { Solved("1-T-1", Hardware{}, Grasp{}); }), no_motor_tension);
+}
+
+// Others may well have tensions.
+TEST(TensionSolver, NamesTheGraspThatHasNoTensions) {
+  const auto said = [](const std::string& word, Grasp grasp) {
+    return testing::out_of_range([&] { Solved(word, Hardware{}, grasp); });
+  };
+  const std::string one = said("Y1-3-M+F-P-T-B-Y1+2x-P-1-Y1-4x", hold({1}));
+  EXPECT_TRUE(one.starts_with("held 1: the motor tension cannot")) << one;
+  const std::string haul = "F-Y1+Y1k-2-Y1-3x+M-Y1-1x+F-Y1-F";
+  EXPECT_TRUE(said(haul, Grasp{}).starts_with("held none: ")) << said(haul, Grasp{});
+  EXPECT_NO_THROW(Solved(haul, Hardware{}, hold({1})));
 }
 
 // Who only tries, asks; and a solver that met such a case solves the next as if it had not.

@@ -124,6 +124,7 @@ TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
   const std::string summary = explored.file("summary.json");
   ProcessOptions options;
   options.file_size_limit = 64 * 1024;
+  options.dies_at_file_size_limit = true;
   explored.run(long_files, options);
   ASSERT_EQ(explored.result.signal, SIGXFSZ);
   EXPECT_EQ(explored.file("designs.csv"), designs);
@@ -134,6 +135,7 @@ TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
 TEST(Killing, InTheMiddleOfALateFileLeavesNone) {
   ProcessOptions options;
   options.file_size_limit = 1024 * 1024;
+  options.dies_at_file_size_limit = true;
   const Explored killed(long_files, options);
   ASSERT_EQ(killed.result.signal, SIGXFSZ);
   EXPECT_TRUE(std::filesystem::exists(killed.out() / "figures"));
@@ -201,9 +203,8 @@ TEST(ExplorationId, IsThatOfTheQuestion) {
 TEST(FullDisk, IsReportedWithTheFileAndLeavesNoPiece) {
   ProcessOptions options;
   options.file_size_limit = 64 * 1024;
-  options.ignore_file_size_signal = true;
   const Explored explored(long_files, options);
-  EXPECT_GT(explored.result.exit_code, 0);
+  EXPECT_EQ(explored.result.exit_code, 2);
   EXPECT_EQ(explored.result.err,
             "reeve: file 'out/designs.csv' cannot be written: File too large\n");
   EXPECT_EQ(explored.files(), Arguments{});

@@ -1,6 +1,7 @@
 // An exploration in a store ends in the bytes of one that nothing disturbed, whatever ended its
 // earlier runs; what is no store of it is refused.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -45,6 +46,7 @@ TEST_F(Stored, GoesOnAfterAKillInTheMiddleOfAWrite) {
     SCOPED_TRACE(limit);
     ProcessOptions options;
     options.file_size_limit = limit;
+    options.dies_at_file_size_limit = true;
     EXPECT_EQ(explore(some_work, options).signal, SIGXFSZ);
   }
   EXPECT_EQ(explore(some_work).exit_code, 0);
@@ -55,7 +57,6 @@ TEST_F(Stored, SaysThatTheDiskIsFullAndGoesOnLater) {
   const Explored whole(some_work);
   ProcessOptions options;
   options.file_size_limit = 250000;
-  options.ignore_file_size_signal = true;
   const ProcessResult full = explore(some_work, options);
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_NE(full.err.find("reeve: s.db: it cannot be written further; it holds what was stored "
@@ -168,16 +169,28 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   EXPECT_EQ(explore({}).exit_code, 0);
   execute(store(), "PRAGMA user_version = 7");
   expect_bad(explore({}), start +
-                              "it is a store of version 7; expected version 1, which this "
+                              "it is a store of version 7; expected version 2, which this "
                               "program reads");
   expect_bad(run({"explore", "--store", "no/s.db"}),
-             "--store: no/s.db: it cannot be opened (unable to open database file)");
+             "--store: no/s.db: there is no folder 'no'; expected one that is there");
+}
+
+// SQLite would wait for a pipe, and say of a device that it is full.
+TEST_F(Stored, RefusesAPlaceThatIsNoFile) {
+  ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+  const std::string expected = "it is a device or a pipe; expected the file of a store";
+  for (const std::string& place : {std::string("pipe"), std::string("/dev/null")}) {
+    expect_bad(run({"explore", "--store", place}), "--store: " + place + ": " + expected);
+    expect_bad(run({"rank", "--store", place}), place + ": " + expected);
+  }
+  expect_bad(run({"explore", "--store", ""}),
+             "--store: '': it is no name; expected that of a file");
+  expect_bad(run({"rank", "--store", "no.db"}),
+             "no.db: there is no such file; expected what reeve explore stored");
 }
 
 TEST_F(Stored, RefusesWhatSomebodyChanged) {
   EXPECT_EQ(explore({}).exit_code, 0);
-  execute(store(), "UPDATE shards SET total = 1000");
-  expect_bad(explore({}), "what was kept is of 1000 routings, and there are 126");
   execute(store(), "UPDATE shards SET total = 1");
   expect_bad(explore({}), "s.db: its counts are not those of its settings");
   for (const ProcessResult& result :
@@ -186,11 +199,49 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
   }
   execute(store(), "UPDATE shards SET total = 126");
   execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
-  for (const ProcessResult& result : {explore({}), run({"rank", "--store", "s.db"})}) {
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("s.db: routing '1-Q', column 3: unknown token 'Q'"),
-              std::string::npos)
-        << result.err;
+  const ProcessResult word = explore({});
+  EXPECT_EQ(word.exit_code, 2);
+  EXPECT_NE(word.err.find("s.db: routing '1-Q', column 3: unknown token 'Q'"), std::string::npos)
+      << word.err;
+}
+
+// Values and words that might as well be there, rows that are gone.
+TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
+  EXPECT_EQ(explore({"--constraint", "jams<=1"}).exit_code, 0);
+  fs::copy_file(store(), folder_.path() / "whole.db");
+  const std::string message =
+      "s.db: shard 1 of 1: expected what explore saved of it: the file is damaged, or was changed";
+  for (const char* sql :
+       {"UPDATE shards SET total = 1000", "UPDATE shards SET seconds = -5",
+        "UPDATE archive SET uniformity_mean = 0.5 WHERE number = 1",
+        "UPDATE archive SET routing = 'M-1-F+M-2-F' WHERE number = 0",
+        "DELETE FROM archive WHERE number = 3", "DELETE FROM ladder WHERE number = 0",
+        "UPDATE sample SET place = place + 500", "UPDATE constraints SET failures = 0",
+        "UPDATE known SET dominated_by = 99 WHERE number = 2"}) {
+    SCOPED_TRACE(sql);
+    fs::copy_file(folder_.path() / "whole.db", store(), fs::copy_options::overwrite_existing);
+    execute(store(), sql);
+    expect_bad(explore({"--constraint", "jams<=1"}), message);
+    expect_bad(run({"rank", "--store", "s.db"}), message);
+    expect_bad(run({"merge", "s.db", "--out", "m"}), message);
+  }
+}
+
+TEST_F(Stored, RefusesDesignsThatAreNotAsTheyWereSaved) {
+  const Arguments hand{"--hardware", REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml",
+                       "--fingers",  "3",
+                       "--cost",     REEVE_CATALOG_DIR "/prices/example.toml"};
+  for (const Arguments& arguments : {Arguments{}, hand}) {
+    fs::remove(store());
+    EXPECT_EQ(explore(arguments, {}, {"--keep", "all"}).exit_code, 0);
+    EXPECT_EQ(run({"rank", "--store", "s.db"}).exit_code, 0);
+    for (const char* sql : {"UPDATE designs SET sheaths = 9 WHERE place = 5",
+                            "DELETE FROM designs WHERE place = 1"}) {
+      execute(store(), sql);
+      expect_bad(run({"rank", "--store", "s.db"}),
+                 "s.db: the table designs: expected what explore saved there: the file is damaged, "
+                 "or was changed");
+    }
   }
 }
 

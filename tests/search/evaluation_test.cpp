@@ -11,9 +11,18 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
+#include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
+
+// Of many that are evaluated one may be such.
+TEST(DesignEvaluator, NamesTheRoutingThatHasNoTensions) {
+  DesignEvaluator evaluator(Hardware{}, parse_grasps("1/none", 1));
+  const std::string said =
+      testing::out_of_range([&] { evaluator.evaluate(parse_routing("F-1-F")); });
+  EXPECT_TRUE(said.starts_with("routing 'F-1-F': held 1: the motor tension cannot")) << said;
+}
 
 struct Printed {
   double uniformity;

@@ -36,10 +36,10 @@ struct ProcessOptions {
   // A terminal as wide as that, in columns, instead of the pipe; 0: it does not know its width.
   std::optional<unsigned short> stdout_terminal_width;
   std::optional<Disturbance> disturbance;
-  // Bytes that a file may have. Beyond them the process dies of SIGXFSZ, or, if it ignores that,
-  // cannot write: as on a full disk.
+  // Bytes that a file may have: beyond them nothing can be written, as on a full disk. Or the
+  // kernel kills the process there (SIGXFSZ), though it would ignore that.
   std::optional<rlim_t> file_size_limit;
-  bool ignore_file_size_signal = false;
+  bool dies_at_file_size_limit = false;
 };
 
 struct ProcessResult {
