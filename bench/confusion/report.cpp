@@ -247,6 +247,9 @@ std::string found_text(const Finding& finding) {
   for (const auto& group : finding.indistinguishable) {
     out += fmt::format(" [{}]", fmt::join(group, " ~ "));
   }
+  if (!finding.given_up.empty()) {
+    out += fmt::format(" (given up: {})", fmt::join(finding.given_up, ", "));
+  }
   return out;
 }
 

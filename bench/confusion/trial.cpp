@@ -129,8 +129,11 @@ MeasuredData parse(const std::string& csv) {
 }
 
 Finding finding_of(const DiagnosisResult& result) {
-  Finding finding{result.verdict, {}, result.indistinguishable};
+  Finding finding{result.verdict, {}, result.indistinguishable, result.not_confirmed};
   for (const NamedCause& cause : result.causes) finding.named.push_back(cause.name);
+  for (const auto* others : {&result.not_sure, &result.withdrawn}) {
+    finding.given_up.insert(finding.given_up.end(), others->begin(), others->end());
+  }
   return finding;
 }
 

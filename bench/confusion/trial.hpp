@@ -64,6 +64,7 @@ struct Finding {
   Verdict verdict = Verdict::none;
   std::vector<std::string> named;
   std::vector<std::vector<std::string>> indistinguishable;
+  std::vector<std::string> given_up;  // accepted by the search, not named in the end
 };
 
 struct Outcome {

@@ -32,14 +32,24 @@ TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechan
   return tally;
 }
 
-// Pulled, the carriage stretches its own segments; released, the hand's keep their strain.
+// Pulled, the carriage stretches its own segments; released, the hand's keep their strain. Behind a
+// seized sheath a tendon has none there, and is what the carriage hangs on.
 void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
                 Direction direction, Motion& motion) {
-  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
-    const bool motor_side = network.segments[i].kind == SegmentKind::motor_side;
+  const auto is_motor_side = [&](std::size_t i) {
+    return network.segments[i].kind == SegmentKind::motor_side;
+  };
+  const std::size_t end = tendon.first_segment + tendon.segments;
+  bool has_hand = false;
+  for (std::size_t i = tendon.first_segment; i < end; ++i) has_hand |= !is_motor_side(i);
+  const bool pull = direction == Direction::pull;
+  for (std::size_t i = tendon.first_segment; i < end; ++i) {
     motion.imposed[i] = 0;
-    const bool pull = direction == Direction::pull;
-    motion.take_up[i] = motor_side != pull ? 0 : pull ? 1 : mechanics.length[i];
+    if (pull) {
+      motion.take_up[i] = is_motor_side(i) ? 1 : 0;
+    } else {
+      motion.take_up[i] = has_hand && is_motor_side(i) ? 0 : mechanics.length[i];
+    }
   }
 }
 

@@ -51,13 +51,14 @@ Trial trial(const Dataset& dataset, const std::vector<ScatterSample>& samples, d
   const double level = median_reading(dataset);
   const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
                                   {std::log(least_relative), std::log(2.0)}};
-  const Minimum best = minimise(
-      [&](const std::vector<double>& x) {
-        return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
-      },
-      box, evaluations);
+  const auto penalty = [](const std::vector<double>& x) { return 2 * (x[0] + x[1]); };
+  const auto at = [&](const std::vector<double>& x) {
+    return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
+  };
+  const Minimum best =
+      minimise([&](const std::vector<double>& x) { return at(x) - penalty(x); }, box, evaluations);
   return {{std::exp(best.at[0]), std::exp(best.at[1]), tail, {}},
-          best.value - (tail == 0 ? 0 : degrees(samples) * height(tail))};
+          best.value + penalty(best.at) - (tail == 0 ? 0 : degrees(samples) * height(tail))};
 }
 
 std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {

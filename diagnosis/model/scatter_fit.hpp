@@ -5,8 +5,11 @@
 //   −2 ℓ = Σ k ln v + r² / v                                     normal
 //        = Σ k ln v + k (ν + 1) ln(1 + r² / (k ν v)) + constant   Student's t
 //
-// of residuals r of which the part k of the variance is left. More parameters have to be clearly
-// the likelier: chance alone may make −2 ℓ fall so far in 1 of 1000 samples.
+// of residuals r of which the part k of the variance is left. Least is −2 ℓ − 2 ln absolute − 2 ln
+// relative: where samples hardly tell one of them the likeliest is often none, and readings at the
+// other end of the range would weigh far too much; so it is about a standard error from that
+// (Y. Chung, S. Rabe-Hesketh, V. Dorie, A. Gelman, J. Liu, Psychometrika 78, 2013). More parameters
+// have to be clearly the likelier: chance alone may make −2 ℓ fall so far in 1 of 1000 samples.
 #pragma once
 
 #include <vector>

@@ -1,11 +1,13 @@
 // Whether the names that the training runs earned forecast runs that nobody has seen.
 //
-// Each name had its own test; whether all together gain on the held-out runs, these alone can say.
-// They may lose there where the interval of their gain in log-likelihood reaches below what as many
-// parameters that are needed for nothing lose by chance (half the 95 % quantile of χ²). The cause
-// that was accepted last is then withdrawn, and so on: in the order of acceptance, since which of
-// them loses is not for these runs to choose. If what is left may still lose, the coefficients are
-// no longer said to differ.
+// Each name had its own test; whether all together gain on the held-out runs, these alone can say,
+// and of the last one by itself, since what the others gain may hide its loss. They may lose there
+// where the interval of their gain in log-likelihood reaches below what as many parameters that are
+// needed for nothing lose by chance (half the 95 % quantile of χ²), and below what chance leaves of
+// the gain that is expected if they are right. The cause that was accepted last is then withdrawn,
+// and so on: in the order of acceptance, since which of them loses is not for these runs to choose.
+// If what is left may still lose, the coefficients are no longer said to differ. Runs whose
+// forecasts change by no more than what training leaves open of the parameters say nothing.
 #pragma once
 
 #include <cstdint>

@@ -102,11 +102,21 @@ std::string size_with_interval(const NamedCause& cause) {
 
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {
   const bool rises = held_out.reduction < 0;
-  return fmt::format("on {} {} by {} ({} to {}): from {} to {}", plural(runs, "held-out run"),
-                     rises ? "rise" : "fall", percent_text(std::abs(held_out.reduction)),
-                     percent_text(rises ? -held_out.high : held_out.low),
-                     percent_text(rises ? -held_out.low : held_out.high),
-                     newton(held_out.rms_before_N), newton(held_out.rms_after_N));
+  std::string text =
+      fmt::format("on {} {} by {} ({} to {}): from {} to {}", plural(runs, "held-out run"),
+                  rises ? "rise" : "fall", percent_text(std::abs(held_out.reduction)),
+                  percent_text(rises ? -held_out.high : held_out.low),
+                  percent_text(rises ? -held_out.low : held_out.high),
+                  newton(held_out.rms_before_N), newton(held_out.rms_after_N));
+  // In newton the greatest readings count most, and with them how far their mounting is off.
+  if (rises && held_out.gain_low > 0) {
+    text += fmt::format(
+        "; but weighed by what noise and mountings do to each, the readings are likelier by {} ({} "
+        "to {}) in log-likelihood",
+        gain_number(held_out.log_likelihood_gain), gain_number(held_out.gain_low),
+        gain_number(held_out.gain_high));
+  }
+  return text;
 }
 
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report) {
@@ -136,15 +146,24 @@ bool weak_structure_remains(const DiagnosisReport& report) {
          report.result.structure_p_value <= report.settings.alpha;
 }
 
-std::string newton(double value) { return fmt::format("{:.2g} N", value); }
+std::string newton(double value) {
+  constexpr double has_exponent = 99.5;  // in two digits
+  constexpr double readable = 1e6;
+  if (value < has_exponent || value >= readable) return fmt::format("{:.2g} N", value);
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+  return fmt::format("{:.0f} N", std::round(value / digit) * digit);
+}
 
 std::string percent_text(double share) {
   return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // never -0
 }
 
 std::string chance_text(double p_value, std::size_t replicates) {
-  return fmt::format("in {} {:.2g} % of data sets",
-                     at_the_least(p_value, replicates) ? "fewer than" : "about", 100 * p_value);
+  // Two digits; of nearly all they would be written with an exponent.
+  const std::string percent =
+      p_value < 0.995 ? fmt::format("{:.2g}", 100 * p_value) : std::string("100");
+  return fmt::format("in {} {} % of data sets",
+                     at_the_least(p_value, replicates) ? "fewer than" : "about", percent);
 }
 
 std::string p_text(double p_value, std::size_t replicates) {

@@ -52,6 +52,7 @@ class ImportedCsv {
     for (const LoggedSignal& tension : series_.tensions_N) put(",{}", tension.name);
     for (const LoggedSignal& other : series_.others) put(",{}", csv_field(other.name));
     put(",readings");
+    if (series_.motor_tension_N.is_logged()) put(",motor_tension_sd_N");
     for (const LoggedSignal& tension : series_.tensions_N) {
       put(",{}_sd_N", tension_words(tension));
     }
@@ -74,14 +75,16 @@ class ImportedCsv {
     const auto mean = [](const std::optional<AveragedTension>& tension) {
       return tension ? std::optional(tension->mean_N) : std::nullopt;
     };
+    const auto deviation = [](const std::optional<AveragedTension>& tension) {
+      return tension ? std::optional(tension->deviation_N) : std::nullopt;
+    };
     if (series_.motor_tension_N.is_logged()) put_number(mean(reading.motor_tension_N), 6);
     if (has_speed()) put_number(reading.speed_mm_s, 4);
     for (const auto& tension : reading.tensions_N) put_number(mean(tension), 6);
     for (const auto& other : reading.others) put_number(other, 9);
     put(",{}", reading.readings);
-    for (const auto& tension : reading.tensions_N) {
-      put_number(tension ? std::optional(tension->deviation_N) : std::nullopt, 4);
-    }
+    if (series_.motor_tension_N.is_logged()) put_number(deviation(reading.motor_tension_N), 4);
+    for (const auto& tension : reading.tensions_N) put_number(deviation(tension), 4);
     put(",{:.3f}\n", reading.time_s);
   }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 #include "core/notation.hpp"
 #include "core/performance.hpp"
@@ -57,14 +58,16 @@ TensionState seized_state(const Network& network, const Mechanics& plain,
   return restored(seized, tensions(seized.network, m, grasp, direction));
 }
 
-Seized seized(const std::string& word, const std::vector<std::string>& contacts, Grasp grasp = {}) {
+Seized seized(const std::string& word, const std::vector<std::string>& contacts, Grasp grasp = {},
+              Direction direction = Direction::pull) {
   Seized result;
   result.network = expand(parse_routing(word));
   std::vector<std::size_t> indices;
   for (const std::string& contact : contacts) {
     indices.push_back(find_contact(result.network, contact).value());
   }
-  result.state = seized_state(result.network, mechanics(result.network, {}), indices, grasp);
+  result.state =
+      seized_state(result.network, mechanics(result.network, {}), indices, grasp, direction);
   return result;
 }
 
@@ -86,6 +89,18 @@ TEST(SeizedTr1, InItsSheathBlocksTheCarriage) {
   EXPECT_EQ(s["a"], 1);
   for (const char* strand : {"T1", "T2", "T3", "T4"}) EXPECT_EQ(s[strand], 0);
   EXPECT_EQ(s.efficiency(), 0);
+}
+
+// What the carriage hangs on it still hangs on while it is let go.
+TEST(SeizedEndSheath, BlocksTheReleasedCarriageToo) {
+  for (const auto& [word, contact, end] :
+       {std::tuple("M-1-T-2-F", "a-T1", "a"), std::tuple("M-1-P-2-M", "a-T1", "a"),
+        std::tuple("M-1-P-2-M", "T4-d", "d")}) {
+    const Seized s = seized(word, {contact}, {}, Direction::release);
+    EXPECT_TRUE(s.state.jams) << word;
+    EXPECT_EQ(s[end], 1) << word;
+    for (const char* strand : {"T1", "T2", "T3", "T4"}) EXPECT_EQ(s[strand], 0) << word;
+  }
 }
 
 // The motor closes finger 1 by its one strand, and so twice as far; the rest goes slack.

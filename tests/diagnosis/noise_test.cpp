@@ -163,6 +163,24 @@ TEST(Noise, IsNeverLessThanAThousandthOfTheMedianReading) {
   EXPECT_NEAR(noise->relative, relative, 0.15 * relative);
 }
 
+// Of 1 % and 0.5 N, 40 pairs from 5 to 40 N hardly tell the former: the likeliest is none of it in
+// some of these files, and a reading of 100 N would then weigh four times what it should.
+TEST(Noise, OfAPartThatReadingsHardlyTellIsNotNone) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::string text = "run,routing,motor_tension_N,T1_N\n";
+    for (std::uint64_t i = 0; i < 80; ++i) {
+      const double load = 5 + 0.9 * static_cast<double>(i / 2);
+      text += fmt::format("{},TR3,{},{}\n", i / 2 % 4, load,
+                          load * (1 + 0.01 * normal(seed, 1, i)) + 0.5 * normal(seed, 2, i));
+    }
+    const auto noise = noise_without_model(all_of(read_data(text)));
+    ASSERT_TRUE(noise.has_value());
+    EXPECT_GT(noise->relative, 0.002) << seed;
+    EXPECT_GT(noise->absolute_N, 0.1) << seed;
+    EXPECT_LT(noise->deviation(20), 0.75) << seed;
+  }
+}
+
 TEST(Noise, OfTooFewReadingsNeedsAModel) {
   const MeasuredData data = read_data(rows_of_loads(8, [](int i) { return 10.0 + i; }));
   EXPECT_FALSE(noise_without_model(all_of(data)).has_value());

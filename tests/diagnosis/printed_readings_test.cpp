@@ -192,7 +192,7 @@ TEST(PrintedReadings, OfBarsAreNotExplainedByOneCoefficient) {
   }
   const DiagnosisResult result = diagnose(data, {});
   EXPECT_EQ(result.verdict, Verdict::unexplained);
-  EXPECT_TRUE(names(result.indistinguishable, "hysteresis"));
+  EXPECT_TRUE(names(result.indistinguishable, "constant_loss"));
 }
 
 TEST(PrintedReadings, AreAllTested) {

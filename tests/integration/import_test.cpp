@@ -100,9 +100,11 @@ TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
   // But not where to: the same readings are the same file.
   EXPECT_NE(csv.find("\n# command: reeve import " + golden_log + " --per-sweep 2\n"),
             std::string::npos);
-  EXPECT_NE(csv.find("\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"
-                     "readings,T1_sd_N,T2_sd_N,T3_sd_N,T4_sd_N,time_s\nleft-1,TR7,1,pull,"),
-            std::string::npos);
+  EXPECT_NE(
+      csv.find("\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"
+               "readings,motor_tension_sd_N,T1_sd_N,T2_sd_N,T3_sd_N,T4_sd_N,time_s\nleft-1,TR7,1,"
+               "pull,"),
+      std::string::npos);
   EXPECT_NE(result.out.find("Written: " + readings), std::string::npos);
   EXPECT_EQ(reeve({"compare", readings}).exit_code, 0);
 }

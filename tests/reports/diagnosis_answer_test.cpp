@@ -37,6 +37,8 @@ TEST(DiagnosisAnswer, OfNoCauseSaysWhetherOneWasNotConfirmed) {
   DiagnosisReport report = report_of(Verdict::none);
   EXPECT_TRUE(says(report, "No cause is named: chance alone would give"));
   EXPECT_FALSE(says(report, "do not confirm"));
+  report.result.p_value = 1;
+  EXPECT_TRUE(says(report, "gains in about 100 % of data sets."));
   report.result.not_confirmed = {"wear", "temperature"};
   EXPECT_TRUE(says(report,
                    "No cause is named: wear or temperature looked likely, but the training runs do "
@@ -73,6 +75,22 @@ NamedCause other_sensor() {
 
 // In log-likelihood, what each cause should gain on the held-out runs if it is right: 0 where they
 // have no reading in which it shows.
+// A few great readings of a mounting that is off outweigh all others in newton.
+TEST(DiagnosisAnswer, OfResidualsThatRiseInNewtonAloneSaysBoth) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.result.causes = {tubes()};
+  report.result.held_out_runs = 3;
+  report.result.held_out = HeldOut{131, 140, -0.07, -0.16, -0.02, 50, 40, 60, 50};
+  EXPECT_TRUE(
+      says(report,
+           "Residuals on 3 held-out runs rise by 7 % (2 % to 16 %): from 130 N to 140 N; but "
+           "weighed by what noise and mountings do to each, the readings are likelier by "
+           "50.0 (40.0 to 60.0) in log-likelihood."))
+      << diagnosis_answer(report);
+  report.result.held_out->gain_low = -1;
+  EXPECT_FALSE(says(report, "likelier"));
+}
+
 TEST(DiagnosisAnswer, ClaimsNoGainOfACauseThatNoHeldOutRunCouldShow) {
   DiagnosisReport report = report_of(Verdict::cause);
   report.result.causes = {tubes(), other_sensor()};
