@@ -21,6 +21,7 @@ constexpr std::size_t longest_line = 800;
 constexpr std::size_t longest_message = 20000;
 
 bool is_silent = false;
+std::atomic_flag is_said = ATOMIC_FLAG_INIT;
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
@@ -34,8 +35,14 @@ std::string cut(std::string_view text, std::size_t most) {
   return fmt::format("{} … {} bytes … {}", text.substr(0, head), tail - head, text.substr(tail));
 }
 
+// Several threads may come here at once, and one of them speaks: the others give it time to, and to
+// end the program.
 template <std::size_t Size>
-void say(const char (&message)[Size]) {
+void say_last(const char (&message)[Size]) {
+  if (is_said.test_and_set()) {
+    ::sleep(1);
+    return;
+  }
   // There is nobody left to tell if this fails.
   if (::write(STDERR_FILENO, message, Size - 1) < 0) return;
 }
@@ -46,10 +53,7 @@ bool is_of_memory(const std::type_info* type) {
          *type == typeid(std::bad_array_new_length);
 }
 
-// Several threads may come here at once, and one of them speaks.
 [[noreturn]] void end() {
-  static std::atomic_flag is_said = ATOMIC_FLAG_INIT;
-  while (is_said.test_and_set()) ::pause();
   const std::type_info* type = abi::__cxa_current_exception_type();
   if (is_of_memory(type)) {
     complain_of_memory();
@@ -57,7 +61,7 @@ bool is_of_memory(const std::type_info* type) {
     // Ours are derived from it; this is a thread of the pool that could not start another one.
     complain_of_threads();
   } else {
-    say("reeve: internal error: ended in the middle of its work\n");
+    say_last("reeve: internal error: ended in the middle of its work\n");
   }
   ::_exit(interrupted);
 }
@@ -88,12 +92,12 @@ int complain(const std::string& message, int exit_code) {
 void leave_complaints_to_others() { is_silent = true; }
 
 int complain_of_memory() {
-  say("reeve: not enough memory\n");
+  say_last("reeve: not enough memory\n");
   return interrupted;
 }
 
 int complain_of_threads() {
-  say("reeve: no more threads: not enough memory, or too many threads\n");
+  say_last("reeve: no more threads: not enough memory, or too many threads\n");
   return interrupted;
 }
 
