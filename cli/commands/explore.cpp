@@ -177,7 +177,7 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
 ParsedExplore parsed_merge(std::vector<std::string> arguments, const std::vector<std::string>& here,
                            const std::string& name) {
   arguments.insert(arguments.end(), here.begin(), here.end());
-  return {std::move(arguments), name};
+  return {arguments, name};
 }
 
 ParsedExplore parsed_merge(const std::vector<ShardFile>& shards,
