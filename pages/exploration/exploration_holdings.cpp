@@ -17,7 +17,7 @@ namespace reeve::pages {
 namespace {
 
 constexpr std::size_t column_bytes = 2'000'000;
-constexpr double filled = 0.97;  // of them, where not all designs fit
+constexpr double part_filled = 0.97;  // of them, where not all designs fit
 constexpr std::size_t probed = 5'000;
 
 // Those of the ladder, known routings, then the best in the order of the ranking, which the front
@@ -70,7 +70,8 @@ std::size_t room_for(const ExploreReport& report) {
   if (listed <= 4 * probed) return listed;
   const HeldDesigns first = packed_designs(report, probed);
   const auto others = static_cast<double>(first.designs.size() - probed);
-  const double room = std::max(0.0, filled * share_of_room(first) * (probed + others) - others);
+  const double room =
+      std::max(0.0, part_filled * share_of_room(first) * (probed + others) - others);
   constexpr double clearly = 1.25;
   return clearly * room < static_cast<double>(listed) ? static_cast<std::size_t>(room) : listed;
 }
@@ -94,7 +95,7 @@ HeldDesigns held_designs(const ExploreReport& report) {
   for (;;) {
     HeldDesigns held = packed_designs(report, most);
     if (held.packed.size() <= column_bytes) return held;
-    most = static_cast<std::size_t>(filled * share_of_room(held) * static_cast<double>(most));
+    most = static_cast<std::size_t>(part_filled * share_of_room(held) * static_cast<double>(most));
   }
 }
 
