@@ -9,10 +9,12 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
+#include "tests/search/uneven_model.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::uneven_model;
 using Objectives = std::vector<Objective>;
 
 // All that follows from what the strands do, and from the parts.
@@ -48,17 +50,6 @@ PartSet with_blocks(int blocks) {
   PartSet parts = all_parts();
   parts.blocks = blocks;
   return parts;
-}
-
-Model uneven_model() {
-  Model model;
-  model.hardware.tube = {0.07, 3.0};
-  model.hardware.sheath = {0.11, 5.5};
-  model.hardware.block = ContactLaw{0.03, 3.1};
-  model.hardware.strand_mm = 83.7;
-  model.hardware.motor_side_mm = 412.3;
-  model.hardware.hand_mm = 21.9;
-  return model;
 }
 
 struct Case {

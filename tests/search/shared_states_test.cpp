@@ -8,23 +8,14 @@
 #include "core/notation.hpp"
 #include "search/judge/evaluation.hpp"
 #include "tests/search/generated.hpp"
+#include "tests/search/uneven_model.hpp"
 
 namespace reeve {
 namespace {
 
 using testing::anchored;
+using testing::uneven_model;
 using testing::with_blocks;
-
-Model model_of_other_numbers() {
-  Model model;
-  model.hardware.tube = {0.07, 3.0};
-  model.hardware.sheath = {0.11, 5.5};
-  model.hardware.block = ContactLaw{0.03, 3.1};
-  model.hardware.strand_mm = 83.7;
-  model.hardware.motor_side_mm = 412.3;
-  model.hardware.hand_mm = 21.9;
-  return model;
-}
 
 struct SharedCase {
   PartSet parts;
@@ -35,8 +26,8 @@ struct SharedCase {
 
 std::vector<SharedCase> shared_cases() {
   return {{full_parts(), 4, {}, single_grasps(4)},
-          {anchored(full_parts()), 3, model_of_other_numbers(), single_grasps(3)},
-          {with_blocks(all_parts(), 2), 3, model_of_other_numbers(), single_grasps(3)},
+          {anchored(full_parts()), 3, uneven_model(), single_grasps(3)},
+          {with_blocks(all_parts(), 2), 3, uneven_model(), single_grasps(3)},
           {full_parts(), 3, {}, parse_grasps("none:2/2:0.5/3", 3)},
           {full_parts(), 3, {}, parse_grasps("2", 3)}};
 }
