@@ -41,6 +41,8 @@ const std::atomic<bool>& stop_on_interrupt() {
   return stop_requested;
 }
 
+const std::atomic<bool>& stop_was_requested() { return stop_requested; }
+
 const std::atomic<bool>& was_terminated() { return terminated; }
 
 void leave_interrupts_to_others() {

@@ -23,6 +23,7 @@ class Interrupted : public std::runtime_error {
 // From here on the first Ctrl-C (or SIGTERM, or SIGUSR1, which mpirun passes on) only sets the
 // flag; a second one ends the process.
 const std::atomic<bool>& stop_on_interrupt();
+const std::atomic<bool>& stop_was_requested();
 // Whether SIGTERM was among them.
 const std::atomic<bool>& was_terminated();
 // Ctrl-C and SIGUSR1 are for somebody else.

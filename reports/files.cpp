@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::atomic<const std::atomic<bool>*> waits_end{nullptr};
+
 constexpr std::size_t longest_name = 255;  // of a file, in bytes, nearly everywhere
 
 [[noreturn]] void fail_to_write(const fs::path& file, const std::error_code& error) {
@@ -89,8 +91,12 @@ std::error_code write_new(const fs::path& file, const std::string& content,
   return error;
 }
 
-// A pipe opens when somebody reads it, which may be never: it is asked again and again, so that a
-// signal that somebody handles ends the wait.
+bool end_is_wanted() {
+  const std::atomic<bool>* const stop = waits_end.load();
+  return stop != nullptr && stop->load();
+}
+
+// A pipe opens when somebody reads it, which may be never: it is asked again and again.
 int open_to_write_through(const fs::path& file) {
   constexpr int between_ms = 10;
   constexpr timespec between{0, between_ms * 1'000'000L};
@@ -99,7 +105,8 @@ int open_to_write_through(const fs::path& file) {
     if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, 0);
     if (descriptor >= 0 || errno != ENXIO || !fs::is_fifo(file)) return descriptor;
     if (waited_ms == waiting_patience_ms) give_waiting_notice(file, Awaited::reader);
-    if (::nanosleep(&between, nullptr) != 0) throw WaitInterrupted(file);
+    if (end_is_wanted()) throw WaitInterrupted(file);
+    ::nanosleep(&between, nullptr);
   }
 }
 
@@ -114,6 +121,8 @@ std::error_code write_through(const Destination& there, const std::string& conte
 }
 
 }  // namespace
+
+void end_waits_on(const std::atomic<bool>* stop) { waits_end.store(stop); }
 
 void prepare_directory(const fs::path& directory, const std::string& option) {
   std::error_code error;

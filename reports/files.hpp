@@ -1,6 +1,7 @@
 // Files appear whole or not at all, and nothing but regular files is replaced (destination.hpp).
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -11,12 +12,16 @@
 
 namespace reeve::reports {
 
-// A signal came while a pipe had no reader yet, and whoever handles it wants the end.
+// Whoever handles signals wanted the end while a pipe had no reader yet.
 class WaitInterrupted : public std::runtime_error {
  public:
   explicit WaitInterrupted(const std::filesystem::path& file)
       : std::runtime_error("interrupted: nobody reads '" + file.string() + "'") {}
 };
+
+// From here on a pipe that nobody reads is waited for no longer than until that is true. A signal
+// alone does not end a wait: it may come between two looks at the pipe, or meet another thread.
+void end_waits_on(const std::atomic<bool>* stop);
 
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);

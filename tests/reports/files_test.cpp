@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "core/input/input_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
@@ -18,6 +20,7 @@ namespace {
 
 using testing::read_text;
 using testing::TemporaryFolder;
+using namespace std::chrono_literals;
 
 std::vector<std::string> names_in(const std::filesystem::path& directory) {
   std::vector<std::string> names;
@@ -147,6 +150,29 @@ TEST(WritingAFile, WritesThroughAPipe) {
   reader.join();
   EXPECT_EQ(read, "text");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+std::atomic<bool> stop{false};
+
+// Where a signal that comes then leaves no trace but that.
+void stop_at_the_notice(const char* /*file*/, core::Awaited /*awaited*/) { stop = true; }
+
+TEST(WritingAFile, WaitsForAReaderUntilTheEndIsWanted) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  core::set_waiting_notice(stop_at_the_notice);
+  end_waits_on(&stop);
+  std::atomic<bool> ended{false};
+  std::thread late_reader([&] {
+    for (int i = 0; i < 500 && !ended; ++i) std::this_thread::sleep_for(10ms);
+    if (!ended) read_text(pipe);
+  });
+  EXPECT_THROW(write_file(pipe, "text"), reports::WaitInterrupted);
+  ended = true;
+  late_reader.join();
+  end_waits_on(nullptr);
+  core::set_waiting_notice(nullptr);
 }
 
 TEST(WritingAFile, WritesToADescriptorAsItIsOpen) {
