@@ -11,6 +11,7 @@
 #include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
+#include "store/writer_lock.hpp"
 
 namespace reeve::store {
 namespace {
@@ -48,13 +49,11 @@ struct ExplorationStore::Connection {
 
   SQLite::Database& database() { return opened.database; }
 
-  // Until the end: who else writes waits in vain.
-  void begin() {
+  // Until the end. Who begins or ends to read may keep it waiting for a moment.
+  void begin(const std::filesystem::path& file) {
+    lock.emplace(file);
     database().exec(durable_writing);
-    // Who waited here could step in between two transactions of the one who writes already.
-    database().exec("PRAGMA busy_timeout = 0");
     database().exec("BEGIN IMMEDIATE");
-    database().exec(fmt::format("PRAGMA busy_timeout = {}", patience_ms));
     is_writing = true;
   }
 
@@ -63,6 +62,7 @@ struct ExplorationStore::Connection {
     database().exec("BEGIN IMMEDIATE");
   }
 
+  std::optional<WriterLock> lock;
   OpenedStore opened;
   bool is_writing = false;
   std::optional<SQLite::Statement> insert;
@@ -75,7 +75,7 @@ ExplorationStore::ExplorationStore(std::filesystem::path file, Description asked
     connection_ = std::make_unique<Connection>(file_);
     // What is refused stays byte for byte as it is.
     if (!connection_->opened.is_new) require_same(keep);
-    connection_->begin();
+    connection_->begin(file_);
     // Another process may have made it meanwhile.
     if (stored_version(connection_->database()) != 0) {
       require_same(keep);

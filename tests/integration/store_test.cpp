@@ -291,6 +291,22 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   fs::permissions(folder_.path(), fs::perms(0755));
 }
 
+// As whoever looks at it does when the log is set up or taken down.
+TEST_F(Stored, WaitsForWhoHoldsItForAMoment) {
+  explore({"--fingers", "2"});
+  const std::string held = (folder_.path() / "held").string();
+  ProcessResult result;
+  run_process({"sqlite3", store().string(), "PRAGMA journal_mode = WAL", "BEGIN IMMEDIATE",
+               ".shell touch '" + held + "'; sleep 0.2"},
+              disturbed(0, [&](const RunningProcess&) {
+                if (!fs::exists(held)) return false;
+                result = explore({"--fingers", "2"});
+                return true;
+              }));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(held));
+}
+
 TEST_F(Stored, RefusesASecondWriterAndLetsOthersRead) {
   ProcessResult second;
   ProcessResult reader;
@@ -300,7 +316,7 @@ TEST_F(Stored, RefusesASecondWriterAndLetsOthersRead) {
             reader = run({"rank", "--store", "s.db", "--format", "json"});
             return true;
           }));
-  expect_bad(second, "--store: s.db: another process is using it (database is locked)");
+  expect_bad(second, "--store: s.db: another process is writing it");
   EXPECT_EQ(reader.exit_code, 0) << reader.err;
   EXPECT_TRUE(Json::parse(reader.out)["partial"]);
 }
