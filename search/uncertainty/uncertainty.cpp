@@ -122,8 +122,11 @@ std::size_t passes(std::size_t designs, std::size_t at_once) {
   return (std::max<std::size_t>(designs, 1) + at_once - 1) / at_once;
 }
 
+// Designs of one draw have tendons in common.
 DesignEvaluator evaluator_of(const Model& model, const UncertaintyOptions& options) {
-  return {model, options.grasps, options.score, options.prices};
+  DesignEvaluator evaluator(model, options.grasps, options.score, options.prices);
+  evaluator.share_trees();
+  return evaluator;
 }
 
 // Of the routings from `begin` on, a pass for each block of them that there is room for.
