@@ -254,6 +254,12 @@ double misfit(const Problem& problem, const Model& model) {
   return at ? residuals(problem, *at).squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
+double log_determinant(const Problem& problem) {
+  double half = problem.deviation_N.array().log().sum();
+  for (const SharedScatter& shared : problem.shared) half -= (-shared.shrunk).array().log1p().sum();
+  return 2 * half;
+}
+
 Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other) {
   Eigen::VectorXd result = (expected_readings(problem, other) - expected_readings(problem, at))
                                .cwiseQuotient(problem.deviation_N);

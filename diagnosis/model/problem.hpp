@@ -81,6 +81,9 @@ Eigen::VectorXd total_deviations(const Problem& problem);
 // Σ e²; infinite where the model has no tensions.
 double misfit(const Problem& problem, const Model& model);
 
+// Of the covariance of the readings, in N², but for what is free or scatters of their rows' scales.
+double log_determinant(const Problem& problem);
+
 // A difference of forecasts, seen from `at`, in units of the noise.
 Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const Forecast& other);
 

@@ -50,7 +50,25 @@ class Explaining {
     result_.model = result_.base;
   }
 
+  // More scatter than mountings of any rig have is believed only where causes that are found
+  // without it are no likelier.
   bool find(const std::function<bool(const char*)>& stop) {
+    const Explanation before = result_;
+    if (!search(stop)) return false;
+    if (!is_beyond_belief(result_.scatter.mounting)) return true;
+    const Explanation unbounded = std::exchange(result_, before);
+    is_bounded_ = true;
+    rescatter(result_.problem, result_.base);
+    result_.base = calibrated(result_.problem, nominal_, coefficients_, workers_);
+    result_.model = result_.base;
+    if (!search(stop)) return false;
+    if (unlikelihood(result_) < unlikelihood(unbounded)) return true;
+    is_bounded_ = false;
+    result_ = unbounded;
+    return true;
+  }
+
+  bool search(const std::function<bool(const char*)>& stop) {
     const CauseSearchOptions options{options_.alpha, further_share_of_alpha * options_.alpha,
                                      options_.replicates, result_.most_causes, options_.seed};
     auto found = search_causes(
@@ -152,7 +170,16 @@ class Explaining {
     scatter.mounting = {};
     if (!knows_mountings) return;
     scatter.mounting = mounting_scatter(problem, at, modes, options_.mounting_scatter);
+    if (is_bounded_) scatter.mounting = believed(scatter.mounting);
     share_scatter(problem, modes, scatter.mounting.relative, at);
+  }
+
+  // Twice the negative log-likelihood, each parameter counted with half the logarithm of the number
+  // of readings (G. Schwarz, Annals of Statistics 6, 1978).
+  double unlikelihood(const Explanation& explanation) const {
+    return misfit(explanation.problem, explanation.model) + log_determinant(explanation.problem) +
+           static_cast<double>(parameter_count(explanation.model)) *
+               std::log(training_.degrees_of_freedom());
   }
 
   Model without_cause(std::size_t cause) const {
@@ -193,6 +220,7 @@ class Explaining {
   std::vector<Candidate> coefficients_;
   std::vector<Candidate> causes_;
   std::optional<Noise> measured_;
+  bool is_bounded_ = false;  // the scatter of mountings, to what is believed of rigs
   Explanation result_;
 };
 

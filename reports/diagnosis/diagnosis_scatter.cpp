@@ -51,8 +51,12 @@ std::string known_sentence(const DiagnosisResult& result) {
     }
   }
   if (known.empty()) return "";
-  const std::string by = scatter.given ? "by --mounting-scatter"
-                                       : fmt::format("by {} mounted again", scatter.mounted_again);
+  const std::string by =
+      scatter.given ? "by --mounting-scatter"
+                    : fmt::format("by {} mounted again{}", scatter.mounted_again,
+                                  scatter.is_bounded ? ", which alone would say more than is known "
+                                                       "of any rig"
+                                                     : "");
   const std::string mountings =
       fmt::format("Mountings differ by {} ({})", fmt::join(known, ", "), by);
   if (result.noise.source == NoiseSource::known) return mountings + ".";
@@ -121,7 +125,9 @@ Json row_scatter_json(const DiagnosisResult& result) {
 
 Json mountings_json(const DiagnosisResult& result) {
   const MountingScatter& scatter = result.mounting;
-  Json json{{"mounted_again", scatter.mounted_again}, {"given", scatter.given}};
+  Json json{{"mounted_again", scatter.mounted_again},
+            {"given", scatter.given},
+            {"bounded", scatter.is_bounded}};
   for (const Mounted kind : all_kinds) {
     const auto k = static_cast<std::size_t>(kind);
     json[mounted_name(kind)] = scatter.present[k] ? Json{{"relative", scatter.relative[k]},

@@ -77,7 +77,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
       keys(json["noise"]),
       "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings "
       "of_group");
-  EXPECT_EQ(keys(json["mountings"]), "mounted_again given sheath tube bearing gain");
+  EXPECT_EQ(keys(json["mountings"]), "mounted_again given bounded sheath tube bearing gain");
   EXPECT_EQ(keys(json["coefficients"][0]),
             "name parameter value low high at_bound hardware p_value differs");
   EXPECT_EQ(keys(json["ranking"]), "changes before after");

@@ -90,9 +90,11 @@ TEST(PublicationCheck, RefusesSheathsThatSlideTheOtherWay) {
 }
 
 TEST(PublicationCheck, NamesWhatTheReadingsOrTheCatalogueLack) {
-  EXPECT_EQ(Edited("measured/exo_glove_ii.csv", "28.65", "").error(),
-            "measured/exo_glove_ii.csv:9: expected a tension above 0 in every strand, which "
-            "publications/dual_tendon_routing.toml derives from");
+  for (const char* slack : {"", "0", "-1"}) {
+    EXPECT_EQ(Edited("measured/exo_glove_ii.csv", "28.65", slack).error(),
+              "measured/exo_glove_ii.csv:9: expected a tension above 0 in every strand, which "
+              "publications/dual_tendon_routing.toml derives from");
+  }
   EXPECT_EQ(
       Edited("measured/exo_glove_ii.csv", "7,TR7,1,pull,24.56,25.61,25.07,24.63\n", "").error(),
       "publications/dual_tendon_routing.toml: its readings, measured/exo_glove_ii.csv, have "

@@ -115,6 +115,20 @@ bool is_told(const MountingScatter& scatter, Mounted kind) {
   return scatter.told_by[static_cast<std::size_t>(kind)] >= 1;
 }
 
+bool is_beyond_belief(const MountingScatter& scatter) {
+  return believed(scatter).relative != scatter.relative;
+}
+
+MountingScatter believed(MountingScatter scatter) {
+  if (scatter.given) return scatter;
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    const double most = most_believed_scatter * assumed_scatter[k];
+    scatter.is_bounded |= scatter.relative[k] > most;
+    scatter.relative[k] = std::min(scatter.relative[k], most);
+  }
+  return scatter;
+}
+
 MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
                                  const MountingModes& modes, std::optional<double> given) {
   constexpr int evaluations = 60;

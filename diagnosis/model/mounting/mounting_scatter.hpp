@@ -25,6 +25,11 @@ namespace reeve::diagnosis {
 // with.
 inline constexpr MountedScatter assumed_scatter{0.04, 0.04, 0.10, 0.005};
 
+// Times the assumed one: more than in any rig in print. A cause that is not in the model yet can
+// look like it, and so can contacts that stick in one mounting and slide in another, which is no
+// straight line.
+inline constexpr double most_believed_scatter = 3;
+
 struct MountingScatter {
   MountedScatter relative{};  // τ
   // How many independent differences tell of each; below 1 it is the assumed one.
@@ -32,10 +37,16 @@ struct MountingScatter {
   std::array<bool, mounted_kinds> present{};  // in these data
   std::size_t mounted_again = 0;              // mountings of routings beyond the first of each
   bool given = false;                         // by the user
+  bool is_bounded = false;                    // to what is believed, where readings would say more
 };
 
 // Whether the readings tell it.
 bool is_told(const MountingScatter& scatter, Mounted kind);
+
+// Whether the readings seem to tell more than can be believed of mountings.
+bool is_beyond_belief(const MountingScatter& scatter);
+// No more than that.
+MountingScatter believed(MountingScatter scatter);
 
 // The problem's residuals must not be whitened yet. `given` is what the user knows of exponents; of
 // gains it is then as much less as of the assumed ones.

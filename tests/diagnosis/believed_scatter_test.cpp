@@ -1,0 +1,57 @@
+// Mountings that seem to differ by more than those of any rig.
+#include <gtest/gtest.h>
+
+#include "diagnosis/diagnose.hpp"
+#include "tests/diagnosis/found_causes.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+DiagnosisResult diagnosed(const PlantingPlan& plan, std::uint64_t seed) {
+  DiagnoseOptions options;
+  options.replicates = 400;
+  return diagnose(read_data(plant(plan, seed).csv), Hardware{}, options);
+}
+
+TEST(BelievedScatter, IsThreeTimesTheAssumedOneAtMost) {
+  MountingScatter scatter;
+  scatter.relative = {0.11, 0.11, 0.29, 0.014};
+  EXPECT_FALSE(is_beyond_belief(scatter));
+  EXPECT_EQ(believed(scatter).relative, scatter.relative);
+  scatter.relative[3] = 0.1;
+  EXPECT_TRUE(is_beyond_belief(scatter));
+  EXPECT_TRUE(believed(scatter).is_bounded);
+  EXPECT_DOUBLE_EQ(believed(scatter).relative[3], 0.015);
+  scatter.given = true;
+  EXPECT_FALSE(is_beyond_belief(scatter));
+}
+
+// Where a carriage's loop sticks, exponents that differ by 8 % look like 24 % and gains that differ
+// by a tenth: by that a gain of 0.88 would be no more than what mountings do.
+TEST(BelievedScatter, LeavesTheGainOfASensorToBeFound) {
+  PlantingPlan plan;
+  plan.effects = {EffectKind::sensor_gain};
+  plan.size = EffectSize::large;
+  plan.noise.mounted_exponent = 0.08;
+  const DiagnosisResult result = diagnosed(plan, 3500764103197651634U);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes[0].name, "sensor_gain[T3]");
+  EXPECT_TRUE(result.mounting.is_bounded);
+}
+
+// Of a rig that is mounted badly.
+TEST(BelievedScatter, IsExceededWhereItDoesNotSuffice) {
+  PlantingPlan plan;
+  plan.noise.mounted_exponent = 0.25;
+  plan.runs = 12;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const DiagnosisResult result = diagnosed(plan, seed);
+    EXPECT_TRUE(result.causes.empty()) << seed;
+    EXPECT_TRUE(is_beyond_belief(result.mounting)) << seed;
+    EXPECT_FALSE(result.mounting.is_bounded) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
