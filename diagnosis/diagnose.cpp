@@ -7,13 +7,13 @@
 
 #include "core/error.hpp"
 #include "diagnosis/data/sample.hpp"
-#include "diagnosis/model/fit.hpp"
 #include "diagnosis/model/intervals.hpp"
 #include "diagnosis/model/problem.hpp"
+#include "diagnosis/naming.hpp"
 #include "diagnosis/plan/measurement_plan.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"
-#include "diagnosis/search/rivals.hpp"
+#include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/what_is_left.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
@@ -65,7 +65,9 @@ class Diagnosis {
       if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
-    describe_causes();
+    describe(result_.causes, result_.model, nominal_.hardware,
+             parameter_intervals(found_.problem, result_.model, found_.mounting_degrees()),
+             force_scale(data_));
     // Where nothing is named the hardware stands, and its coefficients with it.
     if (result_.causes.empty()) result_.model = nominal_;
     decide();
@@ -126,14 +128,6 @@ class Diagnosis {
     return std::max(p_value, 1 / static_cast<double>(options_.replicates + 1));
   }
 
-  void add_cause(const Effect& effect, double p_value) {
-    NamedCause cause;
-    cause.effect = effect;
-    cause.name = effect_name(effect);
-    cause.p_value = p_value;
-    result_.causes.push_back(std::move(cause));
-  }
-
   void take_over_found() {
     result_.noise = found_.scatter.noise;
     result_.mounting = found_.scatter.mounting;
@@ -144,62 +138,40 @@ class Diagnosis {
     result_.not_sure = found_.not_sure;
     for (const Calibration& calibration : found_.calibrations) {
       CalibratedCoefficient coefficient{effect_name(calibration.effect),
-                                        estimated(calibration.effect, 0, calibration.interval),
+                                        estimated(calibration.effect, 0, calibration.interval,
+                                                  nominal_.hardware, force_scale(data_)),
                                         resolved(calibration.p_value), calibration.differs};
       if (coefficient.differs) {
-        add_cause(calibration.effect, coefficient.p_value);
+        result_.causes.push_back(named_cause(calibration.effect, coefficient.p_value));
         result_.p_value = std::min(result_.p_value, coefficient.p_value);
       }
       result_.calibration.push_back(std::move(coefficient));
     }
     for (const AcceptedCause& accepted : found_.accepted) {
-      add_cause(accepted.effect, accepted.p_value);
+      result_.causes.push_back(named_cause(accepted.effect, accepted.p_value));
     }
   }
 
-  EstimatedParameter estimated(const Effect& effect, std::size_t p,
-                               const ParameterInterval& interval) const {
-    const Parameter parameter =
-        searched_parameters(*effect.cause, nominal_.hardware, force_scale(data_))[p];
-    const bool at_bound = !parameter.ends_by_nature && (interval.low <= parameter.range.low ||
-                                                        interval.high >= parameter.range.high);
-    return {parameter.name, parameter.unit,    effect.values[p],     interval.low,
-            interval.high,  parameter.nominal, parameter.literature, at_bound};
-  }
-
-  // What causes are alike is asked of the held-out readings, too: no gain is claimed by it.
-  Indistinguishable alike_by_all_readings(const NamedCause& cause) {
-    const Dataset all = dataset(data_, readings_used());
-    const Problem whole = problem(all, found_.scatter, result_.model, workers_);
-    const Model model = fit(whole, result_.model).model;
-    const std::size_t effect = place(model, cause.effect);
-    return indistinguishable(cause.name, model,
-                             rivals(whole, model, effect, candidates_, workers_));
-  }
-
   bool weigh_rivals() {
-    for (NamedCause& cause : result_.causes) {
-      if (stopped("weighing other causes")) return false;
-      rivals_.push_back(rivals(found_.problem, result_.model, place(result_.model, cause.effect),
-                               candidates_, workers_));
-      const std::vector<Rival>& others = rivals_.back();
-      if (!others.empty()) cause.runner_up = RunnerUp{others.front().name, others.front().deficit};
-      const bool some_near = !others.empty() && others.front().deficit < far_margin;
-      if (!some_near) continue;
-      Indistinguishable group = sample_.held_out.cells.empty()
-                                    ? indistinguishable(cause.name, result_.model, others)
-                                    : alike_by_all_readings(cause);
-      if (group.names.size() > 1) indistinguishable_.push_back(std::move(group));
+    const Dataset all =
+        sample_.held_out.cells.empty() ? Dataset{} : dataset(data_, readings_used());
+    auto found = aliases({found_.problem, all, found_.scatter, result_.model, candidates_},
+                         applied(result_.causes), workers_,
+                         [this] { return stopped("weighing other causes"); });
+    if (!found) return false;
+    aliases_ = std::move(*found);
+    for (std::size_t c = 0; c < result_.causes.size(); ++c) {
+      const std::vector<Rival>& others = aliases_.rivals[c];
+      if (others.empty()) continue;
+      result_.causes[c].runner_up = RunnerUp{others.front().name, others.front().deficit};
     }
     return true;
   }
 
   void confirm() {
-    std::vector<AppliedCause> causes;
-    for (const NamedCause& cause : result_.causes) causes.push_back({cause.name, cause.effect});
-    Confirmation confirmed =
-        confirmation(found_.problem, found_.scatter, nominal_, result_.model, causes, rivals_,
-                     sample_.held_out, options_.seed, workers_);
+    Confirmation confirmed = confirmation(found_.problem, found_.scatter, nominal_, result_.model,
+                                          applied(result_.causes), aliases_.rivals,
+                                          sample_.held_out, options_.seed, workers_);
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
       result_.causes[c].held_out = confirmed.of_causes[c];
     }
@@ -223,27 +195,13 @@ class Diagnosis {
     }
   }
 
-  void describe_causes() {
-    const auto intervals =
-        parameter_intervals(found_.problem, result_.model, found_.mounting_degrees());
-    for (NamedCause& cause : result_.causes) {
-      const std::size_t e = place(result_.model, cause.effect);
-      cause.effect = result_.model.effects[e];
-      cause.meaning = cause.effect.cause->meaning();
-      cause.detail = detail(cause.effect);
-      for (std::size_t p = 0; p < cause.effect.values.size(); ++p) {
-        cause.parameters.push_back(estimated(cause.effect, p, intervals[e][p]));
-      }
-    }
-  }
-
   void plan_measurements() {
     const MeasurementPlan plan = measurement_plan(data_, options_.routings, result_.noise);
-    for (const Indistinguishable& group : indistinguishable_) {
+    for (const Indistinguishable& group : aliases_.groups) {
       result_.indistinguishable.push_back(group.names);
     }
-    if (!indistinguishable_.empty()) {
-      const Indistinguishable& group = indistinguishable_.front();
+    if (!aliases_.groups.empty()) {
+      const Indistinguishable& group = aliases_.groups.front();
       result_.separating_measurement = separating_measurement(plan, group.models, group.names);
       result_.next_measurement = result_.separating_measurement;
     } else if (!result_.causes.empty()) {
@@ -258,7 +216,7 @@ class Diagnosis {
       result_.verdict = Verdict::too_few;
     } else if (result_.unexplained) {
       result_.verdict = Verdict::unexplained;
-    } else if (!indistinguishable_.empty()) {
+    } else if (!aliases_.groups.empty()) {
       result_.verdict = Verdict::indistinguishable;
     } else {
       result_.verdict = result_.causes.empty() ? Verdict::none : Verdict::cause;
@@ -315,7 +273,7 @@ class Diagnosis {
     result_.run_gains.clear();
     result_.weighed.clear();
     result_.row_scatter.reset();
-    indistinguishable_.clear();
+    aliases_.groups.clear();
     result_.model = found_.base;
   }
 
@@ -334,28 +292,11 @@ class Diagnosis {
   Model nominal_;
   Explanation found_;
   std::vector<Candidate> candidates_;
-  std::vector<Indistinguishable> indistinguishable_;
-  std::vector<std::vector<Rival>> rivals_;  // parallel to the causes
+  Aliases aliases_;
   DiagnosisResult result_;
 };
 
 }  // namespace
-
-const char* verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::none:
-      return "none";
-    case Verdict::cause:
-      return "cause";
-    case Verdict::unexplained:
-      return "unexplained";
-    case Verdict::indistinguishable:
-      return "indistinguishable";
-    case Verdict::too_few:
-      return "too_few";
-  }
-  return "";
-}
 
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
                                               const DiagnoseOptions& options) {

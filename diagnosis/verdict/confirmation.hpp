@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diagnosis/model/scatter.hpp"
-#include "diagnosis/search/rivals.hpp"
+#include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/held_out.hpp"
 #include "diagnosis/verdict/noise_limit.hpp"
 #include "diagnosis/verdict/run_gain.hpp"
@@ -21,11 +21,6 @@ struct WeighedCauses {
   std::vector<std::string> causes;
   double gain = 0;  // in log-likelihood on the training runs, over the nominal model
   std::optional<HeldOut> held_out;
-};
-
-struct AppliedCause {
-  std::string name;
-  Effect effect;  // of the extended model
 };
 
 struct Confirmation {

@@ -1,0 +1,110 @@
+// What a diagnosis says (diagnose.hpp), in values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/data/note.hpp"
+#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/plan/next_measurement.hpp"
+#include "diagnosis/verdict/compared_cell.hpp"
+#include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/group_estimates.hpp"
+#include "diagnosis/verdict/left_out.hpp"
+#include "diagnosis/verdict/losses.hpp"
+#include "diagnosis/verdict/row_scatter.hpp"
+#include "diagnosis/verdict/share_error.hpp"
+#include "diagnosis/verdict/structure.hpp"
+#include "diagnosis/verdict/without_apart.hpp"
+
+namespace reeve::diagnosis {
+
+// too_few: readings, to look for anything.
+enum class Verdict : std::uint8_t { none, cause, unexplained, indistinguishable, too_few };
+const char* verdict_name(Verdict verdict);
+
+struct EstimatedParameter {
+  std::string name;
+  std::string unit;
+  double value = 0;
+  double low = 0;
+  double high = 0;
+  std::optional<double> nominal;
+  std::optional<Range> literature;
+  bool at_bound = false;  // the value, or an end of its interval, stands where the search ended
+};
+
+struct RunnerUp {
+  std::string name;
+  double delta_log_likelihood = 0;  // by which it explains the training runs less
+};
+
+// A coefficient that is free in every model.
+struct CalibratedCoefficient {
+  std::string name;  // of the cause: tube_friction
+  EstimatedParameter parameter;
+  double p_value = 1;    // that the hardware is right and chance takes the estimate so far from it
+  bool differs = false;  // from what the hardware says; then it is a named cause, too
+};
+
+struct NamedCause {
+  std::string name;
+  std::string meaning;
+  std::string detail;
+  Effect effect;
+  std::vector<EstimatedParameter> parameters;
+  std::optional<HeldOut> held_out;  // with this cause over without it, all others kept
+  double p_value = 1;
+  std::optional<RunnerUp> runner_up;
+};
+
+struct Unexplained {
+  std::string about;  // "routing, grasp and strand"
+  std::string where;  // "T2 of M-1-P-2-M, held 1 (reads more)"
+  double p_value = 1;
+};
+
+struct DiagnosisResult {
+  Verdict verdict = Verdict::none;
+  std::vector<NamedCause> causes;
+  std::vector<std::vector<std::string>> indistinguishable;
+  // Between the first two of the first group.
+  std::optional<PlannedMeasurement> separating_measurement;
+  // Which separates the leading explanations, or else most shrinks the interval of the first cause.
+  std::optional<PlannedMeasurement> next_measurement;
+  std::optional<Unexplained> unexplained;
+  std::vector<StructureFinding> structure;  // after the named causes
+  std::optional<HeldOut> held_out;          // all causes over none
+  std::vector<CalibratedCoefficient> calibration;
+  std::vector<std::string> not_confirmed;  // accepted, but training runs forecast others worse
+  std::vector<std::string> not_sure;       // the interval holds the nominal size, or a bound
+  std::vector<std::string> withdrawn;      // together they may lose on the held-out runs
+  std::optional<HeldOut> withdrawn_held_out;
+  std::size_t most_causes = 0;            // that were looked for, beside coefficients
+  std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
+  std::vector<RunGain> run_gains;         // all causes over none, each held-out run
+  std::vector<WeighedCauses> weighed;
+  double p_value = 1;                      // that chance alone gives what the best cause gains
+  std::vector<EstimatesByGroup> by_group;  // coefficients and causes, fitted to each by itself
+  std::optional<RowScatter> row_scatter;   // by the training runs, beside the model
+  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
+  Noise noise;
+  MountingScatter mounting;
+  Model model;  // the extended one
+  std::vector<ComparedCell> cells;
+  ShareErrors share_errors;
+  std::vector<LeftOutRun> left_out;  // the named causes fitted without each run
+  std::vector<Loss> losses;
+  std::optional<WithoutApart> without_apart;
+  std::size_t rows = 0;  // used, training and held out
+  std::size_t runs = 0;
+  std::size_t held_out_runs = 0;
+  std::size_t dropped_duplicates = 0;
+  std::size_t thinned_rows = 0;  // beyond most_readings
+  std::vector<DataNote> notes;
+};
+
+}  // namespace reeve::diagnosis
