@@ -1,0 +1,92 @@
+// Explorations that found the same, whichever way they went.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "search/exploration_part.hpp"
+#include "tests/search/naive_exploration.hpp"
+
+namespace reeve::testing {
+
+inline std::vector<std::string> words_of(const std::vector<Design>& designs) {
+  std::vector<std::string> words;
+  for (const Design& design : designs) words.push_back(design.word);
+  return words;
+}
+
+inline std::vector<std::string> sampled_words(const ShardRecord& record) {
+  std::vector<std::string> words;
+  for (const SampledWord& sampled : record.sample) {
+    words.push_back(std::to_string(sampled.place) + " " + sampled.word);
+  }
+  return words;
+}
+
+inline std::vector<std::pair<double, std::string>> rungs_of(const Ladder& ladder) {
+  std::vector<std::pair<double, std::string>> rungs;
+  for (const Rung& rung : ladder.rungs) rungs.emplace_back(rung.at_most, rung.design.word);
+  return rungs;
+}
+
+inline void expect_same_counts(const ExploreResult& a, const ExploreResult& b) {
+  EXPECT_EQ(a.total, b.total);
+  EXPECT_EQ(a.generated, b.generated);
+  EXPECT_EQ(a.evaluated, b.evaluated);
+  EXPECT_EQ(a.pruned, b.pruned);
+  EXPECT_EQ(a.partial, b.partial);
+  EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);
+  ASSERT_EQ(a.rejected.size(), b.rejected.size());
+  for (std::size_t i = 0; i < a.rejected.size(); ++i) {
+    EXPECT_EQ(a.rejected[i].count, b.rejected[i].count) << i;
+  }
+}
+
+inline void expect_same_references(const ExploreResult& a, const ExploreResult& b) {
+  ASSERT_EQ(a.references.size(), b.references.size());
+  for (std::size_t r = 0; r < a.references.size(); ++r) {
+    const ReferenceStanding& one = a.references[r];
+    const ReferenceStanding& other = b.references[r];
+    SCOPED_TRACE(one.design.word);
+    EXPECT_EQ(one.dominated_by, other.dominated_by);
+    EXPECT_EQ(one.rank, other.rank);
+    EXPECT_EQ(one.front, other.front);
+    EXPECT_EQ(one.generated, other.generated);
+    EXPECT_EQ(one.rejected_by, other.rejected_by);
+  }
+}
+
+inline void expect_same_unmet(const ExploreResult& a, const ExploreResult& b) {
+  ASSERT_EQ(a.unmet.size(), b.unmet.size());
+  for (std::size_t c = 0; c < a.unmet.size(); ++c) {
+    EXPECT_EQ(a.unmet[c].met, b.unmet[c].met);
+    EXPECT_EQ(a.unmet[c].of_all.above, b.unmet[c].of_all.above);
+    EXPECT_EQ(a.unmet[c].of_all.below, b.unmet[c].of_all.below);
+    EXPECT_EQ(a.unmet[c].of_those_that_meet_the_others.above,
+              b.unmet[c].of_those_that_meet_the_others.above);
+    EXPECT_EQ(a.unmet[c].of_those_that_meet_the_others.below,
+              b.unmet[c].of_those_that_meet_the_others.below);
+  }
+}
+
+inline void expect_same_result(const ExploreResult& a, const ExploreResult& b) {
+  expect_same_counts(a, b);
+  ASSERT_EQ(a.top.size(), b.top.size());
+  for (std::size_t i = 0; i < a.top.size(); ++i) expect_same(a.top[i], b.top[i]);
+  ASSERT_EQ(a.front.size(), b.front.size());
+  for (std::size_t i = 0; i < a.front.size(); ++i) expect_same(a.front[i], b.front[i]);
+  EXPECT_EQ(words_of(a.sample), words_of(b.sample));
+  EXPECT_EQ(rungs_of(a.ladder), rungs_of(b.ladder));
+  expect_same_references(a, b);
+  expect_same_unmet(a, b);
+  ASSERT_TRUE(a.record && b.record);
+  EXPECT_EQ(sampled_words(*a.record), sampled_words(*b.record));
+  EXPECT_EQ(a.record->rungs, b.record->rungs);
+  EXPECT_EQ(a.record->constraint_failures, b.record->constraint_failures);
+  ASSERT_EQ(a.record->archive.size(), b.record->archive.size());
+}
+
+}  // namespace reeve::testing
