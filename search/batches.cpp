@@ -23,11 +23,9 @@
 namespace reeve::search {
 namespace {
 
-// Large enough that the threads wait for the slowest but rarely, small enough for a cache and for
-// Ctrl-C; a grain is some tenths of a millisecond.
-constexpr std::size_t batch_size = 8192;
-// Where a kill costs what is in flight.
-constexpr std::size_t kept_batch_size = 2048;
+// Large enough that the threads wait for the slowest but rarely, small enough for a cache, for
+// Ctrl-C and for who loses what is in flight; a grain is some tenths of a millisecond.
+constexpr std::size_t batch_size = 2048;
 constexpr std::size_t grain = 64;
 
 // What became of one routing of a batch.
@@ -72,8 +70,8 @@ class Exploration {
         whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
       }
     }
-    batch_.slots.resize(keeping.save ? kept_batch_size : batch_size);
-    next_.slots.resize(batch_.slots.size());
+    batch_.slots.resize(batch_size);
+    next_.slots.resize(batch_size);
     if (keeping.before && part_.total != range_.end - range_.begin) {
       throw InputError(fmt::format("what was kept is of {} routings, and there are {}", part_.total,
                                    range_.end - range_.begin));
