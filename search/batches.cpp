@@ -175,7 +175,7 @@ class Exploration {
   void evaluate(Slot& slot, std::size_t worker) {
     DecidingEvaluator& evaluator = evaluators_[worker];
     const std::size_t before = evaluator.unconverged();
-    slot.values = evaluator.evaluate(slot.routing);
+    slot.values = deciding_values(slot.routing, evaluator);
     slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0 && tells_reaches_)
@@ -191,6 +191,25 @@ class Exploration {
     }
     references_.count(judged(slot), worker, part_.references);
     slot.done = true;
+  }
+
+  // Of a design that is far from what is kept, and clearly better or not than what is counted,
+  // values at best say all that evaluating would.
+  ObjectiveValues deciding_values(const Routing& routing, DecidingEvaluator& evaluator) const {
+    if (parts_decide_) {
+      const std::optional<Estimate> estimate = evaluator.estimate(routing);
+      if (estimate && !may_be_kept(estimate->at_best) && references_.agree(*estimate)) {
+        return estimate->at_best;
+      }
+    }
+    return evaluator.evaluate(routing);
+  }
+
+  bool may_be_kept(const ObjectiveValues& values) const {
+    const auto may_be = [&](const ExplorationPart& part) {
+      return part.archive.may_rank(values) || part.ladder.may_be_rung(values);
+    };
+    return may_be(part_) && (!seen_ || may_be(*seen_));
   }
 
   void hold_against_seen(Slot& slot) const {
@@ -261,6 +280,7 @@ class Exploration {
   const ExploreOptions& options_;
   const Keeping& keeping_;
   const std::size_t deciding_parts_ = decided_by_parts(options_.constraints, options_.generator);
+  const bool parts_decide_ = deciding_parts_ == options_.constraints.size();
   const bool tells_reaches_;
   const bool keeps_ = keeping_.save || keeping_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -1,5 +1,7 @@
 #include "search/reference_tally.hpp"
 
+#include <algorithm>
+
 #include "search/judge/evaluation.hpp"
 #include "search/judge/pareto.hpp"
 
@@ -49,6 +51,14 @@ void ReferenceTally::add(const JudgedRouting& judged, std::vector<std::int64_t>&
   for (std::size_t r = 0; r < goodness_.size(); ++r) {
     if (dominates(candidate, goodness_[r])) dominators[r] += count;
   }
+}
+
+bool ReferenceTally::agree(const Estimate& estimate) const {
+  const Goodness best = goodness(estimate.at_best, options_.order.objectives);
+  const Goodness worst = goodness(estimate.at_worst, options_.order.objectives);
+  return std::all_of(goodness_.begin(), goodness_.end(), [&](const Goodness& reference) {
+    return dominates(best, reference) == dominates(worst, reference);
+  });
 }
 
 void ReferenceTally::add_up(std::vector<ReferenceCount>& references) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "search/exploration_part.hpp"
+#include "search/judge/deciding_evaluation.hpp"
 
 namespace reeve::search {
 
@@ -30,6 +31,9 @@ class ReferenceTally {
              std::vector<ReferenceCount>& references);
   // Of a routing that was counted, by whichever worker.
   void take_off(const JudgedRouting& judged, std::vector<ReferenceCount>& references);
+
+  // Whether a design between these values is counted as one that has them.
+  bool agree(const Estimate& estimate) const;
 
   void add_up(std::vector<ReferenceCount>& references) const;
 

@@ -1,7 +1,9 @@
 #include "search/judge/deciding_evaluation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -21,7 +23,13 @@ std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& sc
   return wanted;
 }
 
-bool contains(const std::vector<Objective>& objectives, Objective objective) {
+constexpr std::array of_parts{Objective::sheaths, Objective::pulleys, Objective::knots,
+                              Objective::blocks, Objective::parts};
+// Of grasps, and known from what each tree sums up.
+constexpr std::array of_sums{Objective::uniformity_mean, Objective::uniformity_worst,
+                             Objective::efficiency_mean, Objective::efficiency_worst};
+
+bool contains(const auto& objectives, Objective objective) {
   return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
 }
 
@@ -45,6 +53,12 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
   if (are_of_strands(extent_) && share && routings_share_states(model)) {
     known_.emplace(possible_hardware(model));
   }
+  for (const Objective objective : wanted_) {
+    if (contains(of_parts, objective)) of_parts_.push_back(objective);
+  }
+  estimates_ = known_ && std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
+                 return contains(of_parts, objective) || contains(of_sums, objective);
+               });
 }
 
 // Motor tension of the trees as they are solved alone.
@@ -129,11 +143,66 @@ double DecidingEvaluator::tendon_length() const {
   return sum;
 }
 
-// False where that cannot be, or where a figure leaves the range of a double.
-bool DecidingEvaluator::combine(const Routing& routing) {
+bool DecidingEvaluator::find_trees(const Routing& routing) {
   if (!split_into_trees(routing, spans_)) return false;
   trees_ = &known_->states(routing, spans_);
-  if (trees_->empty()) return false;
+  return !trees_->empty();
+}
+
+// Nothing where a figure leaves the range of a double, or there is no strand.
+std::optional<Performance> DecidingEvaluator::estimated(const WeightedGrasp& grasp) const {
+  TreeSums moving;
+  TreeSums jammed;
+  for (std::size_t t = 0; t < spans_.size(); ++t) {
+    const TreeSums& sums = (*trees_)[t]->sums(held_in_tree(spans_[t], grasp.grasp));
+    if (!sums.in_range) return std::nullopt;
+    (sums.jams ? jammed : moving) += sums;
+  }
+  // Beside a tree that jams the others are slack.
+  const TreeSums& pulled = jammed.jams ? jammed : moving;
+  if (!std::isnormal(pulled.motor) || !(pulled.strands.most > 0)) return std::nullopt;
+  const bool some_slack = jammed.jams && moving.has_strands();
+  Performance result;
+  result.uniformity = some_slack ? 0 : pulled.strands.least / pulled.strands.most;
+  result.efficiency = jammed.jams ? 0 : pulled.strands.work / pulled.motor;
+  return result;
+}
+
+std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
+  if (!estimates_ || !find_trees(routing)) return std::nullopt;
+  Performance sum;
+  Performance least{std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity()};
+  double weight = 0;
+  for (const WeightedGrasp& grasp : grasps_) {
+    const std::optional<Performance> in_grasp = estimated(grasp);
+    if (!in_grasp) return std::nullopt;
+    weight += grasp.weight;
+    sum.uniformity += grasp.weight * in_grasp->uniformity;
+    sum.efficiency += grasp.weight * in_grasp->efficiency;
+    least.uniformity = std::min(least.uniformity, in_grasp->uniformity);
+    least.efficiency = std::min(least.efficiency, in_grasp->efficiency);
+  }
+  add_parts();
+  Estimate result;
+  compute_objectives(outcome_, of_parts_, result.at_best);
+  result.at_worst = result.at_best;
+  const auto put = [&](Objective objective, double value) {
+    // Sums in another order, and what values are rounded to.
+    constexpr double margin = 1e-9;
+    result.at_best[static_cast<std::size_t>(objective)] = value + margin;
+    result.at_worst[static_cast<std::size_t>(objective)] = value - margin;
+  };
+  put(Objective::uniformity_mean, sum.uniformity / weight);
+  put(Objective::uniformity_worst, least.uniformity);
+  put(Objective::efficiency_mean, sum.efficiency / weight);
+  put(Objective::efficiency_worst, least.efficiency);
+  return result;
+}
+
+// False where that cannot be, or where a figure leaves the range of a double.
+bool DecidingEvaluator::combine(const Routing& routing) {
+  if (!find_trees(routing)) return false;
   outcome_.grasps.resize(grasps_.size());
   for (std::size_t g = 0; g < grasps_.size(); ++g) {
     if (!combine(grasps_[g], outcome_.grasps[g])) return false;

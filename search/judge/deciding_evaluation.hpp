@@ -8,6 +8,9 @@
 //
 // with sums in the order of the routing's segments, as they would be without that. Otherwise, and
 // where objectives need more than what the strands do, every routing is solved as a whole.
+//
+// Most designs are far from anything that is kept, and what a few sums of each tree say is enough
+// to know it: an estimate, which is off by no more than rounding.
 #pragma once
 
 #include <optional>
@@ -18,6 +21,13 @@
 
 namespace reeve::search {
 
+// Values that are on neither side of those that evaluating would give: at least as good, and no
+// better.
+struct Estimate {
+  ObjectiveValues at_best{};
+  ObjectiveValues at_worst{};
+};
+
 class DecidingEvaluator {
  public:
   // Values of objectives that are not wanted are 0.
@@ -27,6 +37,10 @@ class DecidingEvaluator {
   // Throws OutOfRange where the model has no tensions.
   ObjectiveValues evaluate(const Routing& routing);
 
+  // Nothing where routings are not put together from trees, or more is wanted than uniformity,
+  // efficiency and parts.
+  std::optional<Estimate> estimate(const Routing& routing);
+
   bool combines() const { return known_.has_value(); }
   // Trees solved so far; 0 where routings are solved as a whole.
   std::uint64_t trees_solved() const { return known_ ? known_->solved() : 0; }
@@ -34,6 +48,8 @@ class DecidingEvaluator {
   std::size_t unconverged() const { return whole_.unconverged(); }
 
  private:
+  bool find_trees(const Routing& routing);
+  std::optional<Performance> estimated(const WeightedGrasp& grasp) const;
   bool combine(const Routing& routing);
   bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
   double scale(bool jams) const;
@@ -49,6 +65,8 @@ class DecidingEvaluator {
   Extent extent_;
   bool scored_ = false;
   bool compares_fingers_ = false;
+  bool estimates_ = false;
+  std::vector<Objective> of_parts_;  // of those that are wanted
   GraspSet grasps_;
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;

@@ -91,6 +91,53 @@ TEST(DecidingEvaluation, CombinesTreesToTheSameNumbers) {
   }
 }
 
+const Objectives estimated{Objective::uniformity_mean,
+                           Objective::uniformity_worst,
+                           Objective::efficiency_mean,
+                           Objective::efficiency_worst,
+                           Objective::sheaths,
+                           Objective::pulleys,
+                           Objective::knots,
+                           Objective::blocks,
+                           Objective::parts};
+
+TEST(DecidingEvaluation, EstimatesWithinALittleOfTheNumbers) {
+  std::size_t jamming = 0;
+  for (const Case& c : combined_cases()) {
+    DesignEvaluator plain(c.model, c.grasps);
+    DecidingEvaluator fast(c.model, c.grasps, authors_score(), {}, estimated);
+    RoutingGenerator generator({c.parts, c.fingers, FingerIdentity::identical, false});
+    for (Routing routing; generator.next(routing);) {
+      if (!is_actuated(routing)) continue;
+      const ObjectiveValues values = plain.evaluate(routing);
+      const auto estimate = fast.estimate(routing);
+      ASSERT_TRUE(estimate.has_value()) << to_word(routing);
+      jamming += value(values, Objective::jams) > 0 ? 1 : 0;
+      for (const Objective objective : estimated) {
+        const double best = value(estimate->at_best, objective);
+        const double worst = value(estimate->at_worst, objective);
+        ASSERT_LE(worst, value(values, objective)) << to_word(routing) << row(objective).name;
+        ASSERT_GE(best, value(values, objective)) << to_word(routing) << row(objective).name;
+        ASSERT_LT(best - worst, 3e-9);
+      }
+    }
+  }
+  EXPECT_GT(jamming, 100U);
+}
+
+TEST(DecidingEvaluation, EstimatesNothingThatMoreThanSumsDecides) {
+  Routing routing = parse_routing("M-1-F+M-2-F+M-3-F");
+  const auto estimates = [&](Objectives wanted, const GraspSet& grasps) {
+    return DecidingEvaluator({}, grasps, authors_score(), {}, std::move(wanted))
+        .estimate(routing)
+        .has_value();
+  };
+  EXPECT_TRUE(estimates(estimated, single_grasps(3)));
+  EXPECT_FALSE(estimates({Objective::uniformity_mean, Objective::travel}, single_grasps(3)));
+  EXPECT_FALSE(estimates({Objective::score}, single_grasps(3)));
+  EXPECT_FALSE(estimates(estimated, parse_grasps("all", 3)));
+}
+
 TEST(DecidingEvaluation, SolvesEachTreeOnce) {
   DecidingEvaluator fast({}, single_grasps(4), authors_score(), std::nullopt, of_strands);
   RoutingGenerator generator({full_parts(), 4, FingerIdentity::identical, false});

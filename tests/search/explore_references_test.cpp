@@ -59,6 +59,39 @@ TEST(ExploreReferences, HaveTheirRankOnAFrontThatIsLongerThanTheList) {
   EXPECT_EQ(result.references[0].front, 1);
 }
 
+// Most are only estimated there, and some equal a reference.
+TEST(ExploreReferences, AreCountedAmongManyThatAreFarFromTheBest) {
+  ExploreOptions options = several_batches();
+  options.top = 1;
+  options.threads = 2;
+  const Naive naive = naive_program(options);
+  for (std::size_t i = 0; i < naive.kept.size(); i += naive.kept.size() / 40) {
+    options.references.push_back(parse_routing(naive.kept[i].word));
+  }
+  const ExploreResult result = explore(options);
+  for (const ReferenceStanding& standing : result.references) {
+    EXPECT_EQ(standing.dominated_by, dominators(standing.design, naive, both));
+    EXPECT_TRUE(standing.generated);
+  }
+}
+
+// An estimate would be on the other side of the limit.
+TEST(ExploreConstraints, AreHeldAgainstTheValuesThemselves) {
+  ExploreOptions options = several_batches();
+  options.top = 1;
+  const Naive all = naive_program(options);
+  std::vector<double> values;
+  for (const Design& design : all.kept) {
+    values.push_back(value(design.values, Objective::uniformity_mean));
+  }
+  const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), median, values.end());
+  Constraint just_above = parse_constraint("uniformity_mean>=0");
+  just_above.bound = *median + 5e-10;
+  options.constraints = {just_above};
+  EXPECT_EQ(explore(options).rejected[1].count, naive_program(options).failed[0]);
+}
+
 TEST(ExploreReferences, NeedNotBeAmongTheRoutings) {
   ExploreOptions options = options_for(paper_parts(), 2);
   options.references = {parse_routing("M-1b-B-2b-M"), parse_routing("1-P-2-P-1")};

@@ -1,12 +1,24 @@
 #include "search/judge/trees/tree_states.hpp"
 
+#include <algorithm>
+
 namespace reeve::search {
+
+TreeSums& TreeSums::operator+=(const TreeSums& other) {
+  jams |= other.jams;
+  motor += other.motor;
+  strands.least = std::min(strands.least, other.strands.least);
+  strands.most = std::max(strands.most, other.strands.most);
+  strands.sum += other.strands.sum;
+  strands.work += other.strands.work;
+  return *this;
+}
 
 TreeState TreeStates::in_state(std::size_t held) const {
   const std::size_t strands = strand_finger.size();
   const double* const first = numbers_.data() + held * (motor_sides + 2 * strands);
-  return {marks_[held].jams,
-          marks_[held].in_range,
+  return {sums_[held].jams,
+          sums_[held].in_range,
           {first, motor_sides},
           {first + motor_sides, strands},
           {first + motor_sides + strands, strands}};
@@ -14,14 +26,21 @@ TreeState TreeStates::in_state(std::size_t held) const {
 
 void TreeSolver::solve(Grasp grasp, TreeStates& states) {
   solver_.solve_relative(network_, mechanics_, grasp, Direction::pull, state_);
-  states.marks_.push_back({state_.jams, state_.in_range});
+  TreeSums sums{state_.jams, state_.in_range, 0, {}};
   std::vector<double>& numbers = states.numbers_;
   for (std::size_t i = 0; i < network_.segments.size(); ++i) {
-    if (network_.segments[i].kind == SegmentKind::motor_side) numbers.push_back(state_.tension[i]);
+    if (network_.segments[i].kind != SegmentKind::motor_side) continue;
+    numbers.push_back(state_.tension[i]);
+    sums.motor += state_.tension[i];
   }
   for (std::size_t i = 0; i < network_.segments.size(); ++i) {
-    if (network_.segments[i].kind == SegmentKind::strand) numbers.push_back(state_.tension[i]);
+    const Segment& segment = network_.segments[i];
+    if (segment.kind != SegmentKind::strand) continue;
+    numbers.push_back(state_.tension[i]);
+    sums.strands.add(state_.tension[i],
+                     state_.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }
+  states.sums_.push_back(sums);
   for (const std::uint8_t finger : states.strand_finger) numbers.push_back(state_.closing[finger]);
 }
 
@@ -37,7 +56,7 @@ void TreeSolver::solve(const Routing& tree, TreeStates& states) {
     if (segment.kind != SegmentKind::strand) continue;
     states.strand_finger.push_back(static_cast<std::uint8_t>(segment.finger - 1));
   }
-  states.marks_.clear();
+  states.sums_.clear();
   states.numbers_.clear();
   solve(Grasp{}, states);
   for (int f = 1; f <= network_.fingers; ++f) solve(Grasp{std::uint64_t{1} << (f - 1)}, states);
