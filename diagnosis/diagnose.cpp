@@ -15,6 +15,7 @@
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/far_forecasts.hpp"
 #include "diagnosis/verdict/what_is_left.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
@@ -77,6 +78,9 @@ class Diagnosis {
     leave_out_runs();
     result_.cells = compared_cells(sample_, nominal_, result_.model, found_.scatter,
                                    result_.left_out, workers_);
+    if (auto far = far_forecasts(result_.cells, data_, result_.noise, options_.alpha)) {
+      result_.notes.push_back(std::move(*far));
+    }
     result_.share_errors = share_errors(data_, result_.cells);
     result_.losses = losses(data_, result_.model, result_.cells);
     result_.without_apart = without_apart(data_, result_.model, found_.scatter, result_.cells,

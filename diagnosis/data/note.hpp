@@ -35,6 +35,7 @@ enum class NoteKind : std::uint8_t {
   no_motion,               // of a time series: it does not say when the carriage moves
   groups_differ,           // what is said of all groups together does not hold of each
   runs_of_groups,          // runs of one name in several groups
+  far_forecast,            // held-out readings that the model is far from (far_forecasts.hpp)
   reversed,                // of a time series: pulling looks like releasing
 };
 const char* note_kind_name(NoteKind kind);

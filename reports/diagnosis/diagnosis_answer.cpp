@@ -128,12 +128,19 @@ std::string too_few_answer() {
          "The notes below say how many it takes.\n";
 }
 
+bool some_are_far(const DiagnosisResult& result) {
+  return std::any_of(result.notes.begin(), result.notes.end(),
+                     [](const DataNote& note) { return note.kind == NoteKind::far_forecast; });
+}
+
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  std::string text =
-      weak_structure_remains(report)
-          ? "The model as it stands explains the data but for weak structure.\n"
-          : "The model as it stands explains the data as well as their noise allows.\n";
+  std::string text = fmt::format(
+      "The model as it stands explains {} {}.\n",
+      some_are_far(result) ? "the training runs" : "the data",
+      weak_structure_remains(report) ? "but for weak structure" : "as well as their noise allows");
+  if (some_are_far(result))
+    text += "It is far from some readings of held-out runs: see the notes.\n";
   const std::vector<std::string> dropped = not_named_sentences(result);
   if (!dropped.empty()) {
     for (const std::string& sentence : dropped) text += sentence + "\n";

@@ -46,6 +46,15 @@ TEST(DiagnosisAnswer, OfNoCauseSaysWhetherOneWasNotConfirmed) {
   EXPECT_FALSE(says(report, "chance alone"));
 }
 
+TEST(DiagnosisAnswer, OfNoCauseSpeaksOfTheTrainingRunsWhereHeldOutOnesAreFar) {
+  DiagnosisReport report = report_of(Verdict::none);
+  EXPECT_TRUE(says(report, "explains the data as well as their noise allows.\nNo cause"));
+  report.result.notes.push_back({NoteKind::far_forecast, "line 58", {58}});
+  EXPECT_TRUE(says(report,
+                   "explains the training runs as well as their noise allows.\nIt is far from some "
+                   "readings of held-out runs: see the notes.\n"));
+}
+
 TEST(DiagnosisAnswer, OfTooFewReadingsClaimsNothing) {
   const DiagnosisReport report = report_of(Verdict::too_few);
   EXPECT_TRUE(says(report, "cannot be said: the readings are too few"));

@@ -1,0 +1,77 @@
+// Readings of held-out runs that no training run prepares for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnosis/diagnose.hpp"
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+DiagnosisResult diagnosed(const MeasuredData& data) {
+  DiagnoseOptions options;
+  options.replicates = 400;
+  return diagnose(data, Hardware{}, options);
+}
+
+const DataNote* far_note(const DiagnosisResult& result) {
+  const auto found =
+      std::find_if(result.notes.begin(), result.notes.end(),
+                   [](const DataNote& note) { return note.kind == NoteKind::far_forecast; });
+  return found == result.notes.end() ? nullptr : &*found;
+}
+
+MeasuredData planted(const PlantingPlan& plan, std::uint64_t seed) {
+  return read_data(plant(plan, seed).csv);
+}
+
+TEST(FarForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
+  MeasuredData data = planted({}, 81);
+  const DiagnosisResult before = diagnosed(data);
+  EXPECT_EQ(far_note(before), nullptr);
+  for (const bool held_out : {true, false}) {
+    const auto cell =
+        std::find_if(before.cells.begin(), before.cells.end(), [&](const ComparedCell& each) {
+          return each.held_out == held_out && each.cell.measured_N > 2;
+        });
+    ASSERT_NE(cell, before.cells.end());
+    Reading& reading = data.readings[cell->cell.reading];
+    std::optional<double>& tension = reading.tension_N[cell->cell.channel];
+    const double was = *tension;
+    *tension *= 2;
+    const DiagnosisResult result = diagnosed(data);
+    const DataNote* const note = far_note(result);
+    EXPECT_EQ(note != nullptr, held_out);
+    if (note != nullptr) {
+      EXPECT_EQ(note->lines, std::vector<std::size_t>{reading.line});
+      EXPECT_NE(note->text.find("1 reading of held-out runs is more than"), std::string::npos)
+          << note->text;
+    }
+    *tension = was;
+  }
+}
+
+TEST(FarForecasts, AreNoneByChance) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    PlantingPlan plan;
+    plan.noise.tail_degrees = seed % 2 == 0 ? 3 : 0;
+    plan.noise.mounted_exponent = seed % 3 == 0 ? 0.08 : 0;
+    EXPECT_EQ(far_note(diagnosed(planted(plan, seed))), nullptr) << seed;
+  }
+}
+
+// The grasp of one row was another one, and no training run has it.
+TEST(FarForecasts, TellOfAGraspThatIsNowhereElse) {
+  PlantingPlan plan;
+  plan.effects = {EffectKind::wrong_grasp};
+  const DiagnosisResult result = diagnosed(planted(plan, 4937402093307926638U));
+  EXPECT_EQ(result.verdict, Verdict::none);
+  const DataNote* const note = far_note(result);
+  ASSERT_NE(note, nullptr);
+  EXPECT_EQ(note->lines, std::vector<std::size_t>{58});
+}
+
+}  // namespace
+}  // namespace reeve::testing
