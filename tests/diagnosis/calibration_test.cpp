@@ -61,6 +61,17 @@ TEST(Calibration, FindsTheCoefficientAndSaysThatItIsAnother) {
   EXPECT_GE(result.calibration[0].parameter.high, 0.12);
 }
 
+// By what it says hardly anything would arrive, whatever is changed a little.
+TEST(Calibration, FindsTheCoefficientFarFromWhatTheHardwareSays) {
+  for (const double guess : {0.5, 1.0, 1.5}) {
+    Hardware hardware;
+    hardware.sheath.mu = guess;
+    const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.05, 6), hardware);
+    ASSERT_EQ(result.calibration.size(), 1U);
+    EXPECT_NEAR(result.calibration[0].parameter.value, 0.05, 0.003) << guess;
+  }
+}
+
 TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
   const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.18, 6));
   ASSERT_EQ(result.calibration.size(), 1U);
