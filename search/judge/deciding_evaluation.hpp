@@ -21,8 +21,7 @@
 
 namespace reeve::search {
 
-// Values that are on neither side of those that evaluating would give: at least as good, and no
-// better.
+// Between these are the values that evaluating would give.
 struct Estimate {
   ObjectiveValues at_best{};
   ObjectiveValues at_worst{};
