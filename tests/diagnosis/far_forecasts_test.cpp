@@ -1,4 +1,6 @@
 // Readings of held-out runs that no training run prepares for.
+#include "diagnosis/verdict/far_forecasts.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +52,19 @@ TEST(FarForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
           << note->text;
     }
     *tension = was;
+  }
+}
+
+TEST(FarForecasts, AreOfHeldOutReadingsAlone) {
+  const MeasuredData data = planted({}, 81);
+  const DiagnosisResult result = diagnosed(data);
+  for (const bool held_out : {true, false}) {
+    std::vector<ComparedCell> cells = result.cells;
+    const auto cell = std::find_if(cells.begin(), cells.end(), [&](const ComparedCell& each) {
+      return each.held_out == held_out;
+    });
+    cell->residual_after = -50;
+    EXPECT_EQ(far_forecasts(cells, data, result.noise, 0.02).has_value(), held_out);
   }
 }
 
