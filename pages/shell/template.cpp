@@ -46,7 +46,10 @@ std::string render(std::string_view name, const Json& values) {
   if (!filled.is_valid()) {
     throw std::runtime_error(fmt::format("template {}: {}", name, filled.error_message()));
   }
-  return filled.render(to_data(values));
+  // Into a text and not through the library's stream, which, without memory, ends in the middle.
+  std::string text;
+  filled.render(to_data(values), [&text](const std::string& piece) { text += piece; });
+  return text;
 }
 
 std::string script_json(const Json& json) {

@@ -65,6 +65,9 @@ void Archive::compact() {
   SweepCounter better = counter();
   sort_entries();
   const auto enough = static_cast<Eigen::Index>(keep_);
+  // In two steps: a resize from something to something would, without memory, leave a matrix behind
+  // that is freed twice.
+  guards_.resize(0, 0);
   guards_.resize(static_cast<Eigen::Index>(entries_.size()),
                  static_cast<Eigen::Index>(order_.objectives.size()));
   Eigen::Index kept = 0;

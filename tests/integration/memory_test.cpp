@@ -40,6 +40,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 struct Starved {
   const char* name;
   Arguments command;
+  const char* large = "16000";  // bytes
 };
 
 class OutOfMemory : public ::testing::TestWithParam<Starved> {
@@ -78,6 +79,10 @@ class OutOfMemory : public ::testing::TestWithParam<Starved> {
   std::map<std::string, std::string> whole_;
 };
 
+// A single one can be done without, as some of the runtime library; so many in a row are behind the
+// last.
+constexpr int enough_without_harm = 5;
+
 // The first ones one by one, before main and in it; then ever more sparsely.
 std::vector<long> calls(long most) {
   std::vector<long> list;
@@ -88,6 +93,7 @@ std::vector<long> calls(long most) {
 TEST_P(OutOfMemory, AtAnyAllocationEndsWithAMessage) {
   for (const bool all_that_follow : {false, true}) {
     int starved = 0;
+    int unharmed = 0;
     for (const long n : calls(2'000'000)) {
       SCOPED_TRACE(n);
       std::map<std::string, std::string> environment{{"LD_PRELOAD", REEVE_FAILING_MALLOC},
@@ -97,7 +103,8 @@ TEST_P(OutOfMemory, AtAnyAllocationEndsWithAMessage) {
       expect_a_clean_end();
       starved += result_.exit_code == 3 ? 1 : 0;
       if (HasFailure()) return;
-      if (result_.exit_code == 0 && n > 1000) break;  // it needs no more than that
+      unharmed = result_.exit_code == 0 ? unharmed + 1 : 0;
+      if (unharmed == enough_without_harm) break;
     }
     EXPECT_GT(starved, 50);
   }
@@ -111,6 +118,37 @@ INSTANTIATE_TEST_SUITE_P(
                       Starved{"Diagnose",
                               {"diagnose", readings, "--threads", "2", "--out", "out"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+class OutOfLargeMemory : public OutOfMemory {};
+
+// There are so few of them that each can fail once.
+TEST_P(OutOfLargeMemory, AtAnyAllocationEndsWithAMessage) {
+  int starved = 0;
+  int unharmed = 0;
+  for (long n = 1; n < 400 && unharmed < enough_without_harm; ++n) {
+    SCOPED_TRACE(n);
+    run({{"LD_PRELOAD", REEVE_FAILING_MALLOC},
+         {"FAIL_ABOVE", GetParam().large},
+         {"FAIL_AT", std::to_string(n)}});
+    expect_a_clean_end();
+    if (HasFailure()) return;
+    starved += result_.exit_code == 3 ? 1 : 0;
+    unharmed = result_.exit_code == 0 ? unharmed + 1 : 0;
+  }
+  EXPECT_GT(starved, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, OutOfLargeMemory,
+                         ::testing::Values(Starved{"Show", {"show", "TR5", "--out", "out"}},
+                                           // Its archive is thinned out again and again.
+                                           Starved{"Explore",
+                                                   {"explore", "--fingers", "5", "--top", "10",
+                                                    "--threads", "2", "--out", "out"},
+                                                   "30000"},
+                                           Starved{"Diagnose",
+                                                   {"diagnose", readings, "--threads", "2", "--out",
+                                                    "out"}}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 // As `ulimit -v` has it.
 TEST(MemoryLimit, IsSaidToBeReached) {
