@@ -84,6 +84,10 @@ int run_main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "0: as many as the machine has");
   app.add_option("--replicates", options.diagnosis.replicates, "of the diagnosis' null model")
       ->capture_default_str();
+  app.add_option(
+      "--mounting-scatter", options.diagnosis.mounting_scatter,
+      "told to the diagnosis, as to reeve diagnose; planted are none, but in the parts of "
+      "mountings");
   app.add_flag("--list", options.list, "list what was missed");
   app.add_option("--only", options.only, "one data set, by its number in the list");
   app.add_option("--save", options.save, "folder for the data sets that were missed");

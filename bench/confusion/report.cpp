@@ -109,15 +109,18 @@ bool right_or_among(const Outcome& outcome) {
 constexpr double least_margin = 3.9;
 
 std::string named_right(const std::vector<const Outcome*>& seen, const std::string& what,
-                        double percent) {
+                        double percent, double visible) {
   std::vector<const Outcome*> separable;
   for (const Outcome* outcome : seen) {
     const auto& found = outcome->separability;
-    if (found && found->margin > least_margin) separable.push_back(outcome);
+    if (found && found->margin > least_margin && found->over_none > visible) {
+      separable.push_back(outcome);
+    }
   }
   return at_least(what, rate(seen, as_it_should_be), percent) +
-         at_least(what + ", of those that the readings can tell from every other cause",
-                  rate(separable, as_it_should_be), percent) +
+         at_least(
+             what + ", of those that the readings can tell from every other cause and from none",
+             rate(separable, as_it_should_be), percent) +
          plain(what + ", or among those that cannot be told apart", rate(seen, right_or_among)) +
          "\n";
 }
@@ -189,24 +192,25 @@ bool same_without_dirt(const Outcome& outcome) {
 }
 
 // Some of them hide a cause, others none.
-std::string of_hard_readings(const std::vector<const Outcome*>& seen) {
+std::string of_hard_readings(const std::vector<const Outcome*>& seen, double visible) {
   std::vector<const Outcome*> hidden, calm;
   for (const Outcome* outcome : seen) {
     (outcome->planted.empty() ? calm : hidden).push_back(outcome);
   }
-  return named_right(hidden, "named right", 95) + at_most("named wrong", rate(hidden, wrong), 2) +
+  return named_right(hidden, "named right", 95, visible) +
+         at_most("named wrong", rate(hidden, wrong), 2) +
          at_most("a cause named where none is hidden", rate(calm, wrong), 5) +
          plain("any verdict but none where none is hidden",
                rate(calm, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
          "\n" + coverage(seen) + gains(hidden);
 }
 
-std::string rates(Part part, const std::vector<const Outcome*>& seen) {
+std::string rates(Part part, const std::vector<const Outcome*>& seen, double visible) {
   switch (part) {
     case Part::single:
     case Part::rig:
-      return named_right(seen, "named right", 95) + at_most("named wrong", rate(seen, wrong), 2) +
-             coverage(seen) + gains(seen);
+      return named_right(seen, "named right", 95, visible) +
+             at_most("named wrong", rate(seen, wrong), 2) + coverage(seen) + gains(seen);
     case Part::coverage:
       return coverage(seen) + gains(seen);
     case Part::null:
@@ -216,7 +220,7 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
                  rate(seen, [](const Outcome& o) { return o.finding.verdict != Verdict::none; })) +
              "\n";
     case Part::pairs:
-      return named_right(seen, "both named", 85) +
+      return named_right(seen, "both named", 85, visible) +
              plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
              gains(seen);
     case Part::unknown:
@@ -229,7 +233,7 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen) {
     case Part::few_mountings:
     case Part::heavy:
     case Part::negative:
-      return of_hard_readings(seen);
+      return of_hard_readings(seen, visible);
     case Part::dirty:
       return at_least("the same verdict and names as of the clean file",
                       rate(seen, same_without_dirt), 95);
@@ -294,7 +298,7 @@ std::string report(Part part, const std::vector<Outcome>& outcomes, double visib
              "above {}). Right/right among others that cannot be told apart/wrong/abstained (invisible):"
              "\n\n",
              part_name(part), outcomes.size(), seen.size(), visible) +
-         matrix(outcomes, visible) + rates(part, seen) + verdicts(seen) + "\n";
+         matrix(outcomes, visible) + rates(part, seen, visible) + verdicts(seen) + "\n";
 }
 
 std::string misses(const std::vector<Outcome>& outcomes, double visible) {
@@ -305,8 +309,9 @@ std::string misses(const std::vector<Outcome>& outcomes, double visible) {
                        outcome.trial.seed, outcome.trial.column(), outcome.oracle,
                        fmt::join(outcome.planted, " + "), found_text(outcome.finding));
     if (outcome.separability) {
-      out += fmt::format("; {} less likely by {:.1f}", outcome.separability->nearest,
-                         outcome.separability->margin);
+      out +=
+          fmt::format("; {} less likely by {:.1f}, none by {:.1f}", outcome.separability->nearest,
+                      outcome.separability->margin, outcome.separability->over_none);
     }
     if (outcome.with_more) out += "; then " + found_text(*outcome.with_more);
     out += "\n";

@@ -122,17 +122,21 @@ class Separating {
     Model truth = free_;
     for (const std::string& name : hidden) truth = best_of(truth, name).model;
     const Found all = fitting_.refined(truth);
-    Separability least{infinite, {}};
+    Separability least{infinite, {}, infinite};
     for (const std::string& name : hidden) {
       Model rest = all.model;
       std::erase_if(rest.effects,
                     [&](const Effect& effect) { return effect_name(effect) == name; });
-      rest = fitting_.refined(rest).model;
+      const Found none = fitting_.refined(rest);
+      rest = none.model;
+      least.over_none = std::min(least.over_none, none.surprise - all.surprise);
       for (const Candidate& other : candidates_) {
         if (has(all.model, other.name)) continue;
         const double margin =
             with(fitting_, rest, other, all.surprise + far).surprise - all.surprise;
-        if (margin < least.margin) least = {margin, other.name};
+        if (margin >= least.margin) continue;
+        least.margin = margin;
+        least.nearest = other.name;
       }
     }
     return least;

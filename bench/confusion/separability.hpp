@@ -1,12 +1,15 @@
-// Whether the readings of planted data tell the hidden cause from every other one at all.
+// Whether the readings of planted data tell the hidden cause from every other one, and from none,
+// at all.
 //
-//   margin = ln L(hidden cause) - max over other causes of ln L(that cause in its place)
+//   margin    = ln L(hidden cause) - max over other causes of ln L(that cause in its place)
+//   over_none = ln L(hidden cause) - ln L(no cause in its place)
 //
 // L: how likely all readings are, those that a diagnosis holds out among them, under the noise and
 // the scatter of mountings as they were planted, normal or Student's t. Neither is estimated, and
 // no rule of the diagnosis enters: what is common with it is how causes change forecasts, and that
-// friction coefficients are free beside each cause. With two hidden causes the other one stays, and
-// the lesser margin counts.
+// friction coefficients are free beside each cause, and without any: a drag of bearings that passes
+// for another friction of theirs is small over none, however far it is from the hardware's. With
+// two hidden causes the other one stays, and the lesser figure counts.
 #pragma once
 
 #include <optional>
@@ -20,6 +23,7 @@ namespace reeve::bench {
 struct Separability {
   double margin = 0;
   std::string nearest;  // of the other causes
+  double over_none = 0;
 };
 
 // Nothing without a hidden cause of the library.
