@@ -1,54 +1,80 @@
 #include "numerics/parallel.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace reeve::numerics {
 namespace {
 
-int thread_count(int wanted) { return wanted > 0 ? wanted : tbb::info::default_concurrency(); }
-
-#if defined(__SANITIZE_THREAD__)
-
-// The thread sanitizer cannot see how a library that was built without it synchronises, and reports
-// races that are none. Under it the same blocks run on plain threads, so that it judges our code.
-void run_on_plain_threads(std::size_t threads, std::size_t size, std::size_t grain,
-                          const std::function<void(const IndexBlock&)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::mutex guard;
-  std::exception_ptr failure;
-  {
-    std::vector<std::jthread> pool;
-    for (std::size_t worker = 0; worker < threads; ++worker) {
-      pool.emplace_back([&, worker] {
-        try {
-          for (std::size_t begin = next.fetch_add(grain); begin < size;
-               begin = next.fetch_add(grain)) {
-            work({begin, std::min(begin + grain, size), worker});
-          }
-        } catch (...) {
-          const std::lock_guard lock(guard);
-          failure = std::current_exception();
-        }
-      });
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+void throw_if_set(const std::atomic<bool>* stop) {
+  if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw Stopped();
 }
 
-#endif
+int thread_count(int wanted) { return wanted > 0 ? wanted : tbb::info::default_concurrency(); }
+
+using Work = std::function<void(const IndexBlock&)>;
+
+// The blocks of one call, in their order: whoever is free takes the next one. Who comes late finds
+// none left, and needs nothing but this.
+class Blocks {
+ public:
+  Blocks(std::size_t size, std::size_t grain, const Work& work, const std::atomic<bool>* stop)
+      : size_(size), grain_(grain), work_(work), stop_(stop) {}
+
+  void work_off(std::size_t worker) noexcept {
+    busy_.fetch_add(1);
+    std::size_t begin = next_.fetch_add(grain_);
+    try {
+      for (; begin < size_; begin = next_.fetch_add(grain_)) {
+        throw_if_set(stop_);
+        work_({begin, std::min(begin + grain_, size_), worker});
+      }
+    } catch (...) {
+      end_with(std::current_exception(), begin);
+    }
+    if (busy_.fetch_sub(1) == 1) busy_.notify_all();
+  }
+
+  // All blocks before the one that failed are begun, and will be done: that of the first is the
+  // same for any number of threads.
+  void end_with(std::exception_ptr failure, std::size_t begin) noexcept {
+    next_.store(size_);
+    const std::lock_guard lock(guard_);
+    if (failure_ && failed_at_ < begin) return;
+    failure_ = std::move(failure);
+    failed_at_ = begin;
+  }
+
+  // Waits for who is busy, and throws what ended the work.
+  void finish() {
+    for (int busy = busy_.load(); busy > 0; busy = busy_.load()) busy_.wait(busy);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::size_t size_;
+  std::size_t grain_;
+  const Work& work_;  // of who waits for the end
+  const std::atomic<bool>* stop_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<int> busy_ = 0;
+  std::mutex guard_;
+  std::exception_ptr failure_;
+  std::size_t failed_at_ = 0;
+};
 
 }  // namespace
 
@@ -69,36 +95,48 @@ Workers::~Workers() = default;
 
 std::size_t Workers::count() const { return arena_->threads; }
 
-void Workers::go_on() const {
-  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Stopped();
+void Workers::go_on() const { throw_if_set(stop_); }
+
+#if defined(__SANITIZE_THREAD__)
+
+// The thread sanitizer cannot see how a library that was built without it synchronises, and reports
+// races that are none. Under it the same blocks run on plain threads, so that it judges our code.
+void Workers::for_each_block(std::size_t size, std::size_t grain, const Work& work) {
+  Blocks blocks(size, grain, work, stop_);
+  {
+    std::vector<std::jthread> pool;
+    for (std::size_t worker = 0; worker < count(); ++worker) {
+      pool.emplace_back([&blocks, worker] { blocks.work_off(worker); });
+    }
+  }
+  blocks.finish();
 }
 
-void Workers::for_each_block(std::size_t size, std::size_t grain,
-                             const std::function<void(const IndexBlock&)>& work) {
-#if defined(__SANITIZE_THREAD__)
-  run_on_plain_threads(arena_->threads, size, grain, [&](const IndexBlock& block) {
-    go_on();
-    work(block);
-  });
 #else
+
+// Tasks of the library are asked for help alone, and nobody waits for one of them: of a task that
+// it cannot spawn, for want of memory, its own loops wait for ever.
+void Workers::for_each_block(std::size_t size, std::size_t grain, const Work& work) {
+  const auto blocks = std::make_shared<Blocks>(size, grain, work, stop_);
+  const auto work_off = [blocks] {
+    blocks->work_off(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+  };
+  const std::size_t helpers = std::min(count(), (size + grain - 1) / grain);
   try {
-    arena_->arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, size, grain),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            go_on();
-            const auto worker =
-                static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-            work({range.begin(), range.end(), worker});
-          },
-          tbb::simple_partitioner());
-    });
+    for (std::size_t i = 1; i < helpers; ++i) arena_->arena.enqueue(work_off);
+  } catch (...) {
+    blocks->end_with(std::current_exception(), 0);
+  }
+  try {
+    arena_->arena.execute(work_off);
+    blocks->finish();
   } catch (const std::runtime_error& error) {
     // The library has no type of its own for this.
     if (std::string_view(error.what()).starts_with("pthread_")) throw NoThreads();
     throw;
   }
-#endif
 }
+
+#endif
 
 }  // namespace reeve::numerics

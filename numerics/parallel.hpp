@@ -44,8 +44,9 @@ class Workers {
 
   std::size_t count() const;
 
-  // Cuts 0 … size into blocks of at most `grain` indices and runs them; exceptions come through.
-  // Throws NoThreads, and Stopped before the next block once `stop` is set.
+  // Cuts 0 … size into blocks of at most `grain` indices and begins them in their order; the
+  // exception of the first that fails comes through. Throws NoThreads, and Stopped before the next
+  // block once `stop` is set.
   void for_each_block(std::size_t size, std::size_t grain,
                       const std::function<void(const IndexBlock&)>& work);
 
