@@ -7,6 +7,7 @@
 
 #include "diagnosis/model/null_model.hpp"
 #include "diagnosis/model/problem.hpp"
+#include "diagnosis/model/scatter_fit.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -38,7 +39,8 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
   plain.motor_deviation_N.resize(0);
   const Eigen::VectorXd left = sure_N * own_residuals(plain, at);
   const double scaled = dataset.degrees_of_freedom() / static_cast<double>(cells);
-  const double middle = at.reading_N.mean();
+  // A seized contact may leave a model in which nothing is pulled.
+  const double middle = std::max(at.reading_N.mean(), least_absolute(dataset));
   Eigen::VectorXd known = Eigen::VectorXd::Zero(cells);
   std::vector<std::size_t> row_of;
   for (std::size_t r = 0; r < dataset.rows.size(); ++r) {

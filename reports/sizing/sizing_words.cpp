@@ -36,8 +36,13 @@ std::string unit_text(const Goal& goal) {
 std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
   const double before = on_grid(design.before.goal);
   const double after = on_grid(design.after.goal);
-  std::string text = fmt::format("{:.4g} -> {:.4g}{}", before, after, unit_text(options.goal));
-  if (options.goal.is_target() || before == 0) return text;
+  const auto text_of = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
+  };
+  std::string text =
+      fmt::format("{} -> {}{}", text_of(before), text_of(after), unit_text(options.goal));
+  const bool compares = std::isfinite(before) && std::isfinite(after) && before != 0;
+  if (options.goal.is_target() || !compares) return text;
   text += fmt::format(" ({:+.1f} %)", 100 * (after - before) / std::abs(before));
   return text;
 }

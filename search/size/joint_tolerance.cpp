@@ -52,7 +52,10 @@ class ToleranceBox {
   double loss(const Point& where, double factor) const {
     Point there = point_;
     const std::vector<double> move = moves(where, factor);
-    for (std::size_t i = 0; i < size(); ++i) there[i] += move[i];
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Interval limits = possible(problem_, i);  // a rounding error is no way beyond them
+      there[i] = std::clamp(there[i] + move[i], limits.low, limits.high);
+    }
     return problem_.loss(there);
   }
 

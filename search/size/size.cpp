@@ -190,14 +190,16 @@ void finish(const SizingProblem& problem, const SizingOptions& options, const Se
     design.nearest_shares = design.after.shares;
   }
   design.hardware = problem.model(best.at).hardware;
-  const auto sensitivity = search.stopped() ? std::vector<Sensitivity>(best.at.size())
-                                            : sensitivities(problem, options.goal, best.at);
+  // Where no motor is enough there is nothing to lose.
+  const bool is_enough = !search.stopped() && std::isfinite(design.after.goal);
+  const auto sensitivity = is_enough ? sensitivities(problem, options.goal, best.at)
+                                     : std::vector<Sensitivity>(best.at.size());
   for (std::size_t i = 0; i < best.at.size(); ++i) {
     const SizeVariable& variable = problem.space().variables[i];
     design.variables.push_back(
         {variable, best.at[i], at_bound(variable.bounds, best.at[i]), sensitivity[i]});
   }
-  if (search.stopped()) return;
+  if (!is_enough) return;
   design.flat = flat_directions(problem, options.goal, best.at);
   if (best.at.empty()) return;
   design.together = joint_tolerance(problem, options.goal, best.at, sensitivity, options.seed);

@@ -1,6 +1,7 @@
 #include "search/size/sizing_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/network.hpp"
@@ -11,7 +12,7 @@ namespace reeve::search {
 namespace {
 
 // Worse than any goal, and still a number for who compares.
-constexpr double no_tensions = 1e9;
+constexpr double worst_loss = 1e9;
 
 // The box of the coefficients, sheath angles as parts of what they are.
 CoefficientBox relative_box(const SizingOptions& options) {
@@ -35,29 +36,41 @@ SizingProblem::SizingProblem(const Routing& routing, const SizingOptions& option
       robust_(options.robust) {
   for (const SizeVariable& variable : space_.variables) box_.push_back(variable.bounds);
   for (const PlacedDimension& placed : space_.dimensions) nominal_.push_back(placed.nominal);
-  require_upper_end(options);
   const CoefficientBox box = relative_box(options);
+  std::vector<double> highest;
+  for (const Interval& interval : box) highest.push_back(interval.high);
+  if (robust_) highest_ = {absolute(highest, options.nominal.hardware), highest.back()};
+  require_upper_end();
   for (std::size_t d = 0; robust_ && d < options.draws; ++d) {
     const std::vector<double> point = drawn_point(box, options.seed, d);
     draws_.push_back({absolute(point, options.nominal.hardware), point.back()});
   }
 }
 
+// With the greatest friction that is drawn.
+Model SizingProblem::upper_end(const Values& values) const {
+  const Model model = model_of(values, highest_.sheath_factor);
+  return robust_ ? at_point(model, highest_.coefficients) : model;
+}
+
 // Of contacts alone the hardware's faults do not tell; points without tensions are passed over.
-void SizingProblem::require_upper_end(const SizingOptions& options) const {
+void SizingProblem::require_upper_end() const {
   Point highest;
   for (const Interval& interval : box_) highest.push_back(interval.high);
-  std::vector<double> coefficients;
-  for (const Interval& interval : relative_box(options)) coefficients.push_back(interval.high);
-  const double factor = robust_ ? coefficients.back() : 1;
-  Model model = model_of(values(highest), factor);
-  if (robust_) model = at_point(model, absolute(coefficients, options.nominal.hardware));
   try {
-    validate(effective_hardware(model));
+    validate(effective_hardware(upper_end(values(highest))));
   } catch (const InputError& error) {
     throw error.at(robust_ ? "at the upper end of the bounds and of the uncertainty's ranges"
                            : "at the upper end of the bounds");
   }
+}
+
+bool SizingProblem::is_hardware(const Point& point) const {
+  bool within = true;
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    within = within && point[v] >= box_[v].low && point[v] <= box_[v].high;
+  }
+  return within || !fault(effective_hardware(upper_end(values(point))));
 }
 
 SizingProblem::Point SizingProblem::nearest_to_nominal() const {
@@ -98,10 +111,12 @@ double SizingProblem::goal_of(const Values& values, bool robust) const {
 }
 
 double SizingProblem::guarded_loss(const Point& point, bool robust) const {
+  if (!is_hardware(point)) return worst_loss;
   try {
-    return as_loss(goal_of(values(point), robust));
+    const double loss = as_loss(goal_of(values(point), robust));
+    return std::isfinite(loss) ? loss : worst_loss;
   } catch (const OutOfRange&) {
-    return no_tensions;
+    return worst_loss;
   }
 }
 

@@ -60,7 +60,11 @@ class SizingProblem {
   double nominal_goal() const { return goal_of(nominal_, false); }
   double nominal_goal(const Point& point) const { return goal_of(values(point), false); }
 
-  // The goal, so that less is better; very much where there are no tensions.
+  // Within the bounds always; beyond them a length may be none, or a wrap more than contacts have.
+  bool is_hardware(const Point& point) const;
+
+  // The goal, so that less is better; very much where there are no tensions, no hardware, or where
+  // no motor is enough.
   double loss(const Point& point) const;
   double nominal_loss(const Point& point) const;
   double as_loss(double goal) const { return higher_is_better_ ? -goal : goal; }
@@ -81,7 +85,8 @@ class SizingProblem {
   Model model_of(const Values& values, double sheath_factor) const;
   double goal_of(const Values& values, bool robust) const;
   double guarded_loss(const Point& point, bool robust) const;
-  void require_upper_end(const SizingOptions& options) const;
+  Model upper_end(const Values& values) const;
+  void require_upper_end() const;
 
   Model nominal_model_;
   SizeSpace space_;
@@ -90,6 +95,7 @@ class SizingProblem {
   GoalEvaluator evaluator_;
   bool higher_is_better_;
   bool robust_;
+  Draw highest_;  // of all that the uncertainty may draw
   std::vector<Draw> draws_;
 };
 

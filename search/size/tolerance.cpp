@@ -25,12 +25,6 @@ double width(const Interval& bounds) {
   return std::max(bounds.high - bounds.low, 1e-6 * std::max(1.0, std::abs(bounds.high)));
 }
 
-Interval possible(const SizingProblem& problem, std::size_t variable) {
-  const SizeSpace& space = problem.space();
-  const std::size_t first = space.variables[variable].dimensions.front();
-  return row(space.dimensions[first].dimension.quantity).possible;
-}
-
 // How far it is to the first place where `lost` says so: scanned, then halved.
 std::optional<double> way_to(double reach, const std::function<bool(double)>& lost) {
   double inside = 0;
@@ -68,25 +62,29 @@ class Surroundings {
   }
 
  private:
-  double loss_at(std::size_t variable, double move) const {
-    Point beside = point_;
-    beside[variable] += move;
-    return problem_.loss(beside);
+  Point beside(std::size_t variable, double move) const {
+    Point there = point_;
+    there[variable] += move;
+    return there;
   }
 
   double slope(std::size_t variable, double move) const {
     const Interval there = possible(problem_, variable);
     const double to = point_[variable] + move;
     if (to < there.low || to > there.high) return 0;
-    const double change = problem_.as_loss(loss_at(variable, move) - loss_);
+    const Point at = beside(variable, move);
+    if (!problem_.is_hardware(at)) return 0;
+    const double change = problem_.as_loss(problem_.loss(at) - loss_);
     return change / std::abs(move);
   }
 
   std::optional<double> off(std::size_t variable, int sign) const {
     const double beyond = room_beyond(problem_, point_, variable, sign);
     if (!(beyond > 0)) return std::nullopt;
-    return way_to(beyond,
-                  [&](double way) { return loss_at(variable, sign * way) > loss_ + tolerated_; });
+    return way_to(beyond, [&](double way) {
+      const Point at = beside(variable, sign * way);
+      return problem_.is_hardware(at) && problem_.loss(at) > loss_ + tolerated_;
+    });
   }
 
   const SizingProblem& problem_;
@@ -179,6 +177,12 @@ Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
 }
 
 }  // namespace
+
+Interval possible(const SizingProblem& problem, std::size_t variable) {
+  const SizeSpace& space = problem.space();
+  const std::size_t first = space.variables[variable].dimensions.front();
+  return row(space.dimensions[first].dimension.quantity).possible;
+}
 
 AtBound at_bound(const Interval& bounds, double value) {
   const double near = near_bound * (bounds.high - bounds.low);

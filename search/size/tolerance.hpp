@@ -16,6 +16,9 @@ inline constexpr double tolerated_loss = 0.01;
 // That part, in the unit of the loss.
 double tolerated(const SizingProblem& problem, const Goal& goal, const SizingProblem::Point& point);
 
+// What the variable may be in any hardware.
+Interval possible(const SizingProblem& problem, std::size_t variable);
+
 // How far a variable is looked at beyond the point, less (−1) or more (1): to the width of its
 // bounds beyond them, or as far as there is hardware.
 double room_beyond(const SizingProblem& problem, const SizingProblem::Point& point,

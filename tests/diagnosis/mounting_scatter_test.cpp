@@ -2,10 +2,12 @@
 #include "diagnosis/model/mounting/mounting_scatter.hpp"
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/model/mounting/mounted_comparison.hpp"
 #include "diagnosis/model/noise.hpp"
 #include "tests/diagnosis/found_causes.hpp"
@@ -112,6 +114,28 @@ TEST(MountingScatter, IsToldByWhatTheReadingsLeaveOfIt) {
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
     EXPECT_NEAR(found.told_by[k], expected[k], 1e-8 * (1 + expected[k])) << k;
   }
+}
+
+// A seized sheath may be tried on the way: then no reading of that model is above 0.
+TEST(NoiseWithinMountings, OfAModelThatPullsNothingIsThatOfTheReadings) {
+  std::string text = "run,routing,direction,motor_tension_N,T1_N,T2_N\n";
+  for (int i = 0; i < 24; ++i) {
+    const double load = 10 + i;
+    text += fmt::format("{},M-1-F,pull,{},{},{}\n", 1 + i % 3, load, 0.3 * load, 0.2 * load);
+  }
+  const MeasuredData data = read_data(text);
+  const Dataset all = dataset(data, all_readings(data));
+  Subject sheath;
+  sheath.routing = "M-1-F";
+  sheath.contact = "a-T1";
+  Model model;
+  add_effect(model, Effect{find_cause("seized_contact"), sheath, {}});
+  ASSERT_EQ(forecast(all, model).reading_N.maxCoeff(), 0);
+  Workers workers(1);
+  const auto noise = noise_left_within_mountings(all, model, mounting_modes(all, model, workers));
+  ASSERT_TRUE(noise);
+  EXPECT_TRUE(std::isfinite(noise->absolute_N));
+  EXPECT_GT(noise->absolute_N, 1);
 }
 
 }  // namespace

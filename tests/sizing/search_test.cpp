@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "catalog/rig/hardware_file.hpp"
 #include "core/mechanics.hpp"
 #include "core/tension/tension.hpp"
 #include "search/judge/evaluation.hpp"
@@ -195,6 +196,41 @@ TEST(Sizing, RefusesBoundsBeyondAnyContact) {
   EXPECT_NO_THROW(sized("M-1-T-2-F", options));
   options.robust = true;  // with 0.2 and a fifth more angle
   EXPECT_THROW(sized("M-1-T-2-F", options), InputError);
+}
+
+Model with_three_finger_hand() {
+  return {read_hardware(REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml"), {}, {}};
+}
+
+// Looked at beyond its bounds an arm ends at 0.01 mm, and those of other joints may end before it.
+TEST(Sizing, LooksForToleranceWhereThereIsHardware) {
+  SizingOptions options = sizing("stroke", {"arm_mm=5..15"}, 3);
+  options.nominal = with_three_finger_hand();
+  options.evaluations = 60;
+  options.starts = 1;
+  const SizedDesign design = sized("M-1b-B-2b-B-3b-M", options);
+  ASSERT_TRUE(design.together);
+  for (std::size_t i = 0; i < design.variables.size(); ++i) {
+    EXPECT_GE(design.variables[i].value - design.together->ways[i].less, 0.01 - 1e-12);
+  }
+}
+
+TEST(Sizing, LooksForToleranceWhereAWrapIsOne) {
+  SizingOptions options = aiming("1=5,2=1", {"sheath_angle=0..30"});
+  options.evaluations = 60;
+  options.starts = 1;
+  EXPECT_FALSE(sized("M-1-P-2-M", options).variables.empty());
+}
+
+// Of a tendon of which a finger blocks the other one.
+TEST(Sizing, OfADesignForWhichNoMotorIsEnoughFindsNothingBetter) {
+  SizingOptions options = sizing("motor_force", {"sheath_angle=2..5"}, 3);
+  options.nominal = with_three_finger_hand();
+  options.evaluations = 60;
+  options.starts = 1;
+  const SizedDesign design = sized("M-1-M+M-2-M+M-3-M", options);
+  EXPECT_FALSE(std::isfinite(design.before.goal));
+  EXPECT_FALSE(std::isfinite(design.after.goal));
 }
 
 }  // namespace
