@@ -74,7 +74,7 @@ Json data_values(const DiagnosisPageInput& input) {
           {"held_out", result.held_out_runs},
           {"duplicates", result.dropped_duplicates},
           {"thinned", result.thinned_rows},
-          {"noise", fmt::format("{:.2g} % of the reading and {}", 100 * noise.relative,
+          {"noise", fmt::format("{} of the reading and {}", fine_percent_text(noise.relative),
                                 newton(noise.absolute_N))},
           {"noise_source", source_text(noise.source)},
           {"noise_degrees", fmt::format("{:.0f}", noise.degrees_of_freedom)},

@@ -135,10 +135,13 @@ bool some_are_far(const DiagnosisResult& result) {
 
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  std::string text = fmt::format(
-      "The model as it stands explains {} {}.\n",
-      some_are_far(result) ? "the training runs" : "the data",
-      weak_structure_remains(report) ? "but for weak structure" : "as well as their noise allows");
+  const bool is_believed = beyond_belief_sentence(result).empty();
+  std::string text =
+      fmt::format("The model as it stands explains {} {}.\n",
+                  some_are_far(result) ? "the training runs" : "the data",
+                  !is_believed ? "only if mountings differ by more than can be believed"
+                  : weak_structure_remains(report) ? "but for weak structure"
+                                                   : "as well as their noise allows");
   if (some_are_far(result))
     text += "It is far from some readings of held-out runs: see the notes.\n";
   const std::vector<std::string> dropped = not_named_sentences(result);
@@ -239,8 +242,10 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
     text += sentence + ".\n";
   }
   const std::vector<DataNote>& notes = report.result.notes;
+  const std::string mountings = beyond_belief_sentence(report.result);
   return text.insert(text.find('\n') + 1, check_first(notes, NoteKind::units, "the units") +
-                                              check_first(notes, NoteKind::not_as_pulled, "this"));
+                                              check_first(notes, NoteKind::not_as_pulled, "this") +
+                                              (mountings.empty() ? "" : mountings + "\n"));
 }
 
 }  // namespace reeve::reports

@@ -26,13 +26,19 @@ const char* of_what(Mounted kind) {
 }
 
 std::string percent_in(const MountingScatter& scatter, Mounted kind) {
-  return fmt::format("{:.2g} % in {}", 100 * scatter.relative[static_cast<std::size_t>(kind)],
+  return fmt::format("{} in {}",
+                     fine_percent_text(scatter.relative[static_cast<std::size_t>(kind)]),
                      of_what(kind));
+}
+
+bool is_beyond_belief(const MountingScatter& scatter, Mounted kind) {
+  const auto k = static_cast<std::size_t>(kind);
+  return scatter.present[k] && believed(scatter).relative[k] < scatter.relative[k];
 }
 
 bool is_assumed(const MountingScatter& scatter, Mounted kind) {
   return scatter.present[static_cast<std::size_t>(kind)] && !is_told(scatter, kind) &&
-         !scatter.given;
+         !is_beyond_belief(scatter, kind) && !scatter.given;
 }
 
 bool is_present(const MountingScatter& scatter) {
@@ -60,8 +66,8 @@ std::string known_sentence(const DiagnosisResult& result) {
   const std::string mountings =
       fmt::format("Mountings differ by {} ({})", fmt::join(known, ", "), by);
   if (result.noise.source == NoiseSource::known) return mountings + ".";
-  return fmt::format("{}; readings of one mounting repeat to {:.2g} %.", mountings,
-                     100 * result.noise.relative);
+  return fmt::format("{}; readings of one mounting repeat to {}.", mountings,
+                     fine_percent_text(result.noise.relative));
 }
 
 std::string assumed_sentence(const MountingScatter& scatter) {
@@ -109,11 +115,35 @@ std::vector<std::string> scatter_sentences(const DiagnosisResult& result) {
 }
 
 std::string row_sentence(const DiagnosisResult& result) {
+  constexpr double most_of_a_motor = 0.3;
   if (!result.row_scatter) return "";
+  const double off = result.row_scatter->relative;
+  const std::string together = fmt::format(
+      "Readings of one row go together, as if the motor tension were off by {} from row to row: ",
+      fine_percent_text(off));
+  if (off > most_of_a_motor) {
+    return together +
+           "more than any motor's; look whether directions, grasps and columns are what the file says.";
+  }
+  return together +
+         fmt::format(
+             "if it is a motor current or a coarse sensor, say so with --noise motor={:.2g}%.",
+             100 * off);
+}
+
+std::string beyond_belief_sentence(const DiagnosisResult& result) {
+  std::vector<std::string> beyond;
+  for (const Mounted kind : all_kinds) {
+    if (is_beyond_belief(result.mounting, kind)) {
+      beyond.push_back(percent_in(result.mounting, kind));
+    }
+  }
+  if (beyond.empty()) return "";
   return fmt::format(
-      "Readings of one row go together, as if the motor tension were off by {0:.2g} % from row to "
-      "row: if it is a motor current or a coarse sensor, say so with --noise motor={0:.2g}%.",
-      100 * result.row_scatter->relative);
+      "Check this first: it takes mountings that differ by {}, more than those of any rig in print. "
+      "Are routings, grasps, directions and columns what the file says? --mounting-scatter says "
+      "what you know.",
+      fmt::join(beyond, ", "));
 }
 
 Json row_scatter_json(const DiagnosisResult& result) {

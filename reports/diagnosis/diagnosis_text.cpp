@@ -27,8 +27,8 @@ std::string noise_text(const Noise& noise) {
                        : noise.source == NoiseSource::repeats_and_smoothing
                            ? "repeated readings and what no smooth law explains"
                            : "what the model leaves";
-  return fmt::format("Noise: {:.2g} % of the reading and {}, by {} ({:.0f} degrees of freedom)",
-                     100 * noise.relative, newton(noise.absolute_N), source,
+  return fmt::format("Noise: {} of the reading and {}, by {} ({:.0f} degrees of freedom)",
+                     fine_percent_text(noise.relative), newton(noise.absolute_N), source,
                      noise.degrees_of_freedom);
 }
 

@@ -154,6 +154,11 @@ std::string newton(double value) {
   return fmt::format("{:.0f} N", std::round(value / digit) * digit);
 }
 
+std::string fine_percent_text(double share) {
+  const double percent = 100 * share;
+  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
 std::string percent_text(double share) {
   return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // never -0
 }

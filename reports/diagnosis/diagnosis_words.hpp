@@ -41,6 +41,8 @@ bool weak_structure_remains(const DiagnosisReport& report);
 
 std::string newton(double value);
 std::string percent_text(double share);  // "72 %"
+// "0.83 %", "2.1 %", "190 %"
+std::string fine_percent_text(double share);
 // "in fewer than 0.25 % of data sets", where the replicates show no smaller chance
 std::string chance_text(double p_value, std::size_t replicates);
 std::string p_text(double p_value, std::size_t replicates);    // "p = 0.4", "p < 0.0025"

@@ -55,6 +55,35 @@ TEST(DiagnosisAnswer, OfNoCauseSpeaksOfTheTrainingRunsWhereHeldOutOnesAreFar) {
                    "readings of held-out runs: see the notes.\n"));
 }
 
+// Of a file whose routing column is wrong, say.
+TEST(DiagnosisAnswer, SaysWhatMountingsItWouldTake) {
+  DiagnosisReport report = report_of(Verdict::none);
+  MountingScatter& scatter = report.result.mounting;
+  scatter.present = {true, false, true, false};
+  scatter.told_by = {5, 0, 0.5, 0};
+  scatter.relative = {0.12, 0.04, 0.3, 0.005};
+  EXPECT_FALSE(says(report, "believed"));
+  scatter.relative = {0.59, 0.04, 2, 0.005};
+  EXPECT_TRUE(says(report,
+                   "The model as it stands explains the data only if mountings differ by more than "
+                   "can be believed.\nCheck this first: it takes mountings that differ by 59 % in "
+                   "the sheaths' exponents, 200 % in the bearings' exponents, more than"));
+  scatter.given = true;
+  EXPECT_FALSE(says(report, "believed"));
+}
+
+TEST(DiagnosisAnswer, AdvisesNoNoiseOfTheMotorThatNoMotorHas) {
+  DiagnosisReport report = report_of(Verdict::unexplained);
+  report.result.unexplained = Unexplained{};
+  report.result.row_scatter = RowScatter{0.017, 20};
+  EXPECT_TRUE(says(report,
+                   "off by 1.7 % from row to row: if it is a motor current or a coarse "
+                   "sensor, say so with --noise motor=1.7%."));
+  report.result.row_scatter = RowScatter{1.04, 20};
+  EXPECT_TRUE(says(report, "off by 104 % from row to row: more than any motor's;"));
+  EXPECT_FALSE(says(report, "--noise"));
+}
+
 TEST(DiagnosisAnswer, OfTooFewReadingsClaimsNothing) {
   const DiagnosisReport report = report_of(Verdict::too_few);
   EXPECT_TRUE(says(report, "cannot be said: the readings are too few"));
