@@ -76,6 +76,15 @@ Model without_last(const Explanation& explanation) {
   return fit(explanation.problem, without(explanation.model, place(explanation.model, last))).model;
 }
 
+// With the hardware's own, in place of those that are said to differ.
+Model without_differences(const Explanation& explanation) {
+  Model model = explanation.model;
+  for (const Calibration& calibration : explanation.calibrations) {
+    if (calibration.differs) model = without(model, place(model, calibration.effect));
+  }
+  return fit(explanation.problem, model).model;
+}
+
 class Withdrawing {
  public:
   Withdrawing(Explanation& explanation, const Dataset& held_out, const Model& nominal,
@@ -91,7 +100,14 @@ class Withdrawing {
       result_.names.push_back(effect_name(explanation_.accepted.back().effect));
       take_back_last(explanation_, workers_);
     }
-    if (names_a_coefficient(explanation_) && may_lose_to(nominal_)) take_back_coefficients();
+    if (names_a_coefficient(explanation_) && may_lose_to(nominal_)) {
+      take_back_differences();
+      forecast_by(nominal_);
+    }
+    // Beside causes that are left it stays fitted, as any that is not said to differ.
+    if (names_a_coefficient(explanation_) && may_lose_to(without_differences(explanation_))) {
+      take_back_differences();
+    }
     return std::move(result_);
   }
 
@@ -119,14 +135,17 @@ class Withdrawing {
     return true;
   }
 
-  void take_back_coefficients() {
+  void take_back_differences() {
     for (Calibration& calibration : explanation_.calibrations) {
       if (calibration.differs) result_.names.push_back(effect_name(calibration.effect));
       calibration.differs = false;
     }
-    explanation_.model = nominal_;
+  }
+
+  void forecast_by(const Model& model) {
+    explanation_.model = model;
     explanation_.problem =
-        problem(*explanation_.problem.dataset, explanation_.scatter, nominal_, workers_);
+        problem(*explanation_.problem.dataset, explanation_.scatter, model, workers_);
   }
 
   Explanation& explanation_;

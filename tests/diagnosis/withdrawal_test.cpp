@@ -138,5 +138,43 @@ TEST(Withdrawal, TakesBackWhatACoefficientWasSaidToBe) {
   EXPECT_TRUE(explanation.model.effects.empty());
 }
 
+// Of the bench, with that friction in the tubes.
+Pattern strands_N(double mu) {
+  Hardware hardware;
+  hardware.tube.mu = mu;
+  const Network network = expand(parse_routing("M-1-T-2-F"));
+  const TensionState state = tensions(network, mechanics(network, hardware), Grasp{});
+  Pattern of_each;
+  for (std::size_t strand = 1; strand <= 4; ++strand) of_each.push_back(20 * state.tension[strand]);
+  return of_each;
+}
+
+// … whose loss a cause beside it pays for many times over.
+TEST(Withdrawal, TakesBackACoefficientBesideACause) {
+  const auto said_to_differ = [](double held_out_mu) {
+    const Bench training({1});
+    Explanation explanation;
+    explanation.problem = training.problem;
+    explanation.scatter.noise.absolute_N = bench_noise_N;
+    Effect other{find_cause("tube_friction"), {}, {0.2}};
+    add_effect(explanation.model, other);
+    const Effect cause{&on_T1, {}, {1}};
+    add_effect(explanation.model, cause);
+    explanation.base.effects = {other};
+    explanation.accepted.push_back({cause, 0.001});
+    explanation.calibrations = {{other, {}, 0.001, 100, true}};
+    Pattern held_out = strands_N(held_out_mu);
+    const Pattern nominal = strands_N(0.18);
+    for (std::size_t i = 0; i < 4; ++i) held_out[i] += (i == 0 ? 1 : 0) - nominal[i];
+    const Names names = withdrawn(explanation, held_out).names;
+    EXPECT_EQ(explanation.accepted.size(), 1U);
+    EXPECT_EQ(explanation.model.effects.size(), 2U);
+    EXPECT_EQ(explanation.calibrations[0].differs, names.empty());
+    return names;
+  };
+  EXPECT_EQ(said_to_differ(0.2), Names{});
+  EXPECT_EQ(said_to_differ(0.18), Names{"tube_friction"});
+}
+
 }  // namespace
 }  // namespace reeve::testing
