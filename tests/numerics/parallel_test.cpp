@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/error.hpp"
@@ -125,6 +127,25 @@ TEST(Parallel, OneOfManyExceptionsComesThrough) {
   EXPECT_THROW(workers.for_each_block(
                    100, 1, [](const IndexBlock&) { throw std::runtime_error("each block"); }),
                std::runtime_error);
+}
+
+TEST(Parallel, OfManyExceptionsThatOfTheFirstBlockComesThrough) {
+  for (const int threads : thread_counts) {
+    Workers workers(threads);
+    for (int round = 0; round < 20; ++round) {
+      try {
+        workers.for_each_block(40, 1, [&](const IndexBlock& block) {
+          if (block.begin < 3) return;
+          // The first that fails takes the longest to.
+          std::this_thread::sleep_for(std::chrono::microseconds(block.begin == 3 ? 500 : 10));
+          throw std::runtime_error(std::to_string(block.begin));
+        });
+        ADD_FAILURE() << "no exception with " << threads << " threads";
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "3");
+      }
+    }
+  }
 }
 
 }  // namespace
