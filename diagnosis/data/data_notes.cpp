@@ -9,6 +9,7 @@
 #include "diagnosis/data/checks/below_zero.hpp"
 #include "diagnosis/data/checks/copies.hpp"
 #include "diagnosis/data/checks/directions.hpp"
+#include "diagnosis/data/checks/inverted.hpp"
 #include "diagnosis/data/intake/column_name.hpp"
 #include "diagnosis/series/recognise_series.hpp"
 #include "numerics/robust.hpp"
@@ -94,6 +95,7 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   add_units(data, notes);
   for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
   for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
+  for (DataNote& note : notes_inverted(data)) notes.push_back(std::move(note));
   for (const std::string& covariate : data.covariates) {
     notes.push_back(
         {NoteKind::covariate,

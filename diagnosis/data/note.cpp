@@ -52,6 +52,8 @@ const char* note_kind_name(NoteKind kind) {
       return "groups_differ";
     case NoteKind::runs_of_groups:
       return "runs_of_groups";
+    case NoteKind::inverted:
+      return "inverted";
     case NoteKind::far_forecast:
       return "far_forecast";
     case NoteKind::reversed:

@@ -28,6 +28,7 @@ enum class NoteKind : std::uint8_t {
   letters,                 // of segments that another source may use otherwise
   outlier,                 // cells far from all others of their kind
   below_zero,              // tensions that a slack strand or a drifted zero gives
+  inverted,                // channels that read the more below zero, the more is pulled
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
   clock,                   // of a time series: set back (steady_readings.hpp)

@@ -1,5 +1,6 @@
 #include "diagnosis/data/checks/below_zero.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -43,6 +44,30 @@ TEST(TensionsBelowZero, WithoutAMotorTensionNeedAPositiveSum) {
       read_data("run,routing,T1_N,T2_N\nA,TR5,1,-1\nA,TR5,1,-2\nA,TR5,2,-1\n");
   ASSERT_EQ(all_of(data).rows.size(), 1U);
   EXPECT_EQ(all_of(data).rows[0].reading, 2U);
+}
+
+// T1 and T2 over ten loads.
+std::string inverted_note(double per_load, double zero_N) {
+  std::string text = "run,routing,direction,motor_tension_N,T1_N,T2_N\n";
+  for (int i = 1; i <= 10; ++i) {
+    const double drift = 0.1 * (i % 3);
+    text += fmt::format("A,TR5,pull,{},{},{}\n", 10 * i, 5 * i, per_load * 10 * i + zero_N + drift);
+    // Of which a tenth arrives there, in other order.
+    const int load = 10 * (1 + i * 3 % 10);
+    text +=
+        fmt::format("A,TR5,release,{},{},{}\n", load, 15 * load, 0.1 * per_load * load + zero_N);
+  }
+  return testing::note_text(read_data(text).notes, NoteKind::inverted);
+}
+
+TEST(AChannel, ThatReadsTheMoreBelowZeroTheMoreIsPulledHasItsSignExchanged) {
+  EXPECT_EQ(inverted_note(-0.3, 0),
+            "T2 reads below zero, the more so the more is pulled, which no tendon does: exchange "
+            "the sign in the file if the sensor is mounted or wired the other way round");
+  EXPECT_EQ(inverted_note(0.3, 0), "");
+  EXPECT_EQ(inverted_note(0, -2), "") << "a slack strand and a zero that has drifted";
+  EXPECT_EQ(inverted_note(0.01, -2), "");
+  EXPECT_EQ(inverted_note(-0.3, 20), "") << "most are above";
 }
 
 TEST(AMotorTensionBelowZero, LeavesItsRowOutAndIsNamed) {
