@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "core/text.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
-#include "diagnosis/data/intake/words.hpp"
+#include "diagnosis/data/intake/header_columns.hpp"
 #include "diagnosis/series/recognise_series.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
-struct CellRange {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-};
+using Columns = std::vector<DataColumn>;
 
 // The greatest numbers are far above any rig: they catch a slipped decimal mark, and keep sums of
 // squares finite. An angle of 100 rad is sixteen turns of a sheath; more is likely in degrees.
@@ -43,237 +38,73 @@ CellRange range_of(DataRole role) {
   }
 }
 
-class ColumnReader {
- public:
-  ColumnReader(const CsvReader& csv, const std::optional<CsvRow>& units,
-               const ReadingOptions& options, FaultList& faults)
-      : csv_(csv),
-        units_(units),
-        options_(options),
-        faults_(faults),
-        group_(options.group ? header_of(*options.group) : std::nullopt) {}
+constexpr FileKind file_of_readings{[](DataRole) { return true; }, range_of};
 
-  DataColumns read() {
-    for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
-    require_options();
-    require_no_log(csv_, result_.columns);
-    require_columns();
-    require_tensions_of_deviations();
-    note_names();
-    note_units_row();
-    return std::move(result_);
+// Nobody may think that something was done with what the file does not have.
+void require_noise(const Columns& columns, const ReadingOptions& options, HeaderFaults& faults) {
+  for (const ColumnNoise& given : options.noise) {
+    const bool is_there =
+        std::any_of(columns.begin(), columns.end(),
+                    [&](const DataColumn& column) { return is_noise_of(given, column); });
+    if (is_there) continue;
+    faults.add({.what = "the header has no column of tensions",
+                .value = for_message(given.column),
+                .expected = "the column whose noise is given"});
   }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto given =
+        std::count_if(options.noise.begin(), options.noise.end(),
+                      [&](const ColumnNoise& noise) { return is_noise_of(noise, columns[i]); });
+    if (given > 1) faults.add_column(i, fmt::format("one noise, and {} are given", given));
+  }
+}
 
- private:
-  // As it is written in the file, where capitals need not be as in the option.
-  std::optional<std::string> header_of(const std::string& wanted) const {
-    std::vector<std::string> alike;
-    for (const std::string_view field : csv_.header().fields) {
-      const std::string name(trimmed(field));
-      if (name == wanted) return name;
-      if (lower(name) == lower(wanted)) alike.push_back(name);
+void require(const Columns& columns, DataRole role, const std::string& column,
+             const std::string& expected, HeaderFaults& faults) {
+  if (find_column(columns, role)) return;
+  faults.add({.what = "the header has no column " + column, .expected = expected});
+}
+
+void require_columns(const HeaderColumns& header, HeaderFaults& faults) {
+  require(header.columns, DataRole::run, "'run'", "a name or number for each run", faults);
+  require(header.columns, DataRole::routing, "'routing'", "a routing in each row", faults);
+  // It may be the one that cannot be read.
+  if (header.has_bad_name) return;
+  require(header.columns, DataRole::tension, "of tensions",
+          "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
+          "the hand)",
+          faults);
+}
+
+void require_tensions_of_deviations(const Columns& columns, HeaderFaults& faults) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const DataColumn& column = columns[i];
+    if (column.role == DataRole::motor_deviation &&
+        !find_column(columns, DataRole::motor_tension)) {
+      faults.add_column(i, "the column motor_tension_N beside it");
     }
-    return alike.size() == 1 ? std::optional(alike.front()) : std::nullopt;
+    if (column.role != DataRole::deviation) continue;
+    const bool has_tension =
+        std::any_of(columns.begin(), columns.end(), [&](const DataColumn& other) {
+          return other.role == DataRole::tension && other.place == column.place;
+        });
+    if (has_tension) continue;
+    faults.add_column(i, fmt::format("the column {} beside it",
+                                     plain_name({DataRole::tension, column.place, {}, false})));
   }
-
-  void fail(std::size_t line, InputFault fault) {
-    if (!fault.where) fault.where = fmt::format("{}:{}", csv_.name(), line);
-    faults_.add(line, "in the header", std::move(fault));
-  }
-
-  void fail_column(std::size_t column, std::string expected) {
-    fail(csv_.header().line,
-         {.what = fmt::format("column {}", column + 1),
-          .value = for_message(std::string(trimmed(csv_.header().fields[column]))),
-          .expected = std::move(expected)});
-  }
-
-  void add_column(std::size_t index) {
-    const std::string name(trimmed(csv_.header().fields[index]));
-    DataColumn column{DataRole::no_name, name, 0, 0, {}, {}};
-    if (!name.empty()) {
-      try {
-        column = read(name, index);
-      } catch (const InputError& error) {
-        fail_column(index, error.fault().expected);
-        has_bad_name_ = true;
-      }
-    }
-    if (const auto first = same_as(column)) {
-      fail_same(index, *first);
-      column.role = DataRole::no_name;
-    }
-    result_.columns.push_back(std::move(column));
-  }
-
-  DataColumn read(const std::string& name, std::size_t index) {
-    if (group_ == name && !has_other_meaning(name, index)) {
-      return {DataRole::group, name, 0, 0, {}, {}};
-    }
-    require_short_name(name);
-    const CellRange any = range_of(DataRole::covariate);
-    DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
-    const auto named = column_named(meaning_of(name, options_));
-    if (!named) return covariate;
-    const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
-    if (named->needs_unit && !unit) return covariate;
-    const CellRange range = range_of(named->role);
-    DataColumn column{named->role, name, range.low, range.high, named->place, {}};
-    column.unit = unit.value_or(own_unit(dimension_of(named->role)));
-    note_name(*named, name, unit);
-    return column;
-  }
-
-  // The runs of a file, or its tensions, cannot be given away.
-  bool has_other_meaning(const std::string& name, std::size_t index) {
-    const auto named = column_named(name);
-    if (!named || (named->needs_unit && !named->unit)) return false;
-    fail_column(index, fmt::format("a column without another meaning to group rows by, and this "
-                                   "is read as {}",
-                                   plain_name(*named)));
-    return true;
-  }
-
-  std::optional<std::size_t> same_as(const DataColumn& column) const {
-    if (column.role == DataRole::no_name) return std::nullopt;
-    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
-      const DataColumn& other = result_.columns[i];
-      const bool by_name = column.role == DataRole::covariate ? other.name == column.name
-                                                              : other.place == column.place;
-      if (other.role == column.role && by_name) return i;
-    }
-    return std::nullopt;
-  }
-
-  void fail_same(std::size_t index, std::size_t first) {
-    const std::string& name = result_.columns[first].name;
-    if (name != trimmed(csv_.header().fields[index])) {
-      return fail_column(index, fmt::format("one column of its meaning, and column {} '{}' has it",
-                                            first + 1, for_message(name)));
-    }
-    fail(csv_.header().line, {.where = {},
-                              .what = fmt::format("column {} '{}': column {} has that name already",
-                                                  index + 1, for_message(name), first + 1)});
-  }
-
-  // Nobody may think that something was done with what the file does not have.
-  void require_options() {
-    const auto is_there = [&](const auto& is) {
-      return std::any_of(result_.columns.begin(), result_.columns.end(), is);
-    };
-    const auto require_name = [&](const std::string& name, const std::string& what) {
-      if (is_there([&](const DataColumn& column) { return column.name == name; })) return;
-      fail(csv_.header().line,
-           {.what = "the header has no column", .value = for_message(name), .expected = what});
-    };
-    for (const ColumnMeaning& mapped : options_.map) {
-      require_name(mapped.column, fmt::format("the column that means {}", mapped.meaning));
-    }
-    if (options_.group) require_name(group_.value_or(*options_.group), "the column of groups");
-    for (const ColumnNoise& given : options_.noise) {
-      if (!is_there([&](const DataColumn& column) { return is_noise_of(given, column); })) {
-        fail(csv_.header().line, {.what = "the header has no column of tensions",
-                                  .value = for_message(given.column),
-                                  .expected = "the column whose noise is given"});
-      }
-    }
-    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
-      const auto given = std::count_if(
-          options_.noise.begin(), options_.noise.end(),
-          [&](const ColumnNoise& noise) { return is_noise_of(noise, result_.columns[i]); });
-      if (given > 1) fail_column(i, fmt::format("one noise, and {} are given", given));
-    }
-    for (const ColumnUnit& given : options_.units) {
-      if (!given.column || is_there([&](const DataColumn& column) {
-            return means(*given.column, column.name, column.role, column.place);
-          })) {
-        continue;
-      }
-      require_name(*given.column, fmt::format("the column that is in {}", given.unit));
-    }
-  }
-
-  void require(DataRole role, const std::string& column, const std::string& expected) {
-    if (find_column(result_.columns, role)) return;
-    fail(csv_.header().line, {.what = "the header has no column " + column, .expected = expected});
-  }
-
-  void require_columns() {
-    require(DataRole::run, "'run'", "a name or number for each run");
-    require(DataRole::routing, "'routing'", "a routing in each row");
-    // It may be the one that cannot be read.
-    if (has_bad_name_) return;
-    require(DataRole::tension, "of tensions",
-            "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
-            "the hand)");
-  }
-
-  void require_tensions_of_deviations() {
-    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
-      DataColumn& column = result_.columns[i];
-      if (column.role == DataRole::motor_deviation &&
-          !find_column(result_.columns, DataRole::motor_tension)) {
-        fail_column(i, "the column motor_tension_N beside it");
-      }
-      if (column.role != DataRole::deviation) continue;
-      const bool has_tension =
-          std::any_of(result_.columns.begin(), result_.columns.end(), [&](const DataColumn& other) {
-            return other.role == DataRole::tension && other.place == column.place;
-          });
-      if (has_tension) continue;
-      fail_column(i, fmt::format("the column {} beside it",
-                                 plain_name({DataRole::tension, column.place, {}, false})));
-    }
-  }
-
-  void note_name(const ColumnName& named, const std::string& name,
-                 const std::optional<Unit>& unit) {
-    const Dimension dimension = dimension_of(named.role);
-    const bool assumed = dimension != Dimension::none && !unit;
-    const bool against_name = unit && named.unit && !(*unit == *named.unit);
-    if (name == plain_name(named) && !assumed && !against_name) return;
-    std::string text = fmt::format("'{}' as {}", for_message(name), plain_name(named));
-    if (assumed) {
-      text += fmt::format(" (no unit is said: {} is assumed)", own_unit(dimension).name);
-    }
-    if (unit && !unit->is_own()) text += fmt::format(" (from {})", unit->name);
-    if (against_name) text += fmt::format(", though its name says {}", named.unit->name);
-    names_.push_back(std::move(text));
-  }
-
-  void note_names() {
-    constexpr std::size_t most = 30;
-    if (names_.empty()) return;
-    std::string list;
-    for (std::size_t i = 0; i < names_.size() && i < most; ++i) {
-      list += (i == 0 ? "" : ", ") + names_[i];
-    }
-    if (names_.size() > most) list += fmt::format(", and {} more", names_.size() - most);
-    result_.notes.push_back({NoteKind::column_names, "columns are read so: " + list, {}});
-  }
-
-  void note_units_row() {
-    if (!units_) return;
-    result_.notes.push_back({NoteKind::passed_over,
-                             "the row below the header has the columns' units, and no reading",
-                             {units_->line}});
-  }
-
-  const CsvReader& csv_;
-  const std::optional<CsvRow>& units_;
-  const ReadingOptions& options_;
-  FaultList& faults_;
-  std::optional<std::string> group_;  // the header of the column of groups
-  DataColumns result_;
-  std::vector<std::string> names_;
-  bool has_bad_name_ = false;
-};
+}
 
 }  // namespace
 
 DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                          const ReadingOptions& options, FaultList& faults) {
-  return ColumnReader(csv, units, options, faults).read();
+  HeaderFaults at_header(csv, faults);
+  HeaderColumns header = read_header(csv, units, options, file_of_readings, at_header);
+  require_noise(header.columns, options, at_header);
+  require_no_log(csv, header.columns);
+  require_columns(header, at_header);
+  require_tensions_of_deviations(header.columns, at_header);
+  return {std::move(header.columns), std::move(header.notes)};
 }
 
 bool is_noise_of(const ColumnNoise& given, const DataColumn& column) {

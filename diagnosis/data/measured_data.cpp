@@ -13,7 +13,7 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/data_columns.hpp"
 #include "diagnosis/data/data_notes.hpp"
-#include "diagnosis/data/intake/column_units.hpp"
+#include "diagnosis/data/intake/beginning.hpp"
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/row_reader.hpp"
 #include "diagnosis/data/runs_of_groups.hpp"
@@ -21,38 +21,6 @@
 
 namespace reeve::diagnosis {
 namespace {
-
-// The row below the header is one of units, or the first reading.
-struct Beginning {
-  std::optional<CsvRow> units;
-  std::optional<CsvRow> first;
-  bool is_broken = false;  // neither it nor what follows can be read
-};
-
-Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults) {
-  Beginning result;
-  try {
-    CsvRow row;
-    if (!csv.next(row)) return result;
-    (is_units_row(csv.header(), row, options) ? result.units : result.first) = std::move(row);
-  } catch (const InputError& error) {
-    result.is_broken = true;
-    faults.add(csv.header().line + 1, "where the rest cannot be read", error.fault());
-  }
-  return result;
-}
-
-// Up to where the file breaks off.
-void read_rows(CsvReader& csv, const std::optional<CsvRow>& first, RowReader& rows,
-               FaultList& faults) {
-  CsvRow row;
-  if (first) rows.read(*first);
-  try {
-    while (csv.next(row)) rows.read(row);
-  } catch (const InputError& error) {
-    faults.add(row.line + 1, "where the rest cannot be read", error.fault());
-  }
-}
 
 void add_notes(std::vector<DataNote> more, MeasuredData& data) {
   std::move(more.begin(), more.end(), std::back_inserter(data.notes));
@@ -92,7 +60,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   const Beginning beginning = read_beginning(csv, options, faults);
   DataColumns columns = read_columns(csv, beginning.units, options, faults);
   RowReader rows(csv, columns.columns, resolve, options, faults);
-  if (!beginning.is_broken) read_rows(csv, beginning.first, rows, faults);
+  each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
   MeasuredData data = rows.finish();
   faults.throw_any(csv.name());
   if (data.readings.empty()) {

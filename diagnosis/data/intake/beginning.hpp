@@ -1,0 +1,25 @@
+// Where the rows of a file begin: the row below the header is one of units, or the first reading.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "diagnosis/data/csv.hpp"
+#include "diagnosis/data/intake/fault_list.hpp"
+#include "diagnosis/data/intake/reading_options.hpp"
+
+namespace reeve::diagnosis {
+
+struct Beginning {
+  std::optional<CsvRow> units;
+  std::optional<CsvRow> first;
+  bool is_broken = false;  // neither it nor what follows can be read
+};
+
+Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults);
+
+// From the first one up to the end, or to where the file breaks off, which is a fault.
+void each_row(CsvReader& csv, const Beginning& beginning, FaultList& faults,
+              const std::function<void(const CsvRow&)>& read);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,37 @@
+// The header of a file of measured tensions, name by name: what each column is by its name
+// (column_name.hpp), its unit (column_units.hpp) and what the user says (reading_options.hpp). What
+// must be there is for each kind of file to say.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "diagnosis/data/data_columns.hpp"
+#include "diagnosis/data/intake/header_faults.hpp"
+
+namespace reeve::diagnosis {
+
+struct CellRange {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+// What files of one kind have.
+struct FileKind {
+  bool (*has)(DataRole);         // columns of other roles are covariates there
+  CellRange (*range)(DataRole);  // in reeve's unit
+};
+
+struct HeaderColumns {
+  std::vector<DataColumn> columns;  // parallel to the fields of a row
+  std::vector<DataNote> notes;
+  bool has_bad_name = false;
+};
+
+// What is wrong goes to `faults`; its columns have no name.
+HeaderColumns read_header(const CsvReader& csv, const std::optional<CsvRow>& units,
+                          const ReadingOptions& options, const FileKind& kind,
+                          HeaderFaults& faults);
+
+}  // namespace reeve::diagnosis
