@@ -38,7 +38,10 @@ CellRange range_of(DataRole role) {
   }
 }
 
-constexpr FileKind file_of_readings{[](DataRole) { return true; }, range_of};
+// When and where the carriage was is a covariate of a reading.
+bool is_of_readings(DataRole role) { return role != DataRole::time && role != DataRole::position; }
+
+constexpr FileKind file_of_readings{is_of_readings, range_of};
 
 // Nobody may think that something was done with what the file does not have.
 void require_noise(const Columns& columns, const ReadingOptions& options, HeaderFaults& faults) {

@@ -13,14 +13,6 @@
 namespace reeve::diagnosis {
 namespace {
 
-struct Clock {
-  const char* name;
-  double unit;
-};
-constexpr std::array clocks{Clock{"time_s", 1}, Clock{"t_s", 1},       Clock{"t", 1},
-                            Clock{"time", 1},   Clock{"timestamp", 1}, Clock{"time_ms", 1e-3},
-                            Clock{"t_ms", 1e-3}};
-
 struct KnownLogColumn {
   const char* name;
   LogRole role;
@@ -83,10 +75,9 @@ void require_comparable(const std::vector<LogColumn>& columns, const std::string
 }  // namespace
 
 std::optional<double> clock_unit(std::string_view column) {
-  for (const Clock& clock : clocks) {
-    if (column == clock.name) return clock.unit;
-  }
-  return std::nullopt;
+  const auto named = try_column_named(column);
+  if (!named || named->role != DataRole::time) return std::nullopt;
+  return named->unit ? named->unit->factor : 1;
 }
 
 std::vector<LogColumn> read_log_columns(const CsvReader& csv) {

@@ -48,9 +48,30 @@ TEST(ColumnName, OfALetterNeedsAUnitToBeATension) {
 }
 
 TEST(ColumnName, IsNoTensionWithAUnitOfSomethingElse) {
-  for (const char* name : {"T1 [°C]", "T1_C", "Ta (degC)", "T0", "Tmax_N", "T_N [K]", "time",
-                           "T1 [MN]", "motor tension (set)", "at_Ta_N", "speed [N]"}) {
+  for (const char* name : {"T1 [°C]", "T1_C", "Ta (degC)", "T0", "Tmax_N", "T_N [K]", "T1 [MN]",
+                           "motor tension (set)", "at_Ta_N", "speed [N]"}) {
     EXPECT_EQ(read_as(name), "-") << name;
+  }
+}
+
+TEST(ColumnName, OfALogIsReadInAnySpelling) {
+  expect_read({{"Time", "time_s"},
+               {"Time [s]", "time_s in s"},
+               {"time (ms)", "time_s in ms"},
+               {"timestamp_us", "time_s in µs"},
+               {"t [min]", "time_s in min"},
+               {"T [s]", "time_s in s"},
+               {"Position_mm", "position_mm in mm"},
+               {"pos_mm", "position_mm in mm"},
+               {"position_cm", "position_mm in cm"},
+               {"Position [m]", "position_mm in m"},
+               {"POS", "position_mm"}});
+}
+
+TEST(ColumnName, OfALetterAloneIsNoTimeUnlessItSaysSo) {
+  expect_read({{"t", "time_s"}, {"t_s", "time_s in s"}, {"t_ms", "time_s in ms"}});
+  for (const char* name : {"T", "T_s", "T_min", "t_min", "T [K]"}) {
+    EXPECT_NE(read_as(name).substr(0, 4), "time") << name;
   }
 }
 
@@ -78,6 +99,9 @@ TEST(Unit, IsConvertedAsTheStandardsSay) {
   EXPECT_NEAR(value("degF", Dimension::temperature, 212), 100, 1e-12);
   EXPECT_NEAR(value("K", Dimension::temperature, 300), 26.85, 1e-12);
   EXPECT_DOUBLE_EQ(value("[°]", Dimension::angle, 180), 3.14159265358979312);
+  EXPECT_DOUBLE_EQ(value("inch", Dimension::length, 2), 50.8);
+  EXPECT_DOUBLE_EQ(value("um", Dimension::length, 5), 0.005);
+  EXPECT_DOUBLE_EQ(value("µs", Dimension::time, 3e6), 3);
   EXPECT_FALSE(find_unit("lbf", Dimension::speed));
   const Unit fahrenheit = *find_unit("°F", Dimension::temperature);
   EXPECT_NEAR(fahrenheit.back(fahrenheit.converted(71)), 71, 1e-12);

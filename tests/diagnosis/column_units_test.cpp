@@ -92,6 +92,13 @@ TEST(AColumnThatIsMapped, IsReadAsWhatItMeans) {
             "d.csv:1: the header has no column 'Kraft': expected the column that means T2_N");
 }
 
+TEST(AColumnThatIsMapped, IsNoneOfALog) {
+  EXPECT_EQ(
+      data_error("run,routing,Zeit,T1_N\nA,TR5,1,2\n", {{{"Zeit", "time_s"}}, {}, {}}),
+      "d.csv:1: column 3 'Zeit': expected a meaning that columns of readings have, and time_s "
+      "is of the log of a rig");
+}
+
 TEST(ReadingOptions, AreReadFromWordsOrRefused) {
   for (const char* text : {"a", "=T1_N", "a=", "a=nothing"}) {
     EXPECT_EQ(input_error([&] { parse_column_meaning(text); }),

@@ -53,6 +53,7 @@ bool is_series(const Rows& plan) { return recognise_series(read_data(rows(plan))
 TEST(RecogniseSeries, KnowsALogByItsClock) {
   EXPECT_TRUE(is_series({.clock = "time_s"}));
   EXPECT_TRUE(is_series({.correlation = 0, .clock = "time_ms", .step_s = 10}));
+  EXPECT_TRUE(is_series({.correlation = 0, .clock = "Time (ms)", .step_s = 10}));
   EXPECT_TRUE(is_series({.count = 600, .clock = "t", .step_s = 1}));
   EXPECT_TRUE(is_series({.count = 150, .clock = "timestamp", .jitter = 0.9}));
 }

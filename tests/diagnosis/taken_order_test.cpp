@@ -25,7 +25,10 @@ TEST(TakenOrder, IsThatOfTheFileWithoutAClock) {
 }
 
 TEST(TakenOrder, IsThatOfTheClock) {
-  EXPECT_EQ(places_taken("1,TR3,10,1,9\n1,TR3,11,1,8\n2,TR3,12,1,7\n"), (Places{2, 1, 0}));
+  for (const char* clock : {"time_s", "Time [s]", "Time (ms)"}) {
+    EXPECT_EQ(places_taken("1,TR3,10,1,9\n1,TR3,11,1,8\n2,TR3,12,1,7\n", clock), (Places{2, 1, 0}))
+        << clock;
+  }
 }
 
 // Rows without a time would stand anywhere.

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "diagnosis/data/intake/words.hpp"
 
 namespace reeve::diagnosis {
@@ -16,6 +17,9 @@ struct KnownName {
   const char* plain;
   DataRole role;
 };
+
+// Clocks in docs: seconds, where the name says no other unit.
+constexpr std::array plain_clocks{"time_s", "t_s", "t", "time", "timestamp", "time_ms", "t_ms"};
 
 constexpr std::array known_names{
     KnownName{"run", "run", DataRole::run},
@@ -29,7 +33,16 @@ constexpr std::array known_names{
     KnownName{"temperature", "temperature_C", DataRole::temperature},
     KnownName{"sheathangle", "sheath_angle_rad", DataRole::sheath_angle},
     KnownName{"readings", "readings", DataRole::readings},
+    KnownName{"time", "time_s", DataRole::time},
+    KnownName{"timestamp", "time_s", DataRole::time},
+    KnownName{"t", "time_s", DataRole::time},
+    KnownName{"position", "position_mm", DataRole::position},
+    KnownName{"pos", "position_mm", DataRole::position},
 };
+
+bool is_plain_clock(std::string_view text) {
+  return std::find(plain_clocks.begin(), plain_clocks.end(), text) != plain_clocks.end();
+}
 
 bool all_of(std::string_view text, int (*is)(int)) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
@@ -115,6 +128,7 @@ std::optional<ColumnName> column_named(std::string_view name) {
   for (const std::size_t of_unit : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
     if (count <= of_unit) continue;
     const std::string letters = joined(words, count - of_unit);
+    if (letters == "t" && !is_plain_clock(trimmed(name))) continue;  // T_min may be a tension
     std::optional<Unit> unit;
     if (of_unit > 0) {
       const std::string& last = words.words[count - 1];
@@ -125,6 +139,14 @@ std::optional<ColumnName> column_named(std::string_view name) {
     if (auto found = named_by(letters, unit)) return found;
   }
   return std::nullopt;
+}
+
+std::optional<ColumnName> try_column_named(std::string_view name) {
+  try {
+    return column_named(name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 Dimension dimension_of(DataRole role) {
@@ -140,6 +162,10 @@ Dimension dimension_of(DataRole role) {
       return Dimension::temperature;
     case DataRole::sheath_angle:
       return Dimension::angle;
+    case DataRole::time:
+      return Dimension::time;
+    case DataRole::position:
+      return Dimension::length;
     default:
       return Dimension::none;
   }
@@ -171,6 +197,10 @@ std::string plain_name(const ColumnName& name) {
   const bool is_strand = name.place.segment.kind == SegmentKind::strand;
   return std::string(name.place.beside ? "at_" : "") + (is_strand ? "" : "T") +
          segment_name(name.place.segment) + (name.role == DataRole::deviation ? "_sd" : "") + "_N";
+}
+
+bool is_plain(std::string_view text, const ColumnName& name) {
+  return name.role == DataRole::time ? is_plain_clock(text) : text == plain_name(name);
 }
 
 }  // namespace reeve::diagnosis

@@ -2,6 +2,8 @@
 //
 //   run, routing, held, direction     text
 //   motor_tension, speed, cycle, temperature, sheath_angle, readings
+//   time, timestamp, position, pos    of the log of a rig; a letter alone is a time as t, t_s, t_ms
+//                                     or with a unit in brackets, since T_min may be a tension
 //   T1, T2, …                         tensions of strands
 //   Ta, Tb, … and Th1, …              of motor-side segments and of stretches at the hand; only
 //                                     with a unit of force, since Ta may be a temperature
@@ -39,6 +41,8 @@ enum class DataRole : std::uint8_t {
   motor_deviation,
   group,  // named by who reads the file
   no_name,
+  time,  // of a log, as the next
+  position,
 };
 
 // Which tension a column is of.
@@ -59,6 +63,8 @@ struct ColumnName {
 // Nothing of a name that is none of these. Throws InputError of one that looks like a tension's and
 // is none, such as T0_N.
 std::optional<ColumnName> column_named(std::string_view name);
+// Nothing of one that cannot be read, either.
+std::optional<ColumnName> try_column_named(std::string_view name);
 
 Dimension dimension_of(DataRole role);
 // Whether whoever reads a row needs numbers there; covariates may turn out to be words.
@@ -67,5 +73,7 @@ bool is_of_numbers(DataRole role);
 bool is_of_sensor(DataRole role);
 // As the name is written in docs: motor_tension_N, T1_N, at_T1_N, Ta_sd_N.
 std::string plain_name(const ColumnName& name);
+// Whether `text`, which means that, is written as in docs: a clock has several names there.
+bool is_plain(std::string_view text, const ColumnName& name);
 
 }  // namespace reeve::diagnosis

@@ -12,15 +12,6 @@
 namespace reeve::diagnosis {
 namespace {
 
-// Nothing of a name that is none, or of one that cannot be read.
-std::optional<ColumnName> try_column_named(const std::string& name) {
-  try {
-    return column_named(name);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 bool is_number(std::string_view text) {
   constexpr std::string_view digits = "0123456789";
   return text.find_first_of(digits) == 0 ||

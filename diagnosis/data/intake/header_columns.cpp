@@ -68,8 +68,15 @@ class HeaderReader {
     require_short_name(name);
     const CellRange any = kind_.range(DataRole::covariate);
     DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
-    const auto named = column_named(meaning_of(name, options_));
-    if (!named || !kind_.has(named->role)) return covariate;
+    const std::string& meaning = meaning_of(name, options_);
+    const auto named = column_named(meaning);
+    if (!named) return covariate;
+    if (!kind_.has(named->role)) {
+      if (meaning == name) return covariate;
+      throw InputError({.expected = fmt::format("a meaning that columns of readings have, and "
+                                                "{} is of the log of a rig",
+                                                plain_name(*named))});
+    }
     const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
     if (named->needs_unit && !unit) return covariate;
     const CellRange range = kind_.range(named->role);
@@ -142,7 +149,9 @@ class HeaderReader {
     const Dimension dimension = dimension_of(named.role);
     const bool assumed = dimension != Dimension::none && !unit;
     const bool against_name = unit && named.unit && !(*unit == *named.unit);
-    if (name == plain_name(named) && !assumed && !against_name) return;
+    const bool as_docs_say =
+        named.role == DataRole::time ? !unit || unit->is_own() || named.unit : !assumed;
+    if (is_plain(name, named) && as_docs_say && !against_name) return;
     std::string text = fmt::format("'{}' as {}", for_message(name), plain_name(named));
     if (assumed) {
       text += fmt::format(" (no unit is said: {} is assumed)", own_unit(dimension).name);

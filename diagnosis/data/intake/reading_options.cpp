@@ -35,9 +35,10 @@ ColumnUnit parse_column_unit(const std::string& text) {
   const auto is_of = [&](Dimension dimension) {
     return find_unit(result.unit, dimension).has_value();
   };
-  const bool is_unit = is_of(Dimension::force) ||
-                       (parts && (is_of(Dimension::speed) || is_of(Dimension::temperature) ||
-                                  is_of(Dimension::angle)));
+  const bool is_unit =
+      is_of(Dimension::force) ||
+      (parts && (is_of(Dimension::speed) || is_of(Dimension::temperature) ||
+                 is_of(Dimension::angle) || is_of(Dimension::length) || is_of(Dimension::time)));
   if (!is_unit || (parts && parts->column.empty())) {
     throw InputError({.value = text,
                       .expected = "a unit of force (" + unit_names(Dimension::force) +

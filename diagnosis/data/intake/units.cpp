@@ -22,6 +22,10 @@ constexpr Unit kilogram_force{Dimension::force, "kgf", standard_fall, 0};
 constexpr Unit pound_force{Dimension::force, "lbf", pound_kg* standard_fall, 0};
 constexpr Unit celsius{Dimension::temperature, "°C", 1, 0};
 constexpr Unit fahrenheit{Dimension::temperature, "°F", 5.0 / 9, -160.0 / 9};
+constexpr Unit micrometre{Dimension::length, "µm", 1e-3, 0};
+constexpr Unit inch{Dimension::length, "in", 25.4, 0};
+constexpr Unit full_second{Dimension::time, "s", 1, 0};
+constexpr Unit microsecond{Dimension::time, "µs", 1e-6, 0};
 constexpr Unit degree{Dimension::angle, "deg", std::numbers::pi / 180, 0};
 
 // The first of each dimension is reeve's own.
@@ -59,6 +63,20 @@ constexpr std::array spellings{
     Spelling{"rad", {Dimension::angle, "rad", 1, 0}},
     Spelling{"deg", degree},
     Spelling{"°", degree},
+    Spelling{"mm", {Dimension::length, "mm", 1, 0}},
+    Spelling{"cm", {Dimension::length, "cm", 10, 0}},
+    Spelling{"m", {Dimension::length, "m", 1000, 0}},
+    Spelling{"um", micrometre},
+    Spelling{"µm", micrometre},
+    Spelling{"in", inch},
+    Spelling{"inch", inch},
+    Spelling{"s", full_second},
+    Spelling{"sec", full_second},
+    Spelling{"seconds", full_second},
+    Spelling{"ms", {Dimension::time, "ms", 1e-3, 0}},
+    Spelling{"us", microsecond},
+    Spelling{"µs", microsecond},
+    Spelling{"min", {Dimension::time, "min", 60, 0}},
 };
 
 }  // namespace
@@ -105,6 +123,10 @@ const char* dimension_name(Dimension dimension) {
       return "temperature";
     case Dimension::angle:
       return "angle";
+    case Dimension::length:
+      return "length";
+    case Dimension::time:
+      return "time";
   }
   return "";
 }

@@ -5,6 +5,8 @@
 //   speed         mm/s
 //   temperature   °C
 //   angle         rad
+//   length        mm
+//   time          s
 //
 // Factors are exact by definition (NIST SP 811, appendix B).
 #pragma once
@@ -18,7 +20,7 @@
 
 namespace reeve::diagnosis {
 
-enum class Dimension : std::uint8_t { none, force, speed, temperature, angle };
+enum class Dimension : std::uint8_t { none, force, speed, temperature, angle, length, time };
 
 struct Unit {
   Dimension dimension = Dimension::none;
