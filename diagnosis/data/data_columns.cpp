@@ -72,7 +72,7 @@ void require_columns(const HeaderColumns& header, HeaderFaults& faults) {
   require(header.columns, DataRole::run, "'run'", "a name or number for each run", faults);
   require(header.columns, DataRole::routing, "'routing'", "a routing in each row", faults);
   // It may be the one that cannot be read.
-  if (header.has_bad_name) return;
+  if (header.has_bad_column) return;
   require(header.columns, DataRole::tension, "of tensions",
           "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
           "the hand)",
@@ -107,7 +107,7 @@ DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& unit
   require_no_log(csv, header.columns);
   require_columns(header, at_header);
   require_tensions_of_deviations(header.columns, at_header);
-  return {std::move(header.columns), std::move(header.notes)};
+  return {std::move(header.columns), header_notes(header, units)};
 }
 
 bool is_noise_of(const ColumnNoise& given, const DataColumn& column) {

@@ -30,8 +30,9 @@ struct DataColumn {
   std::string name;  // as the file has it
   double low = 0;    // range of its numbers, in reeve's unit; not of text
   double high = 0;
-  MeasuredPlace place;  // tensions and their deviations only
-  Unit unit;            // of the file's numbers
+  MeasuredPlace place;       // tensions and their deviations only
+  Unit unit;                 // of the file's numbers
+  std::string meaning = {};  // its name as docs write it; as the file has it where they do not
 };
 
 struct DataColumns {

@@ -4,72 +4,132 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "diagnosis/data/intake/column_name.hpp"
+#include "diagnosis/data/intake/header_columns.hpp"
+#include "diagnosis/series/motion_names.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
-struct KnownLogColumn {
-  const char* name;
-  LogRole role;
-};
-constexpr std::array known_log_columns{KnownLogColumn{"position_mm", LogRole::position},
-                                       KnownLogColumn{"speed_mm_s", LogRole::speed},
-                                       KnownLogColumn{"motor_tension_N", LogRole::motor_tension},
-                                       KnownLogColumn{"run", LogRole::run},
-                                       KnownLogColumn{"routing", LogRole::routing},
-                                       KnownLogColumn{"held", LogRole::held},
-                                       KnownLogColumn{"direction", LogRole::direction}};
+using Columns = std::vector<DataColumn>;
 
-// T1_N, Ta_N, Th1_N, in no other spelling.
-bool names_a_tension(const std::string& name) {
-  const auto named = column_named(name);
-  return named && named->role == DataRole::tension && !named->place.beside &&
-         plain_name(*named) == name;
+// Far above any rig, and squares of them stay numbers; of a clock, a date in microseconds.
+CellRange range_in_log(DataRole role) {
+  switch (role) {
+    case DataRole::time:
+      return {-1e15, 1e15};
+    case DataRole::motor_tension:
+    case DataRole::tension:
+    case DataRole::position:
+    case DataRole::speed:
+      return {-1e9, 1e9};
+    default:
+      return {};
+  }
 }
 
-LogColumn log_column(const std::string& name) {
-  if (name.empty()) throw InputError({.what = "has no name", .expected = "one"});
-  if (const std::optional<double> unit = clock_unit(name)) return {LogRole::time, name, *unit};
-  for (const KnownLogColumn& known : known_log_columns) {
-    if (name == known.name) return {known.role, name};
-  }
-  if (name == "readings" || name.ends_with("_sd_N")) {
-    throw InputError({.expected = "another name: readings have a column of that name, for what "
-                                  "samples are averaged to"});
-  }
-  return {names_a_tension(name) ? LogRole::tension : LogRole::other, name};
+constexpr FileKind log_of_a_rig{[](DataRole) { return true; }, range_in_log};
+
+bool has(const Columns& columns, DataRole role) { return find_column(columns, role).has_value(); }
+
+// What samples are averaged to has columns of its own.
+bool is_of_means(DataRole role) {
+  return role == DataRole::readings || role == DataRole::deviation ||
+         role == DataRole::motor_deviation;
 }
 
-void require_once(const std::vector<LogColumn>& columns, LogRole role, const std::string& where,
-                  const std::string& what, const std::string& expected) {
-  const auto count = std::count_if(columns.begin(), columns.end(),
-                                   [&](const LogColumn& column) { return column.role == role; });
-  if (count == 1) return;
-  throw InputError(
-      {.where = where,
-       .what = fmt::format("the header has {} {}", count == 0 ? "no" : "more than one", what),
-       .expected = expected});
+// Whoever reads the samples does more with it than to average it, or to cut where it changes.
+bool is_used(const DataColumn& column) {
+  switch (column.role) {
+    case DataRole::tension:
+      return !column.place.beside;  // its segment is a matter of the routing
+    case DataRole::cycle:
+    case DataRole::temperature:
+    case DataRole::sheath_angle:
+      return false;
+    default:
+      return true;
+  }
+}
+
+// What the user names goes before what docs name, and that before others: first those that say
+// their unit.
+int rank_of_clock(const DataColumn& column) {
+  const auto named = try_column_named(column.name);
+  if (!named || named->role != DataRole::time) return 3;
+  if (is_plain(column.name, *named)) return 2;
+  return named->unit ? 1 : 0;
+}
+
+void choose_clock(HeaderColumns& header, HeaderFaults& faults) {
+  std::vector<std::size_t> clocks;
+  int highest = 0;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    if (header.columns[i].role != DataRole::time) continue;
+    const int rank = rank_of_clock(header.columns[i]);
+    if (rank > highest) {
+      for (const std::size_t other : clocks) make_covariate(header, other);
+      clocks.clear();
+    }
+    highest = std::max(highest, rank);
+    if (rank < highest) {
+      make_covariate(header, i);
+    } else {
+      clocks.push_back(i);
+    }
+  }
+  if (clocks.size() == 1) return;
+  faults.add({.what = fmt::format("the header has {} column of time",
+                                  clocks.empty() ? "no" : "more than one"),
+              .expected = "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms"});
 }
 
 // One tension alone can be compared with nothing.
-void require_comparable(const std::vector<LogColumn>& columns, const std::string& where) {
-  const auto count = [&](LogRole role) {
-    return std::count_if(columns.begin(), columns.end(),
-                         [&](const LogColumn& column) { return column.role == role; });
-  };
-  const auto tensions = count(LogRole::tension);
-  if (tensions >= 2 || (tensions == 1 && count(LogRole::motor_tension) == 1)) return;
-  throw InputError({.where = where,
-                    .what = tensions == 0 ? "the header has no column of tensions"
-                                          : "the header has one column of tensions",
-                    .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
-                                "(motor-side segment) or Th1_N (stretch at the hand), or two "
-                                "without it"});
+void require_comparable(const Columns& columns, HeaderFaults& faults) {
+  const auto tensions = std::count_if(columns.begin(), columns.end(), [](const DataColumn& column) {
+    return column.role == DataRole::tension;
+  });
+  if (tensions >= 2 || (tensions == 1 && has(columns, DataRole::motor_tension))) return;
+  faults.add({.what = tensions == 0 ? "the header has no column of tensions"
+                                    : "the header has one column of tensions",
+              .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
+                          "(motor-side segment) or Th1_N (stretch at the hand), or two "
+                          "without it"});
+}
+
+// Without a motion other samples are steady than with one, so that none may be missed.
+void require_no_missed_motion(HeaderColumns& header, HeaderFaults& faults) {
+  if (has(header.columns, DataRole::position) || has(header.columns, DataRole::speed)) return;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    const DataColumn& column = header.columns[i];
+    if (column.role != DataRole::covariate) continue;
+    if (says_motion(column.name)) {
+      faults.add_column(
+          i, fmt::format("the carriage's position with a unit of length ({}), its speed with one "
+                         "of speed ({}), or another name if it is neither",
+                         unit_names(Dimension::length), unit_names(Dimension::speed)));
+    } else if (has_unit_of_motion(column.name)) {
+      header.notes.push_back(
+          {NoteKind::covariate,
+           fmt::format("column '{}' is in a unit of length or speed: it is not read as the "
+                       "carriage's position or speed, which are position_mm and speed_mm_s",
+                       for_message(column.name)),
+           {}});
+    }
+  }
+}
+
+void refuse_columns_of_means(Columns& columns, HeaderFaults& faults) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!is_of_means(columns[i].role)) continue;
+    faults.add_column(i,
+                      "another name: readings have a column of that name, for what "
+                      "samples are averaged to");
+    columns[i].role = DataRole::no_name;
+  }
 }
 
 }  // namespace
@@ -80,28 +140,19 @@ std::optional<double> clock_unit(std::string_view column) {
   return named->unit ? named->unit->factor : 1;
 }
 
-std::vector<LogColumn> read_log_columns(const CsvReader& csv) {
-  const std::string where = fmt::format("{}:{}", csv.name(), csv.header().line);
-  std::vector<LogColumn> columns;
-  std::map<std::string, std::size_t> seen;
-  for (const std::string& field : csv.header().fields) {
-    const std::string name(trimmed(field));
-    const std::size_t number = columns.size() + 1;
-    const auto [first, is_new] = seen.emplace(name, number);
-    try {
-      if (!is_new && !name.empty()) {
-        throw InputError(fmt::format("column {} has that name already", first->second));
-      }
-      columns.push_back(log_column(name));
-    } catch (const InputError& error) {
-      throw error.at(InputFault{
-          .where = where, .what = fmt::format("column {}", number), .value = for_message(name)});
-    }
+DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
+                             const ReadingOptions& options, FaultList& faults) {
+  HeaderFaults at_header(csv, faults);
+  HeaderColumns header = read_header(csv, units, options, log_of_a_rig, at_header);
+  choose_clock(header, at_header);
+  refuse_columns_of_means(header.columns, at_header);
+  for (DataColumn& column : header.columns) {
+    if (!is_used(column)) column.role = DataRole::covariate;
   }
-  require_once(columns, LogRole::time, where, "column of time",
-               "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms");
-  require_comparable(columns, where);
-  return columns;
+  // It may be the one that cannot be read.
+  if (!header.has_bad_column) require_comparable(header.columns, at_header);
+  require_no_missed_motion(header, at_header);
+  return {std::move(header.columns), header_notes(header, units)};
 }
 
 }  // namespace reeve::diagnosis

@@ -9,181 +9,234 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "diagnosis/data/csv.hpp"
-#include "diagnosis/data/csv_number.hpp"
+#include "diagnosis/data/intake/beginning.hpp"
+#include "diagnosis/data/intake/row_cells.hpp"
 #include "diagnosis/data/intake/words.hpp"
 #include "diagnosis/series/log_columns.hpp"
+#include "diagnosis/series/log_words.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
-// Far above any rig, and squares of them stay numbers.
-constexpr double greatest_logged = 1e9;
-constexpr double greatest_clock = 1e15;  // a date in microseconds
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
+bool is_label(DataRole role) {
+  return role == DataRole::run || role == DataRole::routing || role == DataRole::held ||
+         role == DataRole::direction;
+}
+
+// Row by row into columns; what is wrong goes to the list of faults.
 class LogReader {
  public:
-  explicit LogReader(CsvReader csv)
-      : csv_(std::move(csv)),
-        columns_(read_log_columns(csv_)),
-        numbers_(csv_.separator()),
-        is_decided_(columns_.size(), false),
-        is_text_(columns_.size(), false),
-        cells_(columns_.size()) {}
+  // All must outlive the reader.
+  LogReader(const CsvReader& csv, const std::vector<DataColumn>& columns, FaultList& faults)
+      : csv_(csv),
+        columns_(columns),
+        faults_(faults),
+        cells_(csv, columns, faults),
+        values_(columns.size()) {
+    for (const DataColumn& column : columns) {
+      values_[&column - columns.data()].is_text = is_label(column.role);
+    }
+  }
 
-  LoggedSeries read() {
+  void read(const CsvRow& row) {
+    if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
+    const RowCells::Numbers numbers = cells_.numbers(row);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const DataRole role = columns_[i].role;
+      if (role == DataRole::time) require_time(row, i);
+      if (role == DataRole::covariate) {
+        read_covariate(row, i);
+      } else if (is_label(role)) {
+        values_[i].words.add(label(row, i));
+      } else if (is_of_numbers(role)) {
+        values_[i].numbers.push_back(numbers[i].value_or(missing));
+      }
+    }
+    series_.lines.push_back(row.line);
+  }
+
+  LoggedSeries finish() {
     series_.file = csv_.name();
-    for (CsvRow row; csv_.next(row);) read_sample(row);
-    if (series_.lines.empty()) {
-      throw InputError({.where = fmt::format("{}:{}", series_.file, csv_.header().line),
-                        .expected = "rows below the header, and there are none"});
+    set_labels();
+    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
+    if (!cells_.lines_without_name().empty()) {
+      series_.notes.push_back({NoteKind::passed_over,
+                               "cells in columns without a name are not read",
+                               cells_.lines_without_name()});
     }
-    for (const CsvComment& comment : csv_.comments()) {
-      series_.simulated |= says_simulated(comment.text);
-      if (comment.line < csv_.header().line) series_.comments.push_back(comment.text);
-    }
-    take_columns();
     return std::move(series_);
   }
 
  private:
-  void read_sample(const CsvRow& row) {
-    series_.lines.push_back(row.line);
-    LogLabels labels;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::string_view cell = trimmed(row.fields[i]);
-      switch (columns_[i].role) {
-        case LogRole::run:
-          labels.run = name(row, i, cell);
-          break;
-        case LogRole::routing:
-          labels.routing = cell;
-          break;
-        case LogRole::held:
-          labels.held = cell;
-          break;
-        case LogRole::direction:
-          labels.direction = cell;
-          break;
-        case LogRole::other:
-          read_other(row, i, cell, labels);
-          break;
-        default:
-          cells_[i].push_back(number(row, i, cell));
-      }
-    }
-    const auto [found, is_new] = known_labels_.emplace(std::move(labels), series_.labels.size());
-    if (is_new) series_.labels.push_back(found->first);
-    series_.label.push_back(found->second);
+  struct Values {
+    bool is_text = false;
+    bool is_decided = false;      // of covariates
+    std::vector<double> numbers;  // of none, if it is text
+    LogWords words;
+  };
+
+  void require_time(const CsvRow& row, std::size_t column) {
+    cells_.at(row, column, [](std::string_view text) {
+      if (is_missing(text)) throw InputError({.expected = "the time of the sample, a number"});
+      return true;
+    });
+  }
+
+  std::string_view label(const CsvRow& row, std::size_t column) {
+    return cells_
+        .at(row, column,
+            [](std::string_view text) {
+              require_short_name(text);
+              return text;
+            })
+        .value_or("");
   }
 
   // The first cell that is not empty tells numbers from text.
-  void read_other(const CsvRow& row, std::size_t column, std::string_view cell, LogLabels& labels) {
-    if (!is_decided_[column] && !is_missing(cell)) {
-      is_decided_[column] = true;
-      is_text_[column] = !is_number(row, column, cell);
+  void read_covariate(const CsvRow& row, std::size_t column) {
+    Values& values = values_[column];
+    const std::string_view text = trimmed(row.fields[column]);
+    if (!values.is_decided && !is_missing(text)) {
+      values.is_decided = true;
+      values.is_text = !is_number(row, column);
+      if (values.is_text) values.words.add("", series_.lines.size());
     }
-    if (is_text_[column]) {
-      labels.others.push_back(fmt::format("{}={}", columns_[column].name, name(row, column, cell)));
+    if (values.is_text) {
+      values.words.add(text);
     } else {
-      cells_[column].push_back(number(row, column, cell));
+      const auto number =
+          cells_.at(row, column, [&](std::string_view) { return cells_.covariate(row, column); });
+      values.numbers.push_back(number.value_or(std::nullopt).value_or(missing));
     }
   }
 
-  std::string_view name(const CsvRow& row, std::size_t column, std::string_view cell) const {
+  bool is_number(const CsvRow& row, std::size_t column) {
     try {
-      require_short_name(cell);
-    } catch (const InputError& error) {
-      throw cell_error(error, csv_.name(), row.line, columns_[column].name, cell);
-    }
-    return cell;
-  }
-
-  bool is_number(const CsvRow& row, std::size_t column, std::string_view cell) {
-    try {
-      number(row, column, cell);
+      cells_.covariate(row, column);
       return true;
     } catch (const InputError&) {
       return false;
     }
   }
 
-  double number(const CsvRow& row, std::size_t column, std::string_view cell) {
-    const LogColumn& log_column = columns_[column];
-    const bool clock = log_column.role == LogRole::time;
-    if (is_missing(cell) && !clock) return std::numeric_limits<double>::quiet_NaN();
-    const double greatest = clock ? greatest_clock : greatest_logged;
-    try {
-      if (is_missing(cell)) throw InputError({.expected = "the time of the sample, a number"});
-      return log_column.scale * numbers_.read(cell, row.line, -greatest, greatest);
-    } catch (const InputError& error) {
-      throw cell_error(error, csv_.name(), row.line, log_column.name, cell);
-    }
-  }
-
-  void take_columns() {
+  void set_labels() {
+    std::vector<std::size_t> parting;  // columns
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      LoggedSignal signal{columns_[i].name, std::move(cells_[i])};
-      switch (columns_[i].role) {
-        case LogRole::time:
-          series_.time_s = std::move(signal.values);
-          break;
-        case LogRole::position:
-          series_.position_mm = std::move(signal);
-          break;
-        case LogRole::speed:
-          series_.speed_mm_s = std::move(signal);
-          break;
-        case LogRole::motor_tension:
-          series_.motor_tension_N = std::move(signal);
-          break;
-        case LogRole::tension:
-          series_.tensions_N.push_back(std::move(signal));
-          break;
-        case LogRole::run:
-          series_.has_runs = true;
-          break;
-        case LogRole::routing:
-          series_.has_routings = true;
-          break;
-        case LogRole::held:
-          series_.has_held = true;
-          break;
-        case LogRole::direction:
-          break;
-        case LogRole::other:
-          if (is_text_[i]) {
-            series_.notes.push_back(
-                {NoteKind::covariate,
-                 fmt::format(
-                     "column '{}' holds text: the log is cut where it changes, and readings "
-                     "do not have it",
-                     for_message(columns_[i].name)),
-                 {}});
-          } else {
-            series_.others.push_back(std::move(signal));
-          }
+      if (values_[i].is_text) parting.push_back(i);
+    }
+    std::map<std::vector<std::uint32_t>, std::size_t> known;
+    std::vector<std::uint32_t> ids(parting.size());
+    for (std::size_t sample = 0; sample < series_.lines.size(); ++sample) {
+      for (std::size_t k = 0; k < parting.size(); ++k) {
+        ids[k] = values_[parting[k]].words.id(sample);
       }
+      const auto [found, is_new] = known.emplace(ids, series_.labels.size());
+      if (is_new) series_.labels.push_back(labels(sample));
+      series_.label.push_back(found->second);
     }
   }
 
-  CsvReader csv_;
-  std::vector<LogColumn> columns_;
-  CsvNumberReader numbers_;
-  std::vector<bool> is_decided_;  // of other columns: numbers or text
-  std::vector<bool> is_text_;
-  std::vector<std::vector<double>> cells_;  // of each column; none of text
-  std::map<LogLabels, std::size_t> known_labels_;
+  LogLabels labels(std::size_t sample) const {
+    const auto word = [&](DataRole role) {
+      const auto column = find_column(columns_, role);
+      return column ? values_[*column].words.word(sample) : std::string();
+    };
+    return {word(DataRole::run), word(DataRole::routing), word(DataRole::held),
+            word(DataRole::direction)};
+  }
+
+  void take(std::size_t column) {
+    const DataColumn& of = columns_[column];
+    LoggedSignal signal{of.meaning, std::move(values_[column].numbers), of.name};
+    switch (of.role) {
+      case DataRole::time:
+        series_.time_s = std::move(signal.values);
+        break;
+      case DataRole::position:
+        series_.position_mm = std::move(signal);
+        break;
+      case DataRole::speed:
+        series_.speed_mm_s = std::move(signal);
+        break;
+      case DataRole::motor_tension:
+        series_.motor_tension_N = std::move(signal);
+        break;
+      case DataRole::tension:
+        series_.tensions_N.push_back(std::move(signal));
+        break;
+      case DataRole::run:
+        series_.has_runs = true;
+        break;
+      case DataRole::routing:
+        series_.has_routings = true;
+        break;
+      case DataRole::held:
+        series_.has_held = true;
+        break;
+      case DataRole::covariate:
+        if (!values_[column].is_text) {
+          series_.others.push_back(std::move(signal));
+        } else {
+          note_text(of.name);
+        }
+        break;
+      default:
+        break;
+    }
+  }
+
+  void note_text(const std::string& name) {
+    series_.notes.push_back(
+        {NoteKind::covariate,
+         fmt::format("column '{}' holds text: the log is cut where it changes, and readings "
+                     "do not have it",
+                     for_message(name)),
+         {}});
+  }
+
+  const CsvReader& csv_;
+  const std::vector<DataColumn>& columns_;
+  FaultList& faults_;
+  RowCells cells_;
+  std::vector<Values> values_;  // by column
   LoggedSeries series_;
 };
 
-}  // namespace
-
-LoggedSeries read_logged_series(const std::filesystem::path& path) {
-  return LogReader(CsvReader::open(path)).read();
+void take_comments(const CsvReader& csv, LoggedSeries& series) {
+  for (const CsvComment& comment : csv.comments()) {
+    series.simulated |= says_simulated(comment.text);
+    if (comment.line < csv.header().line) series.comments.push_back(comment.text);
+  }
 }
 
-LoggedSeries parse_logged_series(std::string text, const std::string& name) {
-  return LogReader(CsvReader(std::move(text), name)).read();
+LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
+  FaultList faults;
+  const Beginning beginning = read_beginning(csv, options, faults);
+  DataColumns columns = read_log_columns(csv, beginning.units, options, faults);
+  LogReader rows(csv, columns.columns, faults);
+  each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
+  faults.throw_any(csv.name());
+  LoggedSeries series = rows.finish();
+  if (series.lines.empty()) {
+    throw InputError({.where = fmt::format("{}:{}", series.file, csv.header().line),
+                      .expected = "rows below the header, and there are none"});
+  }
+  series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
+  take_comments(csv, series);
+  return series;
+}
+
+}  // namespace
+
+LoggedSeries read_logged_series(const std::filesystem::path& path, const ReadingOptions& options) {
+  return read(CsvReader::open(path), options);
+}
+
+LoggedSeries parse_logged_series(std::string text, const std::string& name,
+                                 const ReadingOptions& options) {
+  return read(CsvReader(std::move(text), name), options);
 }
 
 }  // namespace reeve::diagnosis

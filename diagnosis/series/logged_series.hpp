@@ -3,7 +3,7 @@
 // makes readings of them.
 //
 // A cell that is empty or says so (csv_number.hpp) is a missing value, and NaN here. Samples that
-// cannot be read are errors that name line and column; nothing is dropped.
+// cannot be read are errors that name line and column, all of them; nothing is dropped.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/data/intake/reading_options.hpp"
 #include "diagnosis/data/note.hpp"
 
 namespace reeve::diagnosis {
 
 struct LoggedSignal {
-  std::string name;            // of its column; "" if the log has no such column
+  std::string name;            // as docs write it; "" if the log has no such column
   std::vector<double> values;  // parallel to the samples; empty without a column
+  std::string column = {};     // its name in the file
 
   bool is_logged() const { return !name.empty(); }
 };
@@ -28,7 +30,6 @@ struct LogLabels {
   std::string routing;
   std::string held;
   std::string direction;
-  std::vector<std::string> others;
 
   friend auto operator<=>(const LogLabels&, const LogLabels&) = default;
 };
@@ -47,7 +48,7 @@ struct LoggedSeries {
   bool has_runs = false;  // columns of labels
   bool has_routings = false;
   bool has_held = false;
-  std::vector<LogLabels> labels;
+  std::vector<LogLabels> labels;   // two may be alike: columns of other words part them
   std::vector<std::size_t> label;  // of each sample, in labels
   std::vector<DataNote> notes;
 
@@ -55,7 +56,9 @@ struct LoggedSeries {
 };
 
 // Both throw InputError. `name` stands for the file in messages.
-LoggedSeries read_logged_series(const std::filesystem::path& path);
-LoggedSeries parse_logged_series(std::string text, const std::string& name);
+LoggedSeries read_logged_series(const std::filesystem::path& path,
+                                const ReadingOptions& options = {});
+LoggedSeries parse_logged_series(std::string text, const std::string& name,
+                                 const ReadingOptions& options = {});
 
 }  // namespace reeve::diagnosis

@@ -80,11 +80,11 @@ void require_segments(const LoggedSeries& series, std::size_t label, const std::
     if (find_segment(network, segment)) continue;
     for (std::size_t i = 0; i < series.size(); ++i) {
       if (series.label[i] != label || std::isnan(tension.values[i])) continue;
-      throw InputError(
-          {.where = fmt::format("{}:{}", series.file, series.lines[i]),
-           .what = fmt::format("column '{}': the routing '{}' has no segment {}", tension.name,
-                               for_message(routing), segment_name(segment)),
-           .expected = "an empty cell"});
+      throw InputError({.where = fmt::format("{}:{}", series.file, series.lines[i]),
+                        .what = fmt::format("column '{}': the routing '{}' has no segment {}",
+                                            for_message(tension.column), for_message(routing),
+                                            segment_name(segment)),
+                        .expected = "an empty cell"});
     }
   }
 }

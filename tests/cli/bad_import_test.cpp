@@ -69,5 +69,18 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "cell");
 }
 
+TEST(BadImport, TellsAllFaultsOfALog) {
+  expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,inf\n", {"--routing", "TR1"},
+                 "log.csv: 2 faults:\n"
+                 "  log.csv:2: column 'motor_tension_N' = 'x': expected a number from -1000000000 "
+                 "to 1000000000, or an empty cell\n"
+                 "  log.csv:3: column 'T1_N' = 'inf': expected a number from -1000000000 to "
+                 "1000000000, or an empty cell");
+  expect_refused("t,Position [rev],motor_tension_N,T1_N\n0,1,20,6\n", {"--routing", "TR1"},
+                 "log.csv:1: column 2 'Position [rev]': expected the carriage's position with a "
+                 "unit of length (mm, cm, m, µm, in), its speed with one of speed (mm/s, cm/s, "
+                 "m/s, mm/min, m/min, in/s), or another name if it is neither");
+}
+
 }  // namespace
 }  // namespace reeve::testing

@@ -6,17 +6,10 @@
 #include <map>
 #include <string>
 
-#include "diagnosis/series/recordings.hpp"
-#include "tests/support/input_error.hpp"
+#include "tests/diagnosis/read_log.hpp"
 
 namespace reeve::testing {
 namespace {
-
-LoggedSeries log_of(const std::string& text) { return parse_logged_series(text, "log.csv"); }
-
-std::string log_error(const std::string& text) {
-  return input_error([&] { recordings(log_of(text)); });
-}
 
 // By log; a message that ends with … is told as far as that.
 void expect_refused(const std::map<std::string, std::string>& messages) {

@@ -156,6 +156,38 @@ TEST(Import, CountsEverySampleOnce) {
   EXPECT_EQ(json["samples"]["taken"], taken);
 }
 
+// The text, where commas and points stand for what a logger of another country writes.
+std::string in_semicolons(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::replace(text.begin(), text.end(), '.', ',');
+  return text;
+}
+
+TEST(Import, ReadsALogInOtherSpellingsAlike) {
+  const TemporaryFolder folder;
+  RigPlan plan;
+  plan.strokes = 1;
+  RigRun run;
+  run.strands = {{0.4, 0.7}, {0.3, 0.5}};
+  const std::vector<RigRun> runs{run};
+  const std::string plain = rig_csv(rig_log(plan, runs), runs);
+  const std::string rows = plain.substr(plain.find('\n') + 1);
+  const std::string other =
+      "Time [s];Position_mm;Motor Tension;T1;T2;\ns;mm;N;N;N;\n" + in_semicolons(rows);
+  const auto readings = [&](const std::string& name, const std::string& text) {
+    const std::string log = folder.write(name, text).string();
+    const ProcessResult result =
+        reeve({"import", log, "--routing", "M-1-T-2-F", "--format", "json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out);
+  };
+  const Json expected = readings("plain.csv", plain);
+  const Json found = readings("other.csv", other);
+  EXPECT_EQ(found["data"]["motion"], "position");
+  ASSERT_EQ(found["readings"].size(), expected["readings"].size());
+  EXPECT_EQ(found["readings"][0]["tensions"], expected["readings"][0]["tensions"]);
+}
+
 // The answer is no, and says why; there is no file without readings.
 TEST(Import, OfALogWithoutASteadyStretchIsANo) {
   const TemporaryFolder folder;

@@ -26,8 +26,6 @@ class HeaderReader {
   HeaderColumns read() {
     for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
     require_options();
-    note_names();
-    note_units_row();
     return std::move(result_);
   }
 
@@ -45,29 +43,31 @@ class HeaderReader {
 
   void add_column(std::size_t index) {
     const std::string name(trimmed(csv_.header().fields[index]));
-    DataColumn column{DataRole::no_name, name, 0, 0, {}, {}};
+    DataColumn column{DataRole::no_name, name, 0, 0, {}, {}, name};
+    result_.read_as.emplace_back();
     if (!name.empty()) {
       try {
         column = read(name, index);
       } catch (const InputError& error) {
         faults_.add_column(index, error.fault().expected);
-        result_.has_bad_name = true;
+        result_.has_bad_column = true;
       }
     }
     if (const auto first = same_as(column)) {
       fail_same(index, *first);
       column.role = DataRole::no_name;
+      result_.has_bad_column = true;
     }
     result_.columns.push_back(std::move(column));
   }
 
   DataColumn read(const std::string& name, std::size_t index) {
     if (group_ == name && !has_other_meaning(name, index)) {
-      return {DataRole::group, name, 0, 0, {}, {}};
+      return {DataRole::group, name, 0, 0, {}, {}, name};
     }
     require_short_name(name);
     const CellRange any = kind_.range(DataRole::covariate);
-    DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}};
+    DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}, name};
     const std::string& meaning = meaning_of(name, options_);
     const auto named = column_named(meaning);
     if (!named) return covariate;
@@ -80,7 +80,8 @@ class HeaderReader {
     const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
     if (named->needs_unit && !unit) return covariate;
     const CellRange range = kind_.range(named->role);
-    DataColumn column{named->role, name, range.low, range.high, named->place, {}};
+    DataColumn column{named->role,  name, range.low,         range.high,
+                      named->place, {},   plain_name(*named)};
     column.unit = unit.value_or(own_unit(dimension_of(named->role)));
     note_name(*named, name, unit);
     return column;
@@ -101,8 +102,9 @@ class HeaderReader {
     if (column.role == DataRole::no_name) return std::nullopt;
     for (std::size_t i = 0; i < result_.columns.size(); ++i) {
       const DataColumn& other = result_.columns[i];
-      const bool by_name = column.role == DataRole::covariate ? other.name == column.name
-                                                              : other.place == column.place;
+      // Of several clocks a log has one that goes before.
+      const bool has_own_name = column.role == DataRole::covariate || column.role == DataRole::time;
+      const bool by_name = has_own_name ? other.name == column.name : other.place == column.place;
       if (other.role == column.role && by_name) return i;
     }
     return std::nullopt;
@@ -158,25 +160,7 @@ class HeaderReader {
     }
     if (unit && !unit->is_own()) text += fmt::format(" (from {})", unit->name);
     if (against_name) text += fmt::format(", though its name says {}", named.unit->name);
-    names_.push_back(std::move(text));
-  }
-
-  void note_names() {
-    constexpr std::size_t most = 30;
-    if (names_.empty()) return;
-    std::string list;
-    for (std::size_t i = 0; i < names_.size() && i < most; ++i) {
-      list += (i == 0 ? "" : ", ") + names_[i];
-    }
-    if (names_.size() > most) list += fmt::format(", and {} more", names_.size() - most);
-    result_.notes.push_back({NoteKind::column_names, "columns are read so: " + list, {}});
-  }
-
-  void note_units_row() {
-    if (!units_) return;
-    result_.notes.push_back({NoteKind::passed_over,
-                             "the row below the header has the columns' units, and no reading",
-                             {units_->line}});
+    result_.read_as.back() = std::move(text);
   }
 
   const CsvReader& csv_;
@@ -186,8 +170,19 @@ class HeaderReader {
   HeaderFaults& faults_;
   std::optional<std::string> group_;  // the header of the column of groups
   HeaderColumns result_;
-  std::vector<std::string> names_;
 };
+
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 30;
+  std::string list;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    if (name.empty() || ++count > most) continue;
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  if (count > most) list += fmt::format(", and {} more", count - most);
+  return list;
+}
 
 }  // namespace
 
@@ -195,6 +190,28 @@ HeaderColumns read_header(const CsvReader& csv, const std::optional<CsvRow>& uni
                           const ReadingOptions& options, const FileKind& kind,
                           HeaderFaults& faults) {
   return HeaderReader(csv, units, options, kind, faults).read();
+}
+
+void make_covariate(HeaderColumns& header, std::size_t column) {
+  DataColumn& at = header.columns[column];
+  const CellRange any;
+  at = {DataRole::covariate, at.name, any.low, any.high, {}, {}, at.name};
+  header.read_as[column].clear();
+}
+
+std::vector<DataNote> header_notes(const HeaderColumns& header,
+                                   const std::optional<CsvRow>& units) {
+  std::vector<DataNote> notes = header.notes;
+  const std::string list = list_of(header.read_as);
+  if (!list.empty()) {
+    notes.push_back({NoteKind::column_names, "columns are read so: " + list, {}});
+  }
+  if (units) {
+    notes.push_back({NoteKind::passed_over,
+                     "the row below the header has the columns' units, and no reading",
+                     {units->line}});
+  }
+  return notes;
 }
 
 }  // namespace reeve::diagnosis

@@ -67,7 +67,9 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
 std::optional<double> RowCells::covariate(const CsvRow& row, std::size_t column) {
   const std::string_view text = trimmed(row.fields[column]);
   if (is_missing(text)) return std::nullopt;
-  return numbers_.read(text, row.line, columns_[column].low, columns_[column].high);
+  const DataColumn& of = columns_[column];
+  return of.unit.converted(
+      numbers_.read(text, row.line, of.unit.back(of.low), of.unit.back(of.high)));
 }
 
 }  // namespace reeve::diagnosis

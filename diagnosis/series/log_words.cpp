@@ -1,0 +1,41 @@
+#include "diagnosis/series/log_words.hpp"
+
+#include <algorithm>
+
+namespace reeve::diagnosis {
+namespace {
+
+// "12:00:00.01", "2024-05-01T12:00:00Z"
+bool is_time_of_day(std::string_view word) {
+  return word.find(':') != std::string_view::npos &&
+         word.find_first_not_of("0123456789:.,-/+ TZ") == std::string_view::npos;
+}
+
+}  // namespace
+
+void LogWords::add(std::string_view word, std::size_t samples) {
+  auto found = known_.find(word);
+  if (found == known_.end()) {
+    found = known_.emplace(word, static_cast<std::uint32_t>(words_.size())).first;
+    words_.push_back(&found->first);
+  }
+  ids_.insert(ids_.end(), samples, found->second);
+}
+
+std::size_t LogWords::changes() const {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < ids_.size(); ++i) count += ids_[i] != ids_[i - 1] ? 1 : 0;
+  return count;
+}
+
+bool LogWords::has_times_of_day() const {
+  bool any = false;
+  for (const std::string* word : words_) {
+    if (word->empty()) continue;
+    if (!is_time_of_day(*word)) return false;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace reeve::diagnosis
