@@ -22,13 +22,18 @@ void LogWords::add(std::string_view word, std::size_t samples) {
   ids_.insert(ids_.end(), samples, found->second);
 }
 
+bool LogWords::are_labels() const {
+  constexpr std::size_t least_samples = 5;
+  return changes() * least_samples <= ids_.size() && !are_times_of_day();
+}
+
 std::size_t LogWords::changes() const {
   std::size_t count = 0;
   for (std::size_t i = 1; i < ids_.size(); ++i) count += ids_[i] != ids_[i - 1] ? 1 : 0;
   return count;
 }
 
-bool LogWords::has_times_of_day() const {
+bool LogWords::are_times_of_day() const {
   bool any = false;
   for (const std::string* word : words_) {
     if (word->empty()) continue;

@@ -1,4 +1,5 @@
-// A column of a log that has words: the labels of its samples, or a clock on the wall.
+// A column of a log that has words: labels, which stay for a while, or what goes with the samples,
+// such as a clock on the wall. A log that is cut where the latter change has no steady stretch.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +23,14 @@ class LogWords {
   std::uint32_t id(std::size_t sample) const { return ids_[sample]; }
   const std::string& word(std::size_t sample) const { return *words_[ids_[sample]]; }
 
-  // Of samples: in how many the word is another than in the one before.
-  std::size_t changes() const;
-  // Whether every word is a time of day, alone or behind a date.
-  bool has_times_of_day() const;
+  // Whether they label: no times of day, alone or behind a date, and on average each stays over as
+  // many samples as the shortest reading has.
+  bool are_labels() const;
 
  private:
+  std::size_t changes() const;
+  bool are_times_of_day() const;
+
   std::map<std::string, std::uint32_t, std::less<>> known_;
   std::vector<const std::string*> words_;  // by id
   std::vector<std::uint32_t> ids_;

@@ -121,10 +121,15 @@ class LogReader {
     }
   }
 
+  bool parts_the_log(std::size_t column) const {
+    const bool is_covariate = columns_[column].role == DataRole::covariate;
+    return values_[column].is_text && (!is_covariate || values_[column].words.are_labels());
+  }
+
   void set_labels() {
     std::vector<std::size_t> parting;  // columns
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (values_[i].is_text) parting.push_back(i);
+      if (parts_the_log(i)) parting.push_back(i);
     }
     std::map<std::vector<std::uint32_t>, std::size_t> known;
     std::vector<std::uint32_t> ids(parting.size());
@@ -179,7 +184,7 @@ class LogReader {
         if (!values_[column].is_text) {
           series_.others.push_back(std::move(signal));
         } else {
-          note_text(of.name);
+          note_text(column);
         }
         break;
       default:
@@ -187,13 +192,23 @@ class LogReader {
     }
   }
 
-  void note_text(const std::string& name) {
-    series_.notes.push_back(
-        {NoteKind::covariate,
-         fmt::format("column '{}' holds text: the log is cut where it changes, and readings "
-                     "do not have it",
-                     for_message(name)),
-         {}});
+  void note_text(std::size_t column) {
+    const std::string name = for_message(columns_[column].name);
+    if (parts_the_log(column)) {
+      series_.notes.push_back(
+          {NoteKind::covariate,
+           fmt::format("column '{}' holds text: the log is cut where it changes, and readings "
+                       "do not have it",
+                       name),
+           {}});
+    } else {
+      series_.notes.push_back(
+          {NoteKind::passed_over,
+           fmt::format("column '{}' holds times of day, or text that changes every few samples: "
+                       "it is not read",
+                       name),
+           {}});
+    }
   }
 
   const CsvReader& csv_;

@@ -1,10 +1,12 @@
 #include "diagnosis/series/logged_series.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tests/diagnosis/read_log.hpp"
 
@@ -54,6 +56,30 @@ TEST(LoggedSeries, TakesWhatFilesOfReadingsDoAsMissing) {
 
 TEST(LoggedSeries, IsSimulatedIfACommentSaysSo) {
   EXPECT_TRUE(log_of("# Simulated rig\nt,T1_N,T2_N\n0,1,2\n").simulated);
+}
+
+std::string clock_on_the_wall(int sample, int samples_per_second) {
+  return fmt::format("12:00:{:02}", sample / samples_per_second);
+}
+
+// Else no reading would be longer than a sample, or a second.
+TEST(TextThatGoesWithTheSamples, DoesNotCutTheLog) {
+  std::string text = "date,wall,coarse,state,phase,t,T1_N,T2_N\n";
+  for (int i = 0; i < 40; ++i) {
+    text += fmt::format("2024-05-01,12:00:00.{:02},{},{},{},{},1,2\n", i, clock_on_the_wall(i, 10),
+                        i % 2 == 0 ? "a" : "b", i < 20 ? "out" : "back", i);
+  }
+  const LoggedSeries series = log_of(text);
+  EXPECT_EQ(series.labels.size(), 2U);
+  EXPECT_EQ(recordings(series).parts.size(), 2U);
+  std::vector<std::string> passed_over;
+  for (const DataNote& note : series.notes) {
+    if (note.kind == NoteKind::passed_over) passed_over.push_back(note.text);
+  }
+  ASSERT_EQ(passed_over.size(), 3U);
+  EXPECT_EQ(passed_over[1],
+            "column 'coarse' holds times of day, or text that changes every few samples: it is not "
+            "read");
 }
 
 TEST(BadLog, IsNamedWithWhatItsHeaderLacks) {
