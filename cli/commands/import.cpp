@@ -7,6 +7,7 @@
 #include "cli/asked/asked_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 struct ImportFlags {
   std::string log;
+  ReadingFlags columns;
   ImportLabels labels;
   SteadyOptions options;
   std::string direction;
@@ -47,7 +49,7 @@ ImportReport report(const ImportFlags& flags) {
   if (flags.direction_given->count() > 0) {
     options.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   }
-  return import_study(read_logged_series(flags.log), flags.labels, options,
+  return import_study(read_logged_series(flags.log, flags.columns.options()), flags.labels, options,
                       [&](const std::string& text) { return read_routing(text, catalogue); });
 }
 
@@ -126,6 +128,7 @@ void add_options(CLI::App& command, ImportFlags& flags) {
                                        "CSV file for the readings (default: none written)");
   flags.plot_given = command.add_option(
       "--plot", flags.plot, "SVG file: the signals, what was taken, and what was left out and why");
+  flags.columns.add_columns_to(command);
   add_labels(command, flags);
   add_steadiness(command, flags.options);
   flags.format.add_to(command, with_tables({"json"}));

@@ -4,7 +4,7 @@
 
 namespace reeve::cli {
 
-void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
+void ReadingFlags::add_columns_to(CLI::App& command, CLI::Option* data) {
   CLI::Option* map = command
                          .add_option("--map", map_,
                                      "A column of the data and what it means, such as 'Kraft "
@@ -16,10 +16,16 @@ void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
                       "Unit of all tensions in the data, such as lbf, or of one column, such as "
                       "T1=kgf; may be given again")
           ->allow_extra_args(false);
+  if (data == nullptr) return;
+  map->needs(data);
+  unit->needs(data);
+}
+
+void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
+  add_columns_to(command, data);
   group_given_ = command.add_option(
       "--group", group_, "A column of the data whose words group the rows: a winch, an operator");
-  if (data == nullptr) return;
-  for (CLI::Option* option : {map, unit, group_given_}) option->needs(data);
+  if (data != nullptr) group_given_->needs(data);
 }
 
 void ReadingFlags::add_noise_to(CLI::App& command) {
@@ -52,7 +58,7 @@ ReadingOptions ReadingFlags::options() const {
     result.noise.push_back(for_option("--noise", [&] { return parse_column_noise(text); }));
   }
   for (const std::string& column : exact_) result.noise.push_back({column, {}});
-  if (group_given_->count() > 0) result.group = group_;
+  if (group_given_ != nullptr && group_given_->count() > 0) result.group = group_;
   return result;
 }
 

@@ -14,13 +14,14 @@ namespace reeve::cli {
 struct ReadingFlags {
   // With `data`: they need that option.
   void add_to(CLI::App& command, CLI::Option* data = nullptr);
+  // What columns mean, and their units: of the log of a rig, too.
+  void add_columns_to(CLI::App& command, CLI::Option* data = nullptr);
   void add_noise_to(CLI::App& command);
   // Throws InputError.
   MeasuredData read(const std::string& file, const Catalogue& catalogue) const;
-
- private:
   ReadingOptions options() const;
 
+ private:
   std::vector<std::string> map_;
   std::vector<std::string> units_;
   std::vector<std::string> noise_;

@@ -146,6 +146,8 @@ def compare(
 def import_log(
     log: DataLike,
     *,
+    map: Optional[Texts] = None,
+    unit: Optional[Texts] = None,
     run: Optional[Union[str, int]] = None,
     routing: Optional[RoutingLike] = None,
     held: Union[None, str, int, Sequence[int]] = None,
@@ -161,6 +163,12 @@ def import_log(
     ----------
     log : pandas.DataFrame or path
         A row for each sample; docs/data.md has the columns.
+    map : str or sequence of str
+        A column of the data and what it means, such as 'Kraft Motor=motor_tension_N'; once
+        for each column.
+    unit : str or sequence of str
+        Unit of all tensions in the data, such as lbf, or of one column, such as T1=kgf; may
+        be given again.
     run : str or int
         Run of all readings, if the log has no column run (default: 1).
     routing : Routing or str

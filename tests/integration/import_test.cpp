@@ -188,6 +188,25 @@ TEST(Import, ReadsALogInOtherSpellingsAlike) {
   EXPECT_EQ(found["readings"][0]["tensions"], expected["readings"][0]["tensions"]);
 }
 
+TEST(Import, IsToldWhatTheLogDoesNotSay) {
+  const TemporaryFolder folder;
+  RigPlan plan;
+  plan.strokes = 1;
+  RigRun run;
+  run.strands = {{0.4, 0.7}, {0.3, 0.5}};
+  std::string log = rig_csv(rig_log(plan, {run}), {run});
+  log = "Zeit,Weg,Motor,T1,T2" + log.substr(log.find('\n'));
+  const std::string file = folder.write("log.csv", log).string();
+  const Json json =
+      Json::parse(reeve({"import", file, "--routing", "M-1-T-2-F", "--map", "Zeit=time_s", "--map",
+                         "Weg=position_cm", "--map", "Motor=motor_tension_N", "--unit", "kgf",
+                         "--format", "json"})
+                      .out);
+  EXPECT_EQ(json["data"]["motion"], "position");
+  EXPECT_NEAR(json["readings"][0]["speed_mm_s"].get<double>(), 10 * plan.speed_mm_s, 1);
+  EXPECT_GT(json["readings"][0]["motor_tension"]["mean_N"].get<double>(), 9 * plan.least_load_N);
+}
+
 // The answer is no, and says why; there is no file without readings.
 TEST(Import, OfALogWithoutASteadyStretchIsANo) {
   const TemporaryFolder folder;
