@@ -11,6 +11,7 @@
 #include "core/network.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/intake/column_name.hpp"
+#include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/text_cells.hpp"
 
 namespace reeve::studies {
@@ -22,20 +23,62 @@ std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
   return series.lines[static_cast<std::size_t>(first - series.label.begin())];
 }
 
-// Puts the place of a label before the input errors of `action`: the cell, or what was given.
-template <typename Action>
-auto for_label(const LoggedSeries& series, std::size_t label, const std::string& column,
-               bool is_logged, const std::string& value, Action action) {
-  try {
-    return action();
-  } catch (const InputError& error) {
-    if (is_logged) {
-      throw cell_error(error, series.file, line_of_label(series, label), column, value);
+// What is wrong with the labels of one stretch of the log.
+class LabelCheck {
+ public:
+  // Both must outlive it.
+  LabelCheck(const LoggedSeries& series, std::size_t label, FaultList& faults)
+      : series_(series), label_(label), line_(line_of_label(series, label)), faults_(faults) {}
+
+  // What the action gives. Of a cell its input error goes into the list of faults; what was given
+  // is no matter of one stretch.
+  template <typename Action>
+  auto at(const std::string& column, bool is_logged, const std::string& value, Action action)
+      -> std::optional<decltype(action())> {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      if (!is_logged) {
+        throw InputError(changed(error.fault(), one_line))
+            .at(InputFault{.what = column, .value = for_message(value)});
+      }
+      add(line_, column, cell_error(error, series_.file, line_, column, value).fault());
+      return std::nullopt;
     }
-    throw InputError(changed(error.fault(), one_line))
-        .at(InputFault{.what = column, .value = for_message(value)});
   }
-}
+
+  // A column of tensions must be one of the routing's segments, or empty there.
+  void require_segments(const std::string& routing, const Network& network) {
+    for (const LoggedSignal& tension : series_.tensions_N) {
+      const Segment segment = column_named(tension.name)->place.segment;
+      if (!find_segment(network, segment)) require_empty(tension, routing, segment);
+    }
+  }
+
+ private:
+  void require_empty(const LoggedSignal& tension, const std::string& routing,
+                     const Segment& segment) {
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      if (series_.label[i] != label_ || std::isnan(tension.values[i])) continue;
+      const std::size_t line = series_.lines[i];
+      return add(line, tension.column,
+                 {.where = fmt::format("{}:{}", series_.file, line),
+                  .what = fmt::format("column '{}': the routing '{}' has no segment {}",
+                                      for_message(tension.column), for_message(routing),
+                                      segment_name(segment)),
+                  .expected = "an empty cell"});
+    }
+  }
+
+  void add(std::size_t line, const std::string& column, InputFault fault) {
+    faults_.add(line, fmt::format("in column '{}'", for_message(column)), std::move(fault));
+  }
+
+  const LoggedSeries& series_;
+  std::size_t label_;
+  std::size_t line_;
+  FaultList& faults_;
+};
 
 void require_no_other(const LoggedSeries& series, const std::string& column, bool is_logged,
                       const std::optional<std::string>& given) {
@@ -68,40 +111,28 @@ Network network_of(const std::string& routing, const RoutingResolver& resolve) {
   return network;
 }
 
-void require_run(const std::string& text) {
+std::string run_of(const std::string& text) {
   if (text.empty()) throw InputError({.expected = "a name or number for the run"});
-}
-
-// A column of tensions must be one of the routing's segments, or empty there.
-void require_segments(const LoggedSeries& series, std::size_t label, const std::string& routing,
-                      const Network& network) {
-  for (const LoggedSignal& tension : series.tensions_N) {
-    const Segment segment = column_named(tension.name)->place.segment;
-    if (find_segment(network, segment)) continue;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-      if (series.label[i] != label || std::isnan(tension.values[i])) continue;
-      throw InputError({.where = fmt::format("{}:{}", series.file, series.lines[i]),
-                        .what = fmt::format("column '{}': the routing '{}' has no segment {}",
-                                            for_message(tension.column), for_message(routing),
-                                            segment_name(segment)),
-                        .expected = "an empty cell"});
-    }
-  }
+  return text;
 }
 
 void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& labels,
                      const RoutingResolver& resolve) {
+  FaultList faults;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const LogLabels& label = labels[i];
-    for_label(series, i, "run", series.has_runs, label.run, [&] { require_run(label.run); });
-    const Network network = for_label(series, i, "routing", series.has_routings, label.routing,
-                                      [&] { return network_of(label.routing, resolve); });
-    for_label(series, i, "held", series.has_held, label.held,
-              [&] { read_held(label.held, network.fingers); });
-    for_label(series, i, "direction", true, label.direction,
-              [&] { read_direction(label.direction); });
-    require_segments(series, i, label.routing, network);
+    LabelCheck check(series, i, faults);
+    check.at("run", series.has_runs, label.run, [&] { return run_of(label.run); });
+    const auto network = check.at("routing", series.has_routings, label.routing,
+                                  [&] { return network_of(label.routing, resolve); });
+    if (network) {
+      check.at("held", series.has_held, label.held,
+               [&] { return read_held(label.held, network->fingers); });
+      check.require_segments(label.routing, *network);
+    }
+    check.at("direction", true, label.direction, [&] { return read_direction(label.direction); });
   }
+  faults.throw_any(series.file);
 }
 
 }  // namespace

@@ -69,6 +69,19 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "cell");
 }
 
+TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
+  expect_refused(
+      "t,run,routing,held,direction,motor_tension_N,T1_N,T5_N\n0,A,TR1,3,,20,6,\n"
+      "1,,TR1,,up,20,6,\n2,B,TR1,,,20,6,1\n",
+      {},
+      "log.csv: 4 faults:\n"
+      "  log.csv:2: column 'held' = '3': expected nothing (none held), or finger numbers from 1 "
+      "to 2, each once, such as 1;2\n"
+      "  log.csv:3: column 'run' = '': expected a name or number for the run\n"
+      "  log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell\n"
+      "  log.csv:4: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty cell");
+}
+
 TEST(BadImport, TellsAllFaultsOfALog) {
   expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,inf\n", {"--routing", "TR1"},
                  "log.csv: 2 faults:\n"
