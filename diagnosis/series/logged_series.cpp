@@ -12,6 +12,7 @@
 #include "diagnosis/data/intake/beginning.hpp"
 #include "diagnosis/data/intake/row_cells.hpp"
 #include "diagnosis/data/intake/words.hpp"
+#include "diagnosis/series/coarse_clock.hpp"
 #include "diagnosis/series/log_columns.hpp"
 #include "diagnosis/series/log_words.hpp"
 
@@ -240,6 +241,7 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   }
   series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
   take_comments(csv, series);
+  if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));
   return series;
 }
 
