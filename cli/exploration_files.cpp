@@ -44,6 +44,11 @@ std::vector<std::string> explore_arguments(const CLI::App& command) {
       command, {"--shard", "--out", "--threads", "--format", "--store", "--store-every", "--keep"});
 }
 
+std::vector<std::string> exploration_files() {
+  return {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv",
+          "sweep.csv",   "shard.json", "index.html", "summary.json"};
+}
+
 void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const Catalogue& catalogue, std::optional<std::size_t> details,
                        const std::filesystem::path& directory) {

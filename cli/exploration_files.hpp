@@ -17,6 +17,9 @@ namespace reeve::cli {
 // how fast.
 std::vector<std::string> explore_arguments(const CLI::App& command);
 
+// All that an exploration may write or remove in its folder, but for figures.
+std::vector<std::string> exploration_files();
+
 // Of a report that holds the record of a shard also shard.json. `command` is the subcommand as it
 // was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "cli/outputs.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
@@ -88,6 +87,10 @@ HardwareFile HardwareOption::read() const {
 
 std::string HardwareOption::name() const { return is_given() ? file_ : default_hardware_name; }
 
+void HardwareOption::list_in(std::vector<InputFile>& inputs) const {
+  if (is_given()) inputs.push_back({file_, "the hardware"});
+}
+
 CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
   option_ = command.add_option("--family", family_, what);
   return option_;
@@ -108,6 +111,10 @@ void SvgOption::add_to(CLI::App& command, const std::string& what) {
   option_ = command.add_option("--svg", file_, what);
 }
 
+void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
+  if (is_given()) require_not_an_input(file_, inputs, "--svg");
+}
+
 void SvgOption::write(const std::string& content) const {
   require_file_can_be_written(file_, "--svg");
   for_option("--svg", [&] { write_file(file_, content); });
@@ -117,6 +124,11 @@ CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
   option_ =
       command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
   return option_;
+}
+
+void OutOption::require_apart_from(const std::vector<InputFile>& inputs,
+                                   const std::vector<std::string>& files) const {
+  if (is_given()) require_no_input_in(folder_, files, inputs);
 }
 
 std::filesystem::path OutOption::prepare() const {
@@ -141,6 +153,11 @@ ModelFile ModelOption::read() const {
   }
   const HardwareFile file = hardware_.read();
   return {{file.hardware}, file.uncertainty, file.vary};
+}
+
+void ModelOption::list_in(std::vector<InputFile>& inputs) const {
+  hardware_.list_in(inputs);
+  if (option_->count() > 0) inputs.push_back({file_, "the model"});
 }
 
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {

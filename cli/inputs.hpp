@@ -11,6 +11,7 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/rig/hardware_file.hpp"
 #include "catalog/rig/model_file.hpp"
+#include "cli/outputs.hpp"
 #include "core/error.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/judge/objectives.hpp"
@@ -57,6 +58,7 @@ struct HardwareOption {
   bool is_given() const { return option_->count() > 0; }
   HardwareFile read() const;  // the paper's hardware if no file is given
   std::string name() const;   // of where it comes from
+  void list_in(std::vector<InputFile>& inputs) const;
 
  private:
   std::string file_;
@@ -79,6 +81,8 @@ struct FamilyOption {
 struct SvgOption {
   void add_to(CLI::App& command, const std::string& what);
   bool is_given() const { return option_->count() > 0; }
+  // Throws InputError.
+  void require_apart_from(const std::vector<InputFile>& inputs) const;
   void write(const std::string& content) const;
 
  private:
@@ -90,6 +94,9 @@ struct SvgOption {
 struct OutOption {
   CLI::Option* add_to(CLI::App& command, const std::string& files);
   bool is_given() const { return option_->count() > 0; }
+  // Of the files that come into it none may be an input. Throws InputError.
+  void require_apart_from(const std::vector<InputFile>& inputs,
+                          const std::vector<std::string>& files) const;
   // Made if it is not there. Throws InputError.
   std::filesystem::path prepare() const;
 
@@ -103,6 +110,7 @@ struct ModelOption {
   void add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
   ModelFile read() const;
+  void list_in(std::vector<InputFile>& inputs) const;
 
  private:
   HardwareOption hardware_;

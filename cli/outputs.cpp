@@ -31,14 +31,49 @@ std::error_code why_not(fs::path folder) {
   return {errno, std::generic_category()};
 }
 
+// A device or a pipe loses nothing by what is written to it.
+bool can_be_lost(const fs::path& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::is_regular_file(status) || !fs::exists(status);
+}
+
+fs::path where_links_lead(const fs::path& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(destination(file).file, ignored), ignored);
+}
+
+bool are_the_same(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored) || where_links_lead(a) == where_links_lead(b);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const InputFile& input, const std::string& option) {
+  throw InputError({.where = option,
+                    .what = fmt::format("'{}' would be written over {}", file.string(), input.what),
+                    .expected = "another place"});
+}
+
 }  // namespace
 
-void require_not_the_data(const fs::path& file, const fs::path& data, const std::string& option) {
-  std::error_code ignored;
-  if (!fs::equivalent(file, data, ignored)) return;
-  throw InputError({.where = option,
-                    .what = fmt::format("'{}' would be written over the data", file.string()),
-                    .expected = "another place"});
+void require_not_an_input(const fs::path& file, const std::vector<InputFile>& inputs,
+                          const std::string& option) {
+  for (const InputFile& input : inputs) {
+    if (can_be_lost(input.file) && are_the_same(file, input.file)) refuse(file, input, option);
+  }
+}
+
+void require_no_input_in(const fs::path& folder, const std::vector<std::string>& files,
+                         const std::vector<InputFile>& inputs) {
+  const std::string option = fmt::format("--out '{}'", folder.string());
+  for (const std::string& file : files) require_not_an_input(folder / file, inputs, option);
+  // Which figures there will be is known when they are made.
+  const fs::path figures = folder / "figures";
+  for (const InputFile& input : inputs) {
+    const fs::path place = where_links_lead(input.file);
+    if (!can_be_lost(input.file) || !are_the_same(figures, place.parent_path())) continue;
+    refuse(figures / place.filename(), input, option);
+  }
 }
 
 void require_folder_can_be_written(const fs::path& folder, const std::string& option) {

@@ -3,14 +3,26 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "numerics/floors.hpp"
 
 namespace reeve::cli {
 
-// The data cannot be measured again. `option` stands before the value in messages.
-void require_not_the_data(const std::filesystem::path& file, const std::filesystem::path& data,
+// What a command reads, or goes on in, and what of it: "the data", "the store".
+struct InputFile {
+  std::filesystem::path file;
+  std::string what;
+};
+
+// The one rule for all commands: nothing is written over what is read. Files are the same where
+// links lead to the same, also while there is none yet. `option` stands before the value in
+// messages. Throw InputError.
+void require_not_an_input(const std::filesystem::path& file, const std::vector<InputFile>& inputs,
                           const std::string& option);
+// Of files, and of figures, that are written or removed in the folder of --out.
+void require_no_input_in(const std::filesystem::path& folder, const std::vector<std::string>& files,
+                         const std::vector<InputFile>& inputs);
 
 // The folder, or what there is of the way to it. Throws InputError.
 void require_folder_can_be_written(const std::filesystem::path& folder, const std::string& option);

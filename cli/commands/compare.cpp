@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
@@ -38,15 +37,18 @@ CompareReport report(const CompareFlags& flags) {
   return comparison_study(std::move(data), model, catalogue);
 }
 
+std::vector<InputFile> inputs(const CompareFlags& flags) {
+  std::vector<InputFile> inputs{{flags.data, "the data"}};
+  flags.model.list_in(inputs);
+  return inputs;
+}
+
 void write_files(const CompareReport& report, const CompareFlags& flags) {
-  const std::filesystem::path residuals = std::filesystem::path(flags.out) / "residuals.csv";
-  const std::filesystem::path json = std::filesystem::path(flags.out) / "comparison.json";
-  prepare_directory(flags.out, "--out");
-  const std::string option = fmt::format("--out '{}'", flags.out);
-  require_not_the_data(residuals, flags.data, option);
-  require_not_the_data(json, flags.data, option);
-  write_file(residuals, residuals_csv(report));
-  write_file(json, compare_json(report));
+  const std::filesystem::path folder = flags.out;
+  require_no_input_in(folder, {"residuals.csv", "comparison.json"}, inputs(flags));
+  prepare_directory(folder, "--out");
+  write_file(folder / "residuals.csv", residuals_csv(report));
+  write_file(folder / "comparison.json", compare_json(report));
 }
 
 void run(const CompareFlags& flags) {

@@ -72,19 +72,18 @@ DiagnosisSettings settings(const DiagnoseFlags& flags) {
 
 // Before the long work.
 void require_places(const DiagnoseFlags& flags) {
+  std::vector<InputFile> inputs{{flags.data, "the data"}};
+  flags.hardware.list_in(inputs);
   if (flags.out_given->count() > 0) {
-    const std::string option = fmt::format("--out '{}'", flags.out);
     require_folder_can_be_written(flags.out, "--out");
     if (std::filesystem::is_directory(flags.out)) {
       require_file_can_be_written(flags.page_file(), "--out");
     }
-    require_not_the_data(flags.json_file(), flags.data, option);
-    require_not_the_data(flags.csv_file(), flags.data, option);
-    require_not_the_data(flags.page_file(), flags.data, option);
+    require_no_input_in(flags.out, {"diagnosis.json", "residuals.csv", "index.html"}, inputs);
   }
   if (flags.save_model_given->count() > 0) {
     require_file_can_be_written(flags.save_model, "--save-model");
-    require_not_the_data(flags.save_model, flags.data, "--save-model");
+    require_not_an_input(flags.save_model, inputs, "--save-model");
   }
 }
 

@@ -122,13 +122,19 @@ std::vector<ShardRecord> records_of(const std::vector<ShardFile>& shards,
   return records;
 }
 
-void prepare_folder(const std::string& folder) {
-  prepare_directory(folder, "--out");
-  require_file_can_be_written(std::filesystem::path(folder) / "index.html", "--out");
+// `inputs`: what is read besides what the options name.
+void prepare_folder(const ExploreFlags& flags, std::vector<InputFile> inputs) {
+  flags.model.list_in(inputs);
+  flags.ladder.prices.list_in(inputs);
+  flags.store.list_in(inputs);
+  require_no_input_in(flags.out, exploration_files(), inputs);
+  prepare_directory(flags.out, "--out");
+  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
 }
 
-void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::App& command) {
-  prepare_folder(flags.out);
+void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::App& command,
+           const std::vector<InputFile>& shards = {}) {
+  prepare_folder(flags, shards);
   write_exploration(report, command, shipped_catalogue(), flags.details, flags.out);
 }
 
@@ -150,8 +156,9 @@ void require_all_present(const ExploreReport& report, const ExploreFlags& flags)
 // What is printed and written is the same of one exploration, of its shards, and of one that
 // several processes search for.
 int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& command,
-        const std::vector<ShardRecord>& records, const Searcher& shared = {}) {
-  prepare_folder(flags.out);
+        const std::vector<ShardRecord>& records, const std::vector<InputFile>& shards,
+        const Searcher& shared = {}) {
+  prepare_folder(flags, shards);
   OpenedStore store(flags, command, inputs);
   const Keeping keeping = store.keeping();
   if (shared && keeping.design) refuse_to_keep_all();
@@ -199,7 +206,8 @@ int lead(const ExploreFlags& flags, const CLI::App& command, Processes& processe
   Leader leader(processes, was_terminated());
   const ExploreInputs inputs = read_by(processes, flags);
   if (flags.store.asks_for_all()) refuse_to_keep_all();
-  return run(inputs, flags, command, {}, leader.search(exploration_id(planned(inputs)), as_json));
+  return run(inputs, flags, command, {}, {},
+             leader.search(exploration_id(planned(inputs)), as_json));
 }
 
 int follow(const ExploreFlags& flags, Processes& processes) {
@@ -216,7 +224,7 @@ int follow(const ExploreFlags& flags, Processes& processes) {
 }
 
 int run_launched(const ExploreFlags& flags, const CLI::App& command) {
-  if (launched().size == 1) return run(read(flags), flags, command, {});
+  if (launched().size == 1) return run(read(flags), flags, command, {}, {});
   const std::unique_ptr<Processes> processes = connected();
   return processes->rank() == 0 ? lead(flags, command, *processes) : follow(flags, *processes);
 }
@@ -254,15 +262,16 @@ ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
 }
 
 void write_merged(const ExploreReport& report, const std::vector<std::string>& arguments,
-                  const std::vector<std::string>& here) {
+                  const std::vector<std::string>& here, const std::vector<InputFile>& places) {
   const ParsedExplore explore = parsed_merge(arguments, here, "merge");
-  write(report, explore.flags, explore.command);
+  write(report, explore.flags, explore.command, places);
 }
 
-int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here) {
+int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here,
+                   const std::vector<InputFile>& places) {
   const ParsedExplore explore = parsed_merge(shards, here);
   const ExploreInputs inputs = read(explore.flags);
-  return run(inputs, explore.flags, explore.command, records_of(shards, inputs));
+  return run(inputs, explore.flags, explore.command, records_of(shards, inputs), places);
 }
 
 }  // namespace reeve::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/outputs.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/results/explore_report.hpp"
 #include "studies/study_supervision.hpp"
@@ -15,12 +16,14 @@ ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
                                  const std::vector<std::string>& here,
                                  const StudySupervision& supervision);
 
-// Its files, into the folder of --out, which is among `here`. The arguments are the shards'.
+// Its files, into the folder of --out, which is among `here`. The arguments are the shards', and
+// `places` what these were read from.
 void write_merged(const ExploreReport& report, const std::vector<std::string>& arguments,
-                  const std::vector<std::string>& here);
+                  const std::vector<std::string>& here, const std::vector<InputFile>& places);
 
 // What `explore` with the arguments of the shards would print and write without --shard. `here` are
 // arguments besides: where to, how many threads, in which format.
-int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here);
+int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here,
+                   const std::vector<InputFile>& places);
 
 }  // namespace reeve::cli

@@ -1,11 +1,13 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "catalog/names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
 #include "core/error.hpp"
 #include "reports/files.hpp"
 #include "reports/mujoco/mjcf.hpp"
@@ -39,6 +41,9 @@ void run(const ExportFlags& flags) {
   if (to_file && flags.out.empty()) {
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
   }
+  std::vector<InputFile> inputs;
+  flags.hardware.list_in(inputs);
+  if (to_file) require_not_an_input(flags.out, inputs, "-o");
   const std::string text = exported(flags);
   if (to_file) {
     write_file(flags.out, text);

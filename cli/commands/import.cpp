@@ -37,7 +37,7 @@ void require_places(const ImportFlags& flags) {
   const auto require = [&](const CLI::Option* given, const std::string& file, const char* option) {
     if (given->count() == 0) return;
     require_file_can_be_written(file, option);
-    require_not_the_data(file, flags.log, option);
+    require_not_an_input(file, {{flags.log, "the data"}}, option);
   };
   require(flags.out_given, flags.out, "-o");
   require(flags.plot_given, flags.plot, "--plot");

@@ -9,7 +9,9 @@
 #include "cli/asked/asked_command.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
+#include "cli/exploration_files.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
@@ -74,6 +76,22 @@ std::vector<ShardFile> read_shards(const MergeFlags& flags) {
   return shards;
 }
 
+// All that was read of them.
+std::vector<InputFile> places(const MergeFlags& flags) {
+  std::vector<InputFile> places;
+  for (const std::string& place : flags.folders) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(place, ignored)) {
+      places.push_back({place, "the store"});
+      continue;
+    }
+    for (const std::string& file : exploration_files()) {
+      places.push_back({std::filesystem::path(place) / file, "the shard in " + place});
+    }
+  }
+  return places;
+}
+
 // What of the options is for the exploration.
 std::vector<std::string> here(const MergeFlags& flags) {
   return {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
@@ -82,7 +100,7 @@ std::vector<std::string> here(const MergeFlags& flags) {
 
 int run(const MergeFlags& flags) {
   require_not_a_shard(flags);
-  return explore_merged(read_shards(flags), here(flags));
+  return explore_merged(read_shards(flags), here(flags), places(flags));
 }
 
 void add_options(CLI::App& command, MergeFlags& flags) {
@@ -119,7 +137,7 @@ MergedExploration asked_merge(const Arguments& arguments, const StudySupervision
 void write_asked(const MergedExploration& merged, const Arguments& arguments) {
   const AskedCommand<MergeFlags> asked("merge", add_options, arguments);
   require_not_a_shard(asked.flags());
-  write_merged(merged.report, merged.arguments, here(asked.flags()));
+  write_merged(merged.report, merged.arguments, here(asked.flags()), places(asked.flags()));
 }
 
 }  // namespace reeve::cli

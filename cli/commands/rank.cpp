@@ -143,11 +143,12 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   return request;
 }
 
-void require_not_over_the_data(const RankFlags& flags, const std::filesystem::path& folder) {
-  if (flags.data_given->count() == 0) return;
-  for (const char* file : {"index.html", "ladder.csv", "sweep.csv", "ranking.json"}) {
-    require_not_the_data(folder / file, flags.data, "--out");
-  }
+void require_places(const RankFlags& flags) {
+  std::vector<InputFile> inputs;
+  flags.model.list_in(inputs);
+  flags.ladder.prices.list_in(inputs);
+  if (flags.data_given->count() > 0) inputs.push_back({flags.data, "the data"});
+  flags.out.require_apart_from(inputs, {"index.html", "ladder.csv", "sweep.csv", "ranking.json"});
 }
 
 TensionDistributions distributions_of(const RankInputs& inputs) {
@@ -186,13 +187,13 @@ int run(const RankFlags& flags, const CLI::App& command) {
   const ListColumns columns =
       flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
   flags.tables.require_room(flags.format, [&] { return shortest_sheet(asked, with, columns); });
+  require_places(flags);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
   std::filesystem::path folder;
   if (flags.out.is_given()) {
     distributions = distributions_of(inputs);
     folder = flags.out.prepare();
-    require_not_over_the_data(flags, folder);
   }
   std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
     return ranking_study(asked, inputs.catalogue, supervision);
@@ -285,9 +286,8 @@ StoredRanking asked_stored_ranking(const Arguments& arguments) {
 
 void write_asked(const RankReport& report, const Arguments& arguments) {
   const AskedCommand<RankFlags> asked("rank", add_options, arguments);
-  const std::filesystem::path folder = asked.flags().out.prepare();
-  require_not_over_the_data(asked.flags(), folder);
-  write_page(report, folder, asked.command());
+  require_places(asked.flags());
+  write_page(report, asked.flags().out.prepare(), asked.command());
 }
 
 }  // namespace reeve::cli

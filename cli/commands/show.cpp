@@ -62,6 +62,14 @@ ShownRouting report(const ShowFlags& flags) {
   return shown;
 }
 
+void require_places(const ShowFlags& flags) {
+  std::vector<InputFile> inputs;
+  flags.model.list_in(inputs);
+  flags.prices.list_in(inputs);
+  flags.svg.require_apart_from(inputs);
+  flags.out.require_apart_from(inputs, {"index.html", "routing.json"});
+}
+
 std::string dot(const ShowFlags& flags, const ShownRouting& report) {
   if (flags.held.empty()) return to_dot(report.network, report.word);
   const ShownGrasp& shown = report.grasps.front();
@@ -93,6 +101,7 @@ void write_page(const std::filesystem::path& folder, const ShownRouting& report,
 void run(const ShowFlags& flags, const CLI::App& command) {
   const ShownRouting shown = report(flags);
   require_one_grasp_to_draw(flags);
+  require_places(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
   std::filesystem::path folder;
   if (flags.out.is_given()) {
@@ -148,6 +157,7 @@ ShownRouting asked_routing(const Arguments& arguments) {
 
 void write_asked(const ShownRouting& report, const Arguments& arguments) {
   const AskedCommand<ShowFlags> asked("show", add_options, arguments);
+  require_places(asked.flags());
   write_page(asked.flags().out.prepare(), report, asked.command());
 }
 

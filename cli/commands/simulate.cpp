@@ -12,6 +12,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/flags/experiment_flags.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
@@ -153,6 +154,9 @@ void run(const SimulateFlags& flags) {
   const bool to_file = flags.out_given->count() > 0;
   if (to_file && flags.out.empty())
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
+  std::vector<InputFile> inputs;
+  flags.hardware.list_in(inputs);
+  if (to_file) require_not_an_input(flags.out, inputs, "-o");
   if (flags.power > 0) {
     const auto report =
         supervised([&](const StudySupervision& supervision) { return power(flags, supervision); });

@@ -177,6 +177,25 @@ void write_page(const SizingReport& report, const std::filesystem::path& folder,
   write_file(folder / "index.html", page.html);
 }
 
+std::vector<InputFile> inputs_of(const SizeFlags& flags) {
+  std::vector<InputFile> inputs;
+  flags.model.list_in(inputs);
+  if (flags.from_given->count() == 0) return inputs;
+  for (const char* file : {"designs.csv", "summary.json"}) {
+    inputs.push_back({std::filesystem::path(flags.from) / file, "what is sized"});
+  }
+  return inputs;
+}
+
+void require_places(const SizeFlags& flags) {
+  const std::vector<InputFile> inputs = inputs_of(flags);
+  if (flags.save_given->count() > 0) {
+    require_file_can_be_written(flags.save, "--save-hardware");
+    require_not_an_input(flags.save, inputs, "--save-hardware");
+  }
+  flags.out.require_apart_from(inputs, {"index.html", "sizing.json"});
+}
+
 std::string sizing_command(const CLI::App& command) {
   return command_line(command, {"--format", "--threads", "--columns", "--text-width"});
 }
@@ -222,7 +241,7 @@ SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
 
 int run(const SizeFlags& flags, const CLI::App& command) {
   const SizeInputs inputs = read(flags);
-  if (flags.save_given->count() > 0) require_file_can_be_written(flags.save, "--save-hardware");
+  require_places(flags);
   std::filesystem::path folder;
   if (flags.out.is_given()) folder = flags.out.prepare();
   SizingReport report = supervised(
@@ -261,6 +280,7 @@ SizingReport asked_sizing(const Arguments& arguments, const StudySupervision& su
 
 void write_asked(SizingReport report, const Arguments& arguments) {
   const AskedCommand<SizeFlags> asked("size", add_options, arguments);
+  require_places(asked.flags());
   report.details = sizing_details(report, shipped_catalogue());
   write_page(report, asked.flags().out.prepare(), sizing_command(asked.command()));
 }

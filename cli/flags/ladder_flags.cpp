@@ -60,6 +60,10 @@ std::optional<PartPrices> PricesOption::read() const {
   return read_price_file(file_);
 }
 
+void PricesOption::list_in(std::vector<InputFile>& inputs) const {
+  if (is_given()) inputs.push_back({file_, "the prices"});
+}
+
 void LadderFlags::require_prices(const Order& order, const Score& score,
                                  const std::vector<Constraint>& constraints) const {
   if (prices.is_given()) return;

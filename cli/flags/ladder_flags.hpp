@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/outputs.hpp"
 #include "core/parts/part_prices.hpp"
 #include "search/decide/ladder.hpp"
 #include "search/judge/objectives.hpp"
@@ -22,6 +23,7 @@ struct PricesOption {
   bool is_given() const { return option_->count() > 0; }
   // Nothing if none are given. Throws InputError.
   std::optional<PartPrices> read() const;
+  void list_in(std::vector<InputFile>& inputs) const;
 
  private:
   std::string file_;

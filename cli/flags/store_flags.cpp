@@ -28,6 +28,10 @@ void StoreFlags::add_to(CLI::App& command) {
                     ->capture_default_str();
 }
 
+void StoreFlags::list_in(std::vector<InputFile>& inputs) const {
+  if (is_given()) inputs.push_back({file_, "the store"});
+}
+
 void StoreFlags::open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
                       const std::vector<std::string>& arguments) const {
   std::optional<Keep> keep;

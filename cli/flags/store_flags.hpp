@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/outputs.hpp"
 #include "search/keeping.hpp"
 #include "store/exploration_store.hpp"
 #include "studies/exploration_study.hpp"
@@ -17,6 +18,7 @@ class StoreFlags {
  public:
   void add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0; }
+  void list_in(std::vector<InputFile>& inputs) const;
   bool asks_for_all() const { return is_given() && keep_ == "all"; }
 
   // Of the exploration that is planned. Throws InputError.
