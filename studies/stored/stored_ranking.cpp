@@ -30,6 +30,13 @@ bool is_among(const Constraint& constraint, const std::vector<Constraint>& const
                      [&](const Constraint& other) { return other.text == constraint.text; });
 }
 
+// All constraints of the store.
+bool asks_again(const ExploreOptions& stored, const ExploreOptions& asked) {
+  return std::all_of(
+      stored.constraints.begin(), stored.constraints.end(),
+      [&](const Constraint& constraint) { return is_among(constraint, asked.constraints); });
+}
+
 // What is better in everything meets it if a design does.
 bool admits_what_is_better(const Constraint& constraint, const Order& order) {
   const auto& ranked = order.objectives;
@@ -95,6 +102,18 @@ void add_kept(const StoreReader& store, bool same_order, bool is_exact, Ranker& 
   });
 }
 
+// Designs that the store does not keep, though they may meet what is asked: all but those that fail
+// its own constraints, where these are asked for again.
+bool lacks_designs(const std::vector<StoredShard>& shards, std::uint64_t kept, bool same_failures) {
+  std::uint64_t wanted = 0;
+  for (const StoredShard& shard : shards) {
+    wanted += shard.record.evaluated;
+    if (!same_failures) continue;
+    for (const std::uint64_t failures : shard.record.constraint_failures) wanted -= failures;
+  }
+  return kept < wanted;
+}
+
 // Words that are no routings, for whatever reason, are said to be of this file.
 ExploreReport concluded(ExplorationPart part, const ExploreOptions& asked,
                         const Catalogue& catalogue, const std::filesystem::path& file) {
@@ -112,10 +131,7 @@ std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked)
   if (!is_same_order(stored, asked)) gaps.push_back(Gap::other_order);
   const auto& before = stored.constraints;
   const auto& now = asked.constraints;
-  if (!std::all_of(before.begin(), before.end(),
-                   [&](const Constraint& constraint) { return is_among(constraint, now); })) {
-    gaps.push_back(Gap::constraint_dropped);
-  }
+  if (!asks_again(stored, asked)) gaps.push_back(Gap::constraint_dropped);
   if (!std::all_of(now.begin(), now.end(), [&](const Constraint& constraint) {
         return is_among(constraint, before) || admits_what_is_better(constraint, stored.order);
       })) {
@@ -135,6 +151,7 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   Ranker ranker(asked);
   const std::vector<StoredShard> shards = store.shards();
   add_kept(store, is_same_order(stored, asked), ranking.gaps.empty(), ranker);
+  if (!lacks_designs(shards, ranker.kept(), asks_again(stored, asked))) ranking.gaps.clear();
   ExplorationPart& part = ranker.part();
   for (const StoredShard& shard : shards) {
     part.total += shard.record.total;

@@ -8,6 +8,7 @@
 //   - with further constraints that each bound one of these objectives on its worse side: what
 //     beats a design is no worse in it, and so meets it too; with each design that meets them those
 //     that beat it meet them, and the count of these decides.
+//   - for whatever is asked, where no design was left out: there are no more than it keeps.
 // Otherwise a design that is asked for now may have been left out then.
 #pragma once
 
@@ -29,7 +30,7 @@ enum class Gap : std::uint8_t {
   more_than_kept,        // designs
 };
 
-// Of a store that keeps the best alone. Empty: none is.
+// Of a store that keeps the best alone, as far as options tell. Empty: none is.
 std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked);
 
 struct StoredRanking {

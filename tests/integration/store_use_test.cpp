@@ -104,6 +104,44 @@ INSTANTIATE_TEST_SUITE_P(
                                 {"--constraint", "sheaths<=6", "--constraint", "pulleys<=0"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+class RankedFew : public RankedStore {};
+
+// There are 54 designs.
+TEST_P(RankedFew, IsExactSinceNoneWasLeftOut) {
+  ASSERT_EQ(explore({"--fingers", "2", "--top", "60"}).exit_code, 0);
+  ASSERT_TRUE(Json::parse(ranked("json").out)["exact"]);
+  EXPECT_EQ(ranked("table").out.find("not exact"), std::string::npos);
+  Arguments arguments{"--fingers", "2", "--top", "60"};
+  arguments.insert(arguments.end(), GetParam().asked.begin(), GetParam().asked.end());
+  EXPECT_TRUE(ranked("csv").out == without_id(Explored(arguments).file("designs.csv")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, RankedFew,
+    ::testing::Values(AskedCase{"Objectives", {"--objectives", "sheaths,uniformity_worst"}},
+                      AskedCase{"Score", {"--score", "uniformity=2,sheaths=0.1"}},
+                      AskedCase{"Elsewhere", {"--constraint", "pulleys<=0"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
+  const auto exact = [&](Arguments asked) {
+    asked.insert(asked.begin(), {"rank", "--store", "s.db", "--format", "json"});
+    return Json::parse(run(asked).out)["exact"].get<bool>();
+  };
+  ASSERT_EQ(explore({"--constraint", "sheaths<=1"}).exit_code, 0);
+  EXPECT_TRUE(exact({"--objectives", "travel"}));
+  EXPECT_TRUE(exact({"--constraint", "sheaths<=1", "--constraint", "pulleys<=0"}));
+  EXPECT_FALSE(exact({"--objectives", "travel", "--constraint", "sheaths<=2"}));
+}
+
+TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
+  ASSERT_EQ(explore({"--objectives", "knots", "--top", "53"}).exit_code, 0);
+  const Json ranked = Json::parse(
+      run({"rank", "--store", "s.db", "--objectives", "travel", "--format", "json"}).out);
+  EXPECT_EQ(ranked["kept"], 53);
+  EXPECT_FALSE(ranked["exact"]);
+}
+
 // A rung of the ladder that others equal is among those that are counted and not kept.
 TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
   const Arguments arguments{"--fingers",    "3",     "--parts", "paper",
