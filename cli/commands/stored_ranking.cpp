@@ -95,6 +95,42 @@ Arguments asked_arguments(const CLI::App& rank) {
   return arguments;
 }
 
+struct NamedObjective {
+  std::string option;
+  Objective objective;
+};
+
+std::vector<NamedObjective> named_objectives(const ExploreFlags& flags) {
+  std::vector<NamedObjective> named;
+  for (const Objective objective : flags.ranking.read_order().objectives) {
+    named.push_back({"--objectives", objective});
+  }
+  for (const ScoreTerm& term : flags.ranking.read_score().terms) {
+    named.push_back({"--score", term.objective});
+  }
+  for (const Constraint& constraint : read_constraints(flags.constraints)) {
+    named.push_back({fmt::format("--constraint '{}'", constraint.text), constraint.objective});
+  }
+  return named;
+}
+
+// Of what the designs of the store have no values of, it cannot be said that an option would help.
+void require_values(const ExploreFlags& asked, const ExploreOptions& stored,
+                    const std::string& store) {
+  for (const auto& [option, objective] : named_objectives(asked)) {
+    const bool lacks_prices = objective == Objective::cost && !stored.prices;
+    const bool lacks_hand = row(objective).of_hand && !hand(stored.model.hardware);
+    if (!lacks_prices && !lacks_hand) continue;
+    throw InputError(
+        {.where = option,
+         .what = fmt::format("there is no {} of the designs of {}, which was explored without {}",
+                             row(objective).name, store, lacks_prices ? "prices" : "a hand"),
+         .expected = lacks_prices ? "a store of explore --cost FILE.toml"
+                                  : "a store of explore with the joints of the fingers in the file "
+                                    "of --hardware or --model"});
+  }
+}
+
 std::string printed(const StoredRanking& ranking, const ListColumns& columns,
                     const TableFlags& tables, const FormatOption& format) {
   if (format.is("json")) return stored_ranking_json(ranking);
@@ -127,6 +163,7 @@ StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& 
   const ParsedExplore then(arguments, flags.store);
   const ExploreOptions stored = stored_options(then, reader, flags.store, catalogue);
   const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), flags.store);
+  require_values(now.flags, stored, flags.store);
   ExploreOptions asked = now.flags.read(stored.model, catalogue);
   asked.threads = rank.get_option("--threads")->as<int>();
   if (as_listed) {

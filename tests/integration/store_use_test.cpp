@@ -142,6 +142,29 @@ TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
   EXPECT_FALSE(ranked["exact"]);
 }
 
+// No option would give them.
+TEST_F(Stored, SaysThatDesignsHaveNoCostOrMotorForce) {
+  ASSERT_EQ(explore({}).exit_code, 0);
+  const auto expect_refused = [&](const Arguments& asked, const std::string& message) {
+    Arguments command{"rank", "--store", "s.db"};
+    command.insert(command.end(), asked.begin(), asked.end());
+    expect_bad(run(command), message);
+  };
+  const std::string without_prices =
+      ": there is no cost of the designs of s.db, which was explored without prices: expected a "
+      "store of explore --cost FILE.toml";
+  const std::string without_hand =
+      ": there is no motor_force of the designs of s.db, which was explored without a hand: "
+      "expected a store of explore with the joints of the fingers in the file of --hardware or "
+      "--model";
+  expect_refused({"--objectives", "cost"}, "--objectives" + without_prices);
+  expect_refused({"--score", "uniformity=1,cost=1"}, "--score" + without_prices);
+  expect_refused({"--constraint", "cost<=1"}, "--constraint 'cost<=1'" + without_prices);
+  expect_refused({"--objectives", "motor_force"}, "--objectives" + without_hand);
+  expect_refused({"--constraint", "motor_force<=90"},
+                 "--constraint 'motor_force<=90'" + without_hand);
+}
+
 // A rung of the ladder that others equal is among those that are counted and not kept.
 TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
   const Arguments arguments{"--fingers",    "3",     "--parts", "paper",
