@@ -60,6 +60,7 @@ ExploreResult explore(const ExploreOptions& options, const Supervision& supervis
   const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
   ExploreResult result = conclude(std::move(part), options);
   result.partial |= !told;
+  result.made_all = static_cast<bool>(keeping.design);
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();
   if (keeping.before) result.seconds += keeping.before->seconds;

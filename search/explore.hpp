@@ -85,6 +85,7 @@ struct ExploreResult {
   // Of the evaluated, those that constraints on parts alone reject: counted, not made, unless
   // somebody keeps all designs (routing_source.hpp).
   std::uint64_t pruned = 0;
+  bool made_all = false;  // also those
   bool partial = false;
   double seconds = 0;
   std::vector<RankedDesign> front;

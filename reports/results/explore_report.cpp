@@ -22,9 +22,13 @@ namespace {
 
 constexpr std::size_t shown_at_most = 10;
 
+// Not only counted.
+std::uint64_t made(const ExploreResult& result) {
+  return result.made_all ? result.evaluated : result.evaluated - result.pruned;
+}
+
 double rate(const ExploreResult& result) {
-  const auto evaluated = static_cast<double>(result.evaluated - result.pruned);
-  return result.seconds > 0 ? evaluated / result.seconds : 0;
+  return result.seconds > 0 ? static_cast<double>(made(result)) / result.seconds : 0;
 }
 
 // Each routing in one class, so that the numbers add up to those generated.
@@ -42,13 +46,13 @@ std::string counts_text(const ExploreReport& report) {
 }
 
 std::string evaluated_text(const ExploreResult& result) {
-  if (result.pruned == 0) {
+  if (made(result) == result.evaluated) {
     return fmt::format("{} evaluated, {:.0f} a second", result.evaluated, rate(result));
   }
   return fmt::format(
       "Of the {} that are actuated {} evaluated, {:.0f} a second; the other {} fail by their parts "
       "alone",
-      result.evaluated, result.evaluated - result.pruned, rate(result), result.pruned);
+      result.evaluated, made(result), rate(result), result.pruned);
 }
 
 std::vector<Objective> objectives_to_show(const ExploreReport& report) {

@@ -142,6 +142,14 @@ TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
   EXPECT_FALSE(ranked["exact"]);
 }
 
+TEST_F(Stored, WithAllDesignsSaysThatAllWereEvaluated) {
+  const Arguments asked{"--fingers", "3", "--constraint", "sheaths<=1"};
+  EXPECT_NE(explore(asked).out.find("\nOf the 426 that are actuated 32 evaluated, "),
+            std::string::npos);
+  std::filesystem::remove(store());
+  EXPECT_NE(explore(asked, {}, {"--keep", "all"}).out.find("\n426 evaluated, "), std::string::npos);
+}
+
 // No option would give them.
 TEST_F(Stored, SaysThatDesignsHaveNoCostOrMotorForce) {
   ASSERT_EQ(explore({}).exit_code, 0);

@@ -43,6 +43,9 @@ TEST(ExploreSheet, PutsEachGeneratedRoutingInOneClass) {
                       "by their parts alone\n"),
             std::string::npos)
       << text(explore_sheet(report));
+  report.result.made_all = true;
+  EXPECT_NE(text(explore_sheet(report)).find("\n60 evaluated, 120 a second\n"), std::string::npos);
+  EXPECT_EQ(Json::parse(explore_summary_json(report))["designs_per_second"], 120);
 }
 
 // What statics say of one tendon, and what they do not say of two.
