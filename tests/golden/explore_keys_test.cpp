@@ -70,7 +70,7 @@ TEST(KeysOfAShard, AreThePromisedOnes) {
 TEST(KeysOfAStoreRankedAgain, AreThePromisedOnes) {
   const TemporaryFolder folder;
   const std::string store = (folder.path() / "s.db").string();
-  reeve({"explore", "--store", store, "--out", folder.path().string()});
+  reeve({"explore", "--store", store, "--top", "10", "--out", folder.path().string()});
   const Json json = json_of({"rank", "--store", store, "--objectives", "travel"});
   EXPECT_EQ(keys(json),
             "exact inexact_because partial total generated evaluated kept failed_constraints "
