@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "reports/results/data_text.hpp"
@@ -41,6 +43,9 @@ std::string buys(Objective measure) {
 
 std::string value_text(Objective objective, const ObjectiveValues& values,
                        const std::string& cost_unit) {
+  if (!std::isfinite(value(values, objective))) {
+    return objective_heading(objective) + " infinite";
+  }
   const std::string unit = shown_unit(objective_unit(objective, cost_unit));
   return fmt::format("{} {}{}{}", objective_heading(objective),
                      fixed(value(values, objective), row(objective).decimals),
@@ -53,7 +58,8 @@ std::string change_text(Objective objective, const ObjectiveValues& values,
   const double before = value(first, objective);
   const double now = value(values, objective);
   std::string text = value_text(objective, values, cost_unit);
-  if (before == now || before == 0) return text;
+  const bool have_change = std::isfinite(before) && std::isfinite(now);
+  if (before == now || before == 0 || !have_change) return text;
   return fmt::format("{} ({})", text, signed_percent((now - before) / std::abs(before)));
 }
 
@@ -102,10 +108,17 @@ std::string affordable_text(const ListedLadder& listed) {
                      values_text(listed, ladder.affordable->values));
 }
 
+std::optional<double> finite(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 // "the least is 1", "the least is 37.66 N": rounded away from the bound, so that a design meets the
 // constraint with this bound.
-std::string nearest_text(const Constraint& constraint, const Nearest& nearest,
+std::string nearest_text(const Constraint& constraint, const Nearest& reached,
                          const std::string& cost_unit) {
+  const Nearest nearest{finite(reached.above), finite(reached.below)};
+  const bool is_any_reached = reached.above || reached.below;
+  if (is_any_reached && !nearest.above && !nearest.below) return "in all of them it is infinite";
   const bool below = constraint.comparison.front() == '<';
   const bool above = constraint.comparison.front() == '>';
   const std::string own = objective_unit(constraint.objective, cost_unit);

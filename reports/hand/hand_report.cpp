@@ -1,6 +1,7 @@
 #include "reports/hand/hand_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,20 +41,23 @@ double least_force(const ShownHand& hand, std::size_t place, Get get) {
 
 Table finger_table(const ShownHand& hand) {
   Table table{{number_column("finger"), number_column("excursion", "mm"),
-               number_column("closes", "%"), number_column("wanted", "N"),
-               number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1)))},
+               number_column("closes", "%"), number_column("wanted", "N")},
               {}};
+  const bool has_force = std::isfinite(hand.demand.force_N);
+  if (has_force) {
+    table.columns.push_back(number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1))));
+  }
   const std::optional<double> limit = hand.motor.force_N;
   if (limit) table.columns.push_back(number_column(fmt::format("at {:.4g} N", *limit)));
   for (std::size_t f = 0; f < hand.fingers.size(); ++f) {
     const ShownHandFinger& finger = hand.fingers[f];
     const auto at_demand = [](const ShownFingerForce& force) { return force.force_N; };
     const auto at_limit = [](const ShownFingerForce& force) { return *force.at_limit_N; };
-    const bool has_force = std::isfinite(hand.demand.force_N);
-    table.add({std::to_string(finger.finger), fixed(finger.excursion_mm, 1),
-               fixed(100 * finger.closed, 1), fixed(finger.wanted_N, 1),
-               has_force ? fixed(least_force(hand, f, at_demand), 2) : "-"});
-    if (limit) table.rows.back().cells.push_back(fixed(least_force(hand, f, at_limit), 2));
+    std::vector<std::string> cells{std::to_string(finger.finger), fixed(finger.excursion_mm, 1),
+                                   fixed(100 * finger.closed, 1), fixed(finger.wanted_N, 1)};
+    if (has_force) cells.push_back(fixed(least_force(hand, f, at_demand), 2));
+    if (limit) cells.push_back(fixed(least_force(hand, f, at_limit), 2));
+    table.add(std::move(cells));
   }
   return table;
 }
@@ -101,12 +105,20 @@ void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
 void add_limit_line(const char* what, const char* unit, double asked,
                     const std::optional<double>& limit, const char* where_enough,
                     std::vector<SheetLine>& lines) {
-  if (!limit) return;
+  // That no force is enough is said already.
+  if (!limit || !std::isfinite(asked)) return;
   const bool enough = asked <= *limit;
   lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
                                *limit, unit, enough ? where_enough : "not enough",
                                percent(asked / *limit), enough ? "are" : "would be"),
                    !enough});
+}
+
+// ": finger 2 closes least"; nothing where all close alike.
+std::string last_text(const StrokeReach& reach) {
+  if (reach.last.size() == reach.closed.size()) return "";
+  if (reach.last.size() == 1) return fmt::format(": finger {} closes least", reach.last.front());
+  return fmt::format(": fingers {} close least", fmt::join(reach.last, ", "));
 }
 
 // What the motor that there is does, where it does not meet the wish, and where it does more.
@@ -126,10 +138,8 @@ void add_reach_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
   if (!hand.stroke_reach) return;
   const StrokeReach& reach = *hand.stroke_reach;
   if (reach.closure < hand.demand.closure) {
-    lines.push_back(
-        {fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range: "
-                     "finger {} closes least",
-                     *hand.motor.stroke_mm, percent(reach.closure), reach.last)});
+    lines.push_back({fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range{}",
+                                 *hand.motor.stroke_mm, percent(reach.closure), last_text(reach))});
   }
 }
 

@@ -8,13 +8,18 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerArray& pu
                ForceReach& reach) {
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
-    const double pull = pulls[static_cast<std::size_t>(f)] * reach.motor_N;
+    const double pull_per_motor = pulls[static_cast<std::size_t>(f)];
+    const double pull = pull_per_motor * reach.motor_N;
     const HeldForce held = held_force(finger, pull);
     const bool closes = grasp.holds(f) || pull >= finger.close_pull_N;
     if (closes && finger.force_N == 0) continue;
     const double share = closes ? held.force_N / finger.force_N : 0;
-    if (reach.weakest > 0 && share >= reach.share) continue;
+    const double asks = motor_force(finger, grasp.holds(f), pull_per_motor);
+    const bool has_more =
+        share > reach.share || (share == reach.share && asks <= reach.asks_motor_N);
+    if (reach.weakest > 0 && has_more) continue;
     reach.share = share;
+    reach.asks_motor_N = asks;
     reach.weakest = f;
     reach.grasp = grasp;
     reach.joint = held.joint;
@@ -37,11 +42,13 @@ StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechani
                }
                reach.stroke_mm += way;
              });
-  const auto least = std::min_element(reach.closed.begin(), reach.closed.end());
-  reach.last = static_cast<int>(least - reach.closed.begin()) + 1;
-  // Sums of stretches miss the end by a rounding error.
+  // Sums of stretches miss the end, and each other, by a rounding error.
   constexpr double rounding = 1e-9;
-  reach.closure = *least > 1 - rounding ? 1 : *least;
+  const double least = *std::min_element(reach.closed.begin(), reach.closed.end());
+  for (std::size_t f = 0; f < reach.closed.size(); ++f) {
+    if (reach.closed[f] <= least + rounding) reach.last.push_back(static_cast<int>(f) + 1);
+  }
+  reach.closure = least > 1 - rounding ? 1 : least;
   return reach;
 }
 

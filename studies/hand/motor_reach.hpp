@@ -21,8 +21,11 @@ struct ForceReach {
   double motor_N = 0;
   // Of the wanted forces; infinite if no finger wants any.
   double share = 0;
-  int weakest = 0;        // the finger that has least of it; 0: none wants any
-  Grasp grasp{};          // and the grasp in which it has
+  // The finger that has least of it, of several the one that asks for most motor force; 0: none
+  // wants any.
+  int weakest = 0;
+  Grasp grasp{};  // and the grasp in which it has
+  double asks_motor_N = 0;
   std::size_t joint = 0;  // its joint that gives first then, from 0
   double force_N = 0;     // what it presses with
 };
@@ -30,7 +33,7 @@ struct ForceReach {
 struct StrokeReach {
   double stroke_mm = 0;  // what is used of it
   double closure = 0;
-  int last = 0;                // the finger that closes least
+  std::vector<int> last;       // the fingers that close least
   std::vector<double> closed;  // share of each finger's range
 };
 

@@ -1,6 +1,7 @@
 // The words and tables of a decision, on ladders made by hand.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,23 @@ TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
             "0.800\n"
             "With fewest sheaths within 2 % of it: Two (B): 2 sheaths, uniformity 0.792 (-1.0 %)\n"
             "Knee of the ladder: Two (B) at 2 sheaths\n");
+}
+
+TEST(AnswerLines, GiveNoNumberOfWhatIsInfinite) {
+  std::vector<Design> designs{design("A", 1, 0.5, 10), design("B", 2, 0.8, 10)};
+  for (Design& made : designs) {
+    made.values[static_cast<std::size_t>(Objective::closure)] = 1;
+    made.values[static_cast<std::size_t>(Objective::motor_force)] =
+        made.word == "A" ? std::numeric_limits<double>::infinity() : 40;
+  }
+  ListedLadder ladder;
+  ladder.ladder =
+      search::ladder(designs, designs[1], Order{Objective::motor_force}, {Objective::sheaths, 1});
+  ladder.rungs = {listed(designs[0], "", 2), listed(designs[1], "", 1)};
+  ladder.ladder.affordable = designs[0];
+  ladder.affordable = ladder.rungs[0];
+  const std::string lines = lines_text(answer_lines({ladder.rungs[1]}, ladder));
+  EXPECT_NE(lines.find("A: 1 sheath, motor infinite\n"), std::string::npos) << lines;
 }
 
 TEST(AnswerLines, SayTheCostInItsUnit) {
@@ -156,6 +174,21 @@ TEST(UnmetLines, SayTheLeastOrTheGreatest) {
             "No design meets travel==3: the nearest are 2 and 4 mm/mm\n");
   EXPECT_EQ(unmet_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
             "No design meets sheaths==9: the nearest is 4\n");
+}
+
+// No motor force is enough for a finger that hangs on slack strands.
+TEST(UnmetLines, GiveNoNumberOfWhatIsInfinite) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const Nearest no_end{infinite, std::nullopt};
+  EXPECT_EQ(unmet_text({"motor_force<=20"}, {{false, no_end, no_end}}),
+            "No design meets motor_force<=20: in all of them it is infinite\n");
+  EXPECT_EQ(unmet_text({"stroke==60"}, {{false, {infinite, 58.76543}, {infinite, 58.76543}}}),
+            "No design meets stroke==60: the nearest is 58.76 mm\n");
+  EXPECT_EQ(unmet_text({"motor_force<=20", "sheaths<=1"},
+                       {{true, no_end, no_end}, {true, {2, std::nullopt}, {2, std::nullopt}}}),
+            "Each of these constraints is met by some design, but both by none\n"
+            "Of the designs that meet all but motor_force<=20, in all of them it is infinite\n"
+            "Of the designs that meet all but sheaths<=1, the least is 2\n");
 }
 
 TEST(UnmetLines, RoundAwayFromTheBoundAndHaveAUnit) {

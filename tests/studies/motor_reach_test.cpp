@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "catalog/rig/hardware_file.hpp"
 #include "core/notation.hpp"
 #include "studies/hand/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
@@ -77,6 +78,21 @@ TEST(ForceReach, CountsThatAFingerThatIsNotHeldMustClose) {
   EXPECT_GT(reach_of("M-1-P-2-M", hardware).force_reach->share, 1);
 }
 
+// None of the fingers can close: the one that would need the strongest motor is named.
+TEST(ForceReach, OfEqualsNamesTheFingerThatAsksForMost) {
+  for (const double stiffer : {30.0, 300.0}) {
+    FingerParts fingers[] = {simple_finger(10, 90, 50, 1), simple_finger(10, 90, 50, 1)};
+    fingers[0].joints[0].spring_Nmm_rad = 100;
+    fingers[1].joints[0].spring_Nmm_rad = stiffer;
+    const Hardware hardware = with_motor(hand_of({fingers[0], fingers[1]}), 0.1, 60);
+    const ShownHand hand = reach_of("M-1-P-2-M", hardware);
+    EXPECT_EQ(hand.force_reach->share, 0);
+    EXPECT_EQ(hand.force_reach->weakest, stiffer > 100 ? 2 : 1);
+    EXPECT_EQ(hand.force_reach->weakest, hand.demand.weakest);
+    EXPECT_EQ(hand.force_reach->asks_motor_N, hand.demand.force_N);
+  }
+}
+
 TEST(ForceReach, HasNoWeakestFingerWhereNoneWantsAForce) {
   const Hardware hardware =
       with_motor(hand_of({simple_finger(8, 90, 60, 0), simple_finger(8, 90, 60, 0)}), 20, 60);
@@ -99,6 +115,17 @@ TEST(StrokeReach, OfOneTendonIsInProportion) {
   EXPECT_NEAR(all.stroke_reach->stroke_mm, whole, 1e-9);
 }
 
+// But for rounding: none of them closes least.
+TEST(StrokeReach, NamesAllThatCloseAlike) {
+  const std::string file = std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml";
+  const std::string word = "M-1-T-2-T-3-F";
+  const ShownHand hand =
+      *studies::shown_hand(expand(parse_routing(word)), word,
+                           Model{catalog::read_hardware_file(file).hardware}, single_grasps(3));
+  EXPECT_LT(hand.stroke_reach->closure, 0.6);
+  EXPECT_EQ(hand.stroke_reach->last, (std::vector<int>{1, 2, 3}));
+}
+
 // Two tendons on one carriage: the one with less to give blocks it.
 TEST(StrokeReach, NamesTheFingerThatClosesLeast) {
   const Hardware hardware =
@@ -107,7 +134,7 @@ TEST(StrokeReach, NamesTheFingerThatClosesLeast) {
   const double excursion = 8 * std::acos(-1) / 2;  // of finger 1; finger 2 has twice
   EXPECT_NEAR(hand.stroke_reach->closed[0], 10 / (2 * excursion), 1e-12);
   EXPECT_NEAR(hand.stroke_reach->closed[1], 10 / (4 * excursion), 1e-12);
-  EXPECT_EQ(hand.stroke_reach->last, 2);
+  EXPECT_EQ(hand.stroke_reach->last, std::vector<int>{2});
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+// What is said of a hand where there is nothing to say a number of.
+#include "reports/hand/hand_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/notation.hpp"
+#include "reports/sheet/sheet_text.hpp"
+#include "studies/hand/shown_hand.hpp"
+#include "tests/support/example_hand.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::hand_of;
+using testing::simple_finger;
+
+std::string said_of(const std::string& word, double stroke_mm, int fingers) {
+  std::vector<FingerParts> parts;
+  for (int f = 1; f <= fingers; ++f) parts.push_back(simple_finger(7 + f, 90, 60, 5));
+  Hardware hardware = hand_of(parts);
+  hardware.motor.force_N = 80;
+  hardware.motor.stroke_mm = stroke_mm;
+  const Network network = expand(parse_routing(word));
+  Sheet sheet;
+  for (const Section& section : reports::hand_sections(
+           *studies::shown_hand(network, word, Model{hardware}, single_grasps(fingers)))) {
+    sheet.add(section);
+  }
+  return text(sheet);
+}
+
+TEST(HandSections, GiveNoNumbersOfAMotorForceThatThereIsNot) {
+  const std::string said = said_of("M-1-M+M-2-M", 60, 2);
+  EXPECT_NE(said.find("No motor force is enough"), std::string::npos) << said;
+  EXPECT_NE(said.find("wanted (N)  at 80 N\n"), std::string::npos) << said;
+  EXPECT_EQ(said.find("at - N"), std::string::npos) << said;
+  EXPECT_EQ(said.find("- of it"), std::string::npos) << said;
+}
+
+TEST(HandSections, NameTheFingersThatCloseLeastWhereOthersCloseMore) {
+  const auto said_of_stroke = [](const std::string& word) {
+    const std::string said = said_of(word, 5, 3);
+    const std::size_t begin = said.find("With 5 mm of stroke");
+    return said.substr(begin, said.find('\n', begin) - begin);
+  };
+  EXPECT_TRUE(said_of_stroke("M-1-T-2-T-3-F").ends_with(" of its range"));
+  EXPECT_TRUE(said_of_stroke("M-1-F+M-2-T-3-F").ends_with(": fingers 2, 3 close least"));
+  EXPECT_TRUE(said_of_stroke("M-1-T-2-F+M-3-M").ends_with(": fingers 1, 2 close least"));
+  EXPECT_TRUE(said_of_stroke("M-1-F+M-2-F+M-3-F").ends_with(": finger 3 closes least"));
+}
+
+}  // namespace
+}  // namespace reeve
