@@ -155,6 +155,8 @@ ModelFile ModelOption::read() const {
   return {{file.hardware}, file.uncertainty, file.vary};
 }
 
+std::string ModelOption::name() const { return option_->count() > 0 ? file_ : hardware_.name(); }
+
 void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   hardware_.list_in(inputs);
   if (option_->count() > 0) inputs.push_back({file_, "the model"});

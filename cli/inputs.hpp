@@ -110,6 +110,7 @@ struct ModelOption {
   void add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
   ModelFile read() const;
+  std::string name() const;  // of where it comes from
   void list_in(std::vector<InputFile>& inputs) const;
 
  private:

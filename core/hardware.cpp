@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 
+#include "core/hand/hand.hpp"
 #include "core/hand/hand_fault.hpp"
 #include "core/routing.hpp"
 
@@ -106,6 +109,22 @@ class FaultFinder {
   std::optional<InputFault> first_;
 };
 
+// Its own numbers, or those of all: tip and sheath coefficients, length and share.
+std::array<double, 8> coefficients_of(const Hardware& hardware, int finger) {
+  const auto found =
+      std::find_if(hardware.fingers.begin(), hardware.fingers.end(),
+                   [&](const FingerHardware& candidate) { return candidate.finger == finger; });
+  const FingerHardware own = found == hardware.fingers.end() ? FingerHardware{} : *found;
+  return {own.tip_mu.value_or(hardware.tube.mu),
+          own.tip_angle_rad.value_or(hardware.tube.angle_rad),
+          own.tip_mu.value_or(hardware.bearing.mu),
+          own.tip_angle_rad.value_or(hardware.bearing.angle_rad),
+          own.sheath_mu.value_or(hardware.sheath.mu),
+          own.sheath_angle_rad.value_or(hardware.sheath.angle_rad),
+          own.strand_mm.value_or(hardware.strand_mm),
+          own.closing.value_or(1)};
+}
+
 }  // namespace
 
 std::optional<InputFault> fault(const Hardware& hardware) {
@@ -116,6 +135,15 @@ std::optional<InputFault> fault(const Hardware& hardware) {
 
 void validate(const Hardware& hardware) {
   if (const auto found = fault(hardware)) throw InputError(*found);
+}
+
+bool treats_fingers_alike(const Hardware& hardware, int fingers) {
+  if (!hardware.contacts.empty()) return false;
+  for (int finger = 2; finger <= fingers; ++finger) {
+    if (coefficients_of(hardware, finger) != coefficients_of(hardware, 1)) return false;
+    if (finger_parts(hardware, finger) != finger_parts(hardware, 1)) return false;
+  }
+  return true;
 }
 
 }  // namespace reeve::core

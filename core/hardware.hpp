@@ -65,6 +65,10 @@ struct Hardware {
 // e^{-phi} along a whole tendon stays a number.
 inline constexpr double max_exponent = 10;
 
+// Whether fingers 1 … n have the same parts, of their own or by default. A contact of its own is of
+// one finger.
+bool treats_fingers_alike(const Hardware& hardware, int fingers);
+
 // The first quantity out of its range, with its value and what was expected; nothing if the
 // hardware is one that there can be.
 std::optional<InputFault> fault(const Hardware& hardware);

@@ -5,12 +5,12 @@
 #include "cli/hand_inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
+#include "search/enumerate/possible_contacts.hpp"
 #include "studies/exploration_study.hpp"
 
 namespace reeve::cli {
 namespace {
 
-// Which contacts the routings will have is not known yet; which strands, is.
 void require_fingers(const Hardware& hardware, int fingers) {
   for (const ContactHardware& contact : hardware.contacts) {
     if (highest_finger(contact) <= fingers) continue;
@@ -21,6 +21,18 @@ void require_fingers(const Hardware& hardware, int fingers) {
   }
 }
 
+// Otherwise a slip of the pen is found when all is explored.
+void require_possible_contacts(const Hardware& hardware, const GeneratorOptions& generator) {
+  if (hardware.contacts.empty()) return;
+  const std::vector<std::string> impossible = impossible_contacts(hardware, generator);
+  if (impossible.empty()) return;
+  throw InputError({.where = "hardware",
+                    .what = "contact",
+                    .value = impossible.front(),
+                    .expected = "two segments with a contact between them in one of the routings "
+                                "that are explored"});
+}
+
 }  // namespace
 
 ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue) const {
@@ -29,7 +41,10 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   // Says early, before anything is written, if there are too many to count.
   for_option(fmt::format("--fingers {}", generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
-  require_fingers(with.hardware, options.generator.fingers);
+  for_option(model.name(), [&] {
+    require_fingers(with.hardware, options.generator.fingers);
+    require_possible_contacts(with.hardware, options.generator);
+  });
   require_known_fingers(with.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(shard); });
   options.keeps_record = shard_given->count() > 0;

@@ -216,7 +216,7 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const Hardware hardware = effective_hardware(options.model);
   const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
-                     hardware.fingers.empty() && hardware.contacts.empty();
+                     treats_fingers_alike(hardware, options.generator.fingers);
   std::vector<std::string> notes;
   if (report.uncertainty) notes = range_notes(hardware, report.uncertainty->ranges);
   if (alike || options.generator.identity == FingerIdentity::distinct) return notes;

@@ -41,6 +41,10 @@ TEST(BadModel, IsNamedWithFileLineAndColumn) {
       show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:3: unknown key 'effect'"),
       show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
       show_tr1({"--model", "contact.toml"}, "hardware: contact 'a-T9'"),
+      explore(
+          {"--fingers", "6", "--hardware", "contact.toml"},
+          "contact.toml: hardware: contact 'a-T9': expected two segments with a contact between "
+          "them in one of the routings that are explored"),
       explore({"--model", "cause.toml"}, cause),
       {{"rank", "TR1", "--model", "cause.toml"}, cause, {}},
   });

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "reports/sheet/sheet_text.hpp"
 
@@ -46,6 +48,46 @@ TEST(ExploreSheet, PutsEachGeneratedRoutingInOneClass) {
   report.result.made_all = true;
   EXPECT_NE(text(explore_sheet(report)).find("\n60 evaluated, 120 a second\n"), std::string::npos);
   EXPECT_EQ(Json::parse(explore_summary_json(report))["designs_per_second"], 120);
+}
+
+FingerHardware finger_with(int finger, std::optional<double> FingerHardware::*number,
+                           double value) {
+  FingerHardware made;
+  made.finger = finger;
+  made.*number = value;
+  return made;
+}
+
+FingerHardware jointed(int finger) {
+  FingerHardware made;
+  made.finger = finger;
+  made.parts = {{{10, 90, 50}}, 5.0};
+  return made;
+}
+
+TEST(ExploreNotes, SayThatFingersDifferWhereTheyDo) {
+  ExploreReport report;
+  report.options.generator.fingers = 2;
+  report.options.grasps = single_grasps(2);
+  Hardware& hardware = report.options.model.hardware;
+  const auto notes_of = [&](const std::vector<FingerHardware>& fingers) {
+    hardware.fingers = fingers;
+    return notes(report).size();
+  };
+  const auto tip_mu = &FingerHardware::tip_mu;
+  EXPECT_EQ(notes_of({}), 0U);
+  EXPECT_EQ(notes_of({finger_with(5, tip_mu, 0.5)}), 0U);
+  EXPECT_EQ(notes_of({finger_with(1, &FingerHardware::closing, 1)}), 0U);
+  EXPECT_EQ(notes_of({finger_with(1, &FingerHardware::strand_mm, hardware.strand_mm)}), 0U);
+  EXPECT_EQ(notes_of({finger_with(1, tip_mu, 0.5), finger_with(2, tip_mu, 0.5)}), 0U);
+  EXPECT_EQ(notes_of({jointed(1), jointed(2)}), 0U);
+  EXPECT_EQ(notes_of({finger_with(1, tip_mu, 0.5)}), 1U);
+  // As a tube has it; a bearing has less.
+  EXPECT_EQ(notes_of({finger_with(2, tip_mu, hardware.tube.mu)}), 1U);
+  EXPECT_EQ(notes_of({finger_with(2, &FingerHardware::closing, 2)}), 1U);
+  EXPECT_EQ(notes_of({jointed(1)}), 1U);
+  hardware.contacts = {{"a", "T1", 0.1, {}}};
+  EXPECT_EQ(notes_of({}), 1U);
 }
 
 // What statics say of one tendon, and what they do not say of two.
