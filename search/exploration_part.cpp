@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/judge/evaluation.hpp"
@@ -162,6 +163,16 @@ ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& 
   return part;
 }
 
+// Words that are no routings are said to be of the file.
+void absorb(const ShardRecord& record, const ExploreOptions& options, Evaluators& evaluators,
+            ExplorationPart& whole) {
+  try {
+    whole.absorb(evaluated_part(record, options, evaluators));
+  } catch (const InputError& error) {
+    throw record.origin.empty() ? error : error.at(record.origin);
+  }
+}
+
 }  // namespace
 
 ExplorationPart::ExplorationPart(const ExploreOptions& options)
@@ -258,7 +269,7 @@ ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOpti
                        const Supervision& supervision) {
   Evaluators evaluators(options);
   ExplorationPart whole(options);
-  for (const ShardRecord& shard : shards) whole.absorb(evaluated_part(shard, options, evaluators));
+  for (const ShardRecord& shard : shards) absorb(shard, options, evaluators, whole);
   const bool told = find_reaches(whole, options, supervision);
   ExploreResult result = conclude(std::move(whole), options);
   result.partial |= !told;

@@ -41,6 +41,7 @@ struct ShardRecord {
   std::vector<ArchivedWord> archive;
   std::vector<std::string> rungs;  // candidates of the ladder
   std::vector<SampledWord> sample;
+  std::string origin{};  // the file that it was read from, for messages
 };
 
 }  // namespace reeve::search

@@ -183,6 +183,7 @@ ShardFile read_shard_json(const std::string& text, const std::string& name) {
     json.at("version").get_to(file.version);
     read_counts(json, file.record);
     read_designs(json, file.record);
+    file.record.origin = name;
   } catch (const Json::exception& error) {
     throw InputError({.where = name,
                       .what = fmt::format("it cannot be understood ({})", error.what()),

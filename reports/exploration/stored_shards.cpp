@@ -41,6 +41,7 @@ std::vector<ShardFile> shard_files(const StoreReader& store, const std::string& 
     ShardFile file = of_all;
     file.shard = stored.shard;
     file.record = std::move(stored.record);
+    file.record.origin = name;
     file.partial = file.record.generated != file.record.total;
     files.push_back(std::move(file));
   }

@@ -1,5 +1,7 @@
 #include "search/uncertainty/sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -179,7 +181,7 @@ void validate(const SweepOptions& options) {
           at_coefficient(end, options.over.coefficient, options.over.range.high)));
     }
   } catch (const InputError& error) {
-    throw error.at("at the upper end of the sweep");
+    throw error.at(fmt::format("sweep '{}': at its upper end", row(options.over.coefficient).name));
   }
 }
 

@@ -52,7 +52,8 @@ TEST(BadSweep, OfWhatFrictionDoesNotMoveIsNamed) {
 
 TEST(BadSweep, BeyondWhatAContactCanBeIsNamed) {
   expect_all_bad({
-      swept("sheath_mu=0..1", "at the upper end of the sweep: hardware: sheath: mu * angle = ",
+      swept("sheath_mu=0..1",
+            "--sweep 'sheath_mu': at its upper end: hardware: sheath: mu * angle = ",
             {"--hardware", "steep.toml"}),
   });
 }

@@ -216,9 +216,11 @@ TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
   with("1-P-2-P-1", "1-Q");
   const ProcessResult word = merge({1});
   EXPECT_EQ(word.exit_code, 2);
+  EXPECT_TRUE(word.err.starts_with("reeve: s1/shard.json: routing '1-Q', column ")) << word.err;
   EXPECT_NE(word.err.find("unknown token 'Q'"), std::string::npos) << word.err;
   with("1-P-2-P-1", "M-1-F");
-  EXPECT_NE(merge({1}).err.find("routing 'M-1-F': expected one of 2 fingers"), std::string::npos);
+  EXPECT_NE(merge({1}).err.find("s1/shard.json: routing 'M-1-F': expected one of 2 fingers"),
+            std::string::npos);
   with("\"evaluated\":", "\"valued\":");
   EXPECT_EQ(merge({1}).exit_code, 2);
   folder_.write("s1/shard.json", text.substr(0, text.size() / 2));
