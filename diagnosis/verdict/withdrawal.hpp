@@ -6,9 +6,9 @@
 // needed for nothing lose by chance (half the 95 % quantile of χ²), and below what chance leaves of
 // the gain that is expected if they are right. The cause that was accepted last is then withdrawn,
 // and so on: in the order of acceptance, since which of them loses is not for these runs to choose.
-// If what is left may still lose, or the coefficients that are said to differ lose beside the causes
-// that are left, they are no longer said to. Runs whose
-// forecasts change by no more than what training leaves open of the parameters say nothing.
+// If what is left may still lose, or the coefficients that are said to differ lose beside the
+// causes that are left, they are no longer said to. Runs whose forecasts change by no more than
+// what training leaves open of the parameters say nothing.
 #pragma once
 
 #include <cstdint>
