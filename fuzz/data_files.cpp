@@ -25,7 +25,7 @@ void series(std::string_view bytes) {
 }
 
 void shard(std::string_view bytes) {
-  or_refused([&] { reports::read_shard_json(std::string(bytes), "shard.json"); });
+  or_refused([&] { reports::shard_file_of(std::string(bytes), "shard.json"); });
 }
 
 }  // namespace reeve::fuzz

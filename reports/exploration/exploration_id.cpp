@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "core/notation.hpp"
-#include "reports/json.hpp"
 #include "reports/results/explore_report.hpp"
 
 namespace reeve::reports {
@@ -16,15 +15,6 @@ namespace {
 constexpr const char* stamp_heading = "exploration";
 constexpr std::string_view stamp_comment = "<!-- exploration ";
 constexpr std::size_t id_size = 16;
-
-std::string hash_of(const Json& json) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char character : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    hash ^= static_cast<unsigned char>(character);
-    hash *= 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
-}
 
 bool is_id(std::string_view text) {
   return text.size() == id_size &&
@@ -43,6 +33,15 @@ std::string_view last_field(std::string_view line) {
 }
 
 }  // namespace
+
+std::string hash_of(const Json& json) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char character : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    hash ^= static_cast<unsigned char>(character);
+    hash *= 0x100000001b3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
 
 std::string whole_exploration_id(const ExploreReport& report) {
   Json asked = explore_settings(report);

@@ -7,11 +7,14 @@
 
 #include <string>
 
+#include "reports/json.hpp"
 #include "studies/exploration_study.hpp"
 
 namespace reeve::reports {
 
-// 16 hexadecimal digits.
+// Of the JSON as text, its keys in their order: 16 hexadecimal digits.
+std::string hash_of(const Json& json);
+
 std::string exploration_id(const ExploreReport& report);
 
 // That of the whole exploration that this one is a shard of, or of itself.

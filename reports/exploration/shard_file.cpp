@@ -120,6 +120,30 @@ void read_designs(const Json& json, ShardRecord& record) {
   }
 }
 
+// But for the seconds, which differ from run to run.
+std::string digest_of(Json shard) {
+  shard.erase("seconds");
+  shard.erase("digest");
+  return hash_of(shard);
+}
+
+void require_intact(const Json& json, const std::string& name) {
+  const std::string digest = digest_of(json);
+  if (!json.contains("digest")) {
+    throw InputError({.where = name,
+                      .what = "it has no digest, so that it cannot be told whether it is whole",
+                      .expected = "what this version of explore writes for a shard",
+                      .form = InputForm::unknown});
+  }
+  if (json["digest"] == digest) return;
+  throw InputError({.where = name,
+                    .what = fmt::format("it was changed or damaged: its digest is {}, and that of "
+                                        "its content {}",
+                                        json["digest"].dump(), digest),
+                    .expected = "what explore wrote for a shard",
+                    .form = InputForm::unknown});
+}
+
 // What of these differs, but for what the shards differ in.
 std::string differing_keys(Json a, Json b) {
   for (Json* settings : {&a, &b}) {
@@ -153,6 +177,7 @@ std::string shard_json(const ExploreReport& report, const std::vector<std::strin
   add_record(json, *report.result.record);
   json["settings"] = explore_settings(report);
   json["version"] = version_json();
+  json["digest"] = digest_of(json);
   return print(json);
 }
 
@@ -171,6 +196,12 @@ ShardRecord read_record_json(const std::string& text) {
 }
 
 ShardFile read_shard_json(const std::string& text, const std::string& name) {
+  ShardFile file = shard_file_of(text, name);
+  require_intact(Json::parse(text), name);
+  return file;
+}
+
+ShardFile shard_file_of(const std::string& text, const std::string& name) {
   ShardFile file;
   file.name = name;
   try {

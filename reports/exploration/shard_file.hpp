@@ -31,6 +31,8 @@ ShardRecord read_record_json(const std::string& text);
 
 // Throws InputError that begins with the name.
 ShardFile read_shard_json(const std::string& text, const std::string& name);
+// Whatever its digest.
+ShardFile shard_file_of(const std::string& text, const std::string& name);
 
 // Throws InputError unless these are the shards of one exploration, each once and to its end.
 void require_all_shards(const std::vector<ShardFile>& shards);

@@ -58,7 +58,8 @@ TEST(KeysOfAShard, AreThePromisedOnes) {
   EXPECT_EQ(
       keys(json),
       "exploration whole shard partial arguments total generated evaluated unconverged seconds "
-      "constraint_failures reaches known kept equals_left_out ladder sample settings version");
+      "constraint_failures reaches known kept equals_left_out ladder sample settings version "
+      "digest");
   EXPECT_EQ(keys(json["reaches"][0]), "met_by_any nearest nearest_with_the_others_met");
   EXPECT_EQ(keys(json["reaches"][0]["nearest"]), "below above");
   EXPECT_EQ(keys(json["known"][0]), "dominated_by generated rejected_by");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "search/exploration_part.hpp"
 #include "search/explore.hpp"
 #include "tests/search/naive_exploration.hpp"
 #include "tests/support/input_error.hpp"
@@ -137,6 +138,20 @@ TEST(ParseShardError, SaysWhatAShardIs) {
     EXPECT_EQ(input_error([&] { parse_shard(text); }),
               "shard '" + text + "': expected i/N with 1 <= i <= N, such as 2/8");
   }
+}
+
+TEST(Shards, WordsThatAreNoRoutingsAreOfTheirFile) {
+  const ExploreOptions options = options_for(full_parts(), 2, several_objectives()[0]);
+  ShardRecord record;
+  record.origin = "s1/shard.json";
+  record.archive = {{"1-Q", 0}};
+  const auto error = [&] {
+    return input_error([&] { conclude(std::vector<ShardRecord>{record}, options); });
+  };
+  EXPECT_EQ(error().substr(0, 35), "s1/shard.json: routing '1-Q', colum");
+  record.archive = {{"M-1-F", 0}};
+  EXPECT_EQ(error(),
+            "s1/shard.json: routing 'M-1-F': expected one of 2 fingers that the motor pulls");
 }
 
 }  // namespace
