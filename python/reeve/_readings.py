@@ -198,5 +198,5 @@ def import_log(
     """
     options = options_of(import_log, locals(), "log")
     if held is not None and not isinstance(held, (str, int, Integral)):
-        options["held"] = ";".join(map(str, held)) or "none"
+        options["held"] = ";".join(str(finger) for finger in held) or "none"
     return made(SteadyReadings, _core.import_log, Request({"log": [log]}, options))
