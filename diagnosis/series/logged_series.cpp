@@ -36,8 +36,8 @@ class LogReader {
         faults_(faults),
         cells_(csv, columns, faults),
         values_(columns.size()) {
-    for (const DataColumn& column : columns) {
-      values_[&column - columns.data()].is_text = is_label(column.role);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      values_[c].is_text = is_label(columns[c].role);
     }
   }
 
