@@ -216,10 +216,12 @@ TEST(Sizing, LooksForToleranceWhereThereIsHardware) {
 }
 
 TEST(Sizing, LooksForToleranceWhereAWrapIsOne) {
-  SizingOptions options = aiming("1=5,2=1", {"sheath_angle=0..30"});
-  options.evaluations = 60;
-  options.starts = 1;
-  EXPECT_FALSE(sized("M-1-P-2-M", options).variables.empty());
+  const SizingOptions options = aiming("1=5,2=1", {"sheath_angle=0..30"});
+  const SizedDesign design = sized("M-1-T-2-M", options);
+  ASSERT_EQ(design.variables.size(), 2U);
+  // All that there is in hardware, to 10 / 0.18 rad.
+  EXPECT_GT(design.variables[1].value, 26);
+  EXPECT_FALSE(design.variables[1].sensitivity.more);
 }
 
 // Of a tendon of which a finger blocks the other one.
