@@ -78,16 +78,13 @@ class Exploration {
     }
     part_.total = range_.end - range_.begin;
     go_on();
-    left_out_.emplace(options, source_, range_, generated_);
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
-    source_.seek(range_.begin + generated_, range_.end);
-    filled_ = generated_;
     const std::uint64_t before = generated_;
-    fill(next_);
-    bool stopped = false;
+    bool stopped = !find_beginning();
+    if (!stopped) fill(next_);
     while (generated_ < part_.total && !stopped) {
       std::swap(batch_, next_);
       evaluate_and_fill_next();
@@ -99,6 +96,7 @@ class Exploration {
       stopped = must_stop();
       if (keeping_.save && !stopped && keeping_.is_due()) save();
     }
+    source_.stop_with(nullptr);
     add_up();
     // A shard without routings is saved, too, but once.
     if (keeping_.save && (generated_ > before || !keeping_.before)) keeping_.save(part_);
@@ -114,7 +112,6 @@ class Exploration {
     part_ = ExplorationPart(options_);
     part_.total = piece.end - piece.begin;
     count_from_zero();
-    left_out_->go_on_with(piece);
     ExplorationPart part = run(supervision);
     seen_->absorb(part);
     // What is asked for is thinned out, and keeps off what comes after it.
@@ -144,8 +141,35 @@ class Exploration {
 
   bool must_stop() const { return stop_ != nullptr && stop_->load(); }
 
+  // False if it was stopped on the way, which may be long.
+  bool find_beginning() {
+    filled_ = generated_;
+    source_.stop_with(stop_);
+    try {
+      if (left_out_) {
+        left_out_->go_on_with(range_, generated_);
+      } else {
+        left_out_.emplace(options_, source_, range_, generated_);
+      }
+      source_.seek(range_.begin + generated_, range_.end);
+    } catch (const WayStopped&) {
+      left_out_.reset();
+      return false;
+    }
+    return true;
+  }
+
   void fill(Batch& batch) {
     batch.actuated = 0;
+    try {
+      fill_on(batch);
+    } catch (const WayStopped&) {
+      // With what there is so far.
+    }
+    batch.generated = filled_;
+  }
+
+  void fill_on(Batch& batch) {
     while (batch.actuated < batch.slots.size() && filled_ < part_.total) {
       Slot& slot = batch.slots[batch.actuated];
       if (!source_.next(slot.routing, slot.place)) {
@@ -156,7 +180,6 @@ class Exploration {
       filled_ = slot.place + 1 - range_.begin;
       ++batch.actuated;
     }
-    batch.generated = filled_;
   }
 
   // Generating is a task among those of evaluating, the first: it is in series with itself alone.
@@ -175,13 +198,15 @@ class Exploration {
   void evaluate(Slot& slot, std::size_t worker) {
     DecidingEvaluator& evaluator = evaluators_[worker];
     const std::size_t before = evaluator.unconverged();
-    slot.values = deciding_values(slot.routing, evaluator);
+    const std::optional<ObjectiveValues> far = far_values(slot.routing, evaluator);
+    slot.values = far ? *far : evaluator.evaluate(slot.routing);
     slot.unconverged = evaluator.unconverged() - before;
     slot.failed_constraint = first_failure(slot.values);
     if (slot.failed_constraint > 0 && tells_reaches_)
       reaches_[worker].add(options_.constraints, slot.values);
-    slot.may_rank = slot.failed_constraint == 0 && part_.archive.may_rank(slot.values);
-    slot.may_be_rung = slot.failed_constraint == 0 && part_.ladder.may_be_rung(slot.values);
+    const bool may_be_kept = !far && slot.failed_constraint == 0;
+    slot.may_rank = may_be_kept && part_.archive.may_rank(slot.values);
+    slot.may_be_rung = may_be_kept && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
     if (seen_) hold_against_seen(slot);
     if (slot.may_rank || slot.may_be_rung || keeping_.design) {
@@ -194,15 +219,15 @@ class Exploration {
   }
 
   // Of a design that is far from what is kept, and clearly better or not than what is counted,
-  // values at best say all that evaluating would.
-  ObjectiveValues deciding_values(const Routing& routing, DecidingEvaluator& evaluator) const {
-    if (parts_decide_) {
-      const std::optional<Estimate> estimate = evaluator.estimate(routing);
-      if (estimate && !may_be_kept(estimate->at_best) && references_.agree(*estimate)) {
-        return estimate->at_best;
-      }
+  // values at best say all that evaluating would. Nothing of one that is not.
+  std::optional<ObjectiveValues> far_values(const Routing& routing,
+                                            DecidingEvaluator& evaluator) const {
+    if (!parts_decide_) return std::nullopt;
+    const std::optional<Estimate> estimate = evaluator.estimate(routing);
+    if (!estimate || may_be_kept(estimate->at_best) || !references_.agree(*estimate)) {
+      return std::nullopt;
     }
-    return evaluator.evaluate(routing);
+    return estimate->at_best;
   }
 
   bool may_be_kept(const ObjectiveValues& values) const {
@@ -267,7 +292,7 @@ class Exploration {
   // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
-    left_out_->add_to(part_, generated_);
+    if (left_out_) left_out_->add_to(part_, generated_);
     const auto elapsed = std::chrono::steady_clock::now() - start_;
     part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
     if (tells_reaches_) {

@@ -19,7 +19,7 @@ class LeftOut {
           std::uint64_t counted);
 
   // Another range.
-  void go_on_with(ShardRange range, std::uint64_t counted = 0);
+  void go_on_with(ShardRange range, std::uint64_t counted);
 
   // Those among the first `generated` that were not added before.
   void add_to(ExplorationPart& part, std::uint64_t generated);

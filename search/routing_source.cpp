@@ -22,6 +22,12 @@ RoutingSource::RoutingSource(const ExploreOptions& options, bool prunes)
   limited_.emplace(options.generator, prunes ? options.constraints : std::vector<Constraint>{});
 }
 
+void RoutingSource::stop_with(const std::atomic<bool>* stop) {
+  check_ = StopCheck(stop);
+  all_.stop_with(check_);
+  if (limited_) limited_->stop_with(check_);
+}
+
 void RoutingSource::seek(std::uint64_t begin, std::uint64_t end) {
   place_ = begin;
   end_ = end;
@@ -35,6 +41,7 @@ void RoutingSource::seek(std::uint64_t begin, std::uint64_t end) {
 bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
   if (limited_) return limited_->next(routing, place) && place < end_;
   while (place_ < end_) {
+    check_.step();
     all_.next(routing);
     place = place_++;
     if (is_actuated(routing)) return true;

@@ -12,6 +12,7 @@
 
 #include "search/explore.hpp"
 #include "search/limits/limited_generator.hpp"
+#include "search/stop_check.hpp"
 
 namespace reeve::search {
 
@@ -24,6 +25,10 @@ class RoutingSource {
   RoutingSource(const ExploreOptions& options, bool prunes);
 
   std::uint64_t total() const { return all_.total(); }
+
+  // Whether all ways from step to step are to end: what is asked for then throws WayStopped, and
+  // has to be sought again. Nothing: never.
+  void stop_with(const std::atomic<bool>* stop);
 
   // The next call of next() gives the first from `begin` on.
   void seek(std::uint64_t begin, std::uint64_t end);
@@ -47,6 +52,7 @@ class RoutingSource {
   std::optional<LimitedGenerator> limited_;
   std::uint64_t place_ = 0;
   std::uint64_t end_ = 0;
+  StopCheck check_;
 };
 
 }  // namespace reeve::search

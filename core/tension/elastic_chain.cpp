@@ -59,18 +59,21 @@ double ElasticChain::root() const {
 
 void ElasticChain::hold(double decay, double rest) {
   previous_.swap(pieces_);
-  pieces_.clear();
+  // Pieces on both sides of the gap, which may cut one in two, and the gap.
+  pieces_.resize(previous_.size() + 2);
+  Piece* next = pieces_.data();
   auto piece = previous_.begin();
   if (rest > 0) {
     for (; piece->upto < rest; ++piece) {
-      pieces_.push_back({piece->slope / decay, piece->upto * decay, piece->offset});
+      *next++ = {piece->slope / decay, piece->upto * decay, piece->offset};
     }
-    pieces_.push_back({piece->slope / decay, rest * decay, piece->offset});
-    pieces_.push_back({0, rest / decay, 0});
+    *next++ = {piece->slope / decay, rest * decay, piece->offset};
+    *next++ = {0, rest / decay, 0};
   }
   for (; piece != previous_.end(); ++piece) {
-    pieces_.push_back({piece->slope * decay, piece->upto / decay, piece->offset});
+    *next++ = {piece->slope * decay, piece->upto / decay, piece->offset};
   }
+  pieces_.resize(static_cast<std::size_t>(next - pieces_.data()));
 }
 
 void ElasticChain::solve(std::span<const ChainSegment> segments,

@@ -28,6 +28,8 @@ class RoutingGenerator {
     return tendons_.next(routing) || (trees_ && trees_->next(routing));
   }
 
+  void stop_with(const StopCheck& check) { tendons_.stop_with(check); }
+
  private:
   TendonGenerator tendons_;
   std::optional<TreeGenerator> trees_;

@@ -135,6 +135,7 @@ bool TendonGenerator::seek_size(int size, std::uint64_t& index) {
     tendon.start(options_.parts, size);
   }
   do {
+    check_.step();
     const std::uint64_t here = completions(tendon);
     if (index < here) {
       ++depth_;
@@ -174,6 +175,7 @@ void TendonGenerator::seek_step_by_step(std::uint64_t index) {
   start_shapes();
   for (std::uint64_t here = numberings(); index >= here; here = numberings()) {
     index -= here;
+    check_.step();
     advance_shapes();
   }
   write(current_);

@@ -21,6 +21,7 @@
 #include "search/enumerate/numbering.hpp"
 #include "search/enumerate/parts.hpp"
 #include "search/enumerate/shape_cursor.hpp"
+#include "search/stop_check.hpp"
 
 namespace reeve::search {
 
@@ -43,6 +44,9 @@ class TendonGenerator {
 
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing);
+
+  // Looked at in seek().
+  void stop_with(const StopCheck& check) { check_ = check; }
 
  private:
   bool start_shapes();
@@ -70,6 +74,7 @@ class TendonGenerator {
 
   enum class Position { before_first, at_unread, at_read, behind_last };
   Position position_ = Position::before_first;
+  StopCheck check_;
 };
 
 }  // namespace reeve::search

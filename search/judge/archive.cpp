@@ -8,7 +8,7 @@ namespace reeve::search {
 namespace {
 
 // Thinning out costs more than filling, so it waits until a good part is new.
-constexpr std::size_t least_backlog = 4096;
+constexpr std::size_t least_backlog = 512;
 
 bool equal(const Goodness& a, const Goodness& b) { return (a == b).all(); }
 
@@ -30,7 +30,7 @@ bool Archive::may_rank(const ObjectiveValues& values) const {
 void Archive::add(Design design, std::uint64_t equals_left_out) {
   Goodness value = goodness(design.values, order_.objectives);
   entries_.emplace_back(Entry{std::move(design), std::move(value), equals_left_out});
-  if (entries_.size() - compacted_ > std::max(least_backlog, compacted_)) compact();
+  if (entries_.size() - compacted_ > std::max(least_backlog, compacted_ / 4)) compact();
 }
 
 // `beaten` are known to beat it besides.

@@ -29,6 +29,9 @@ constexpr std::array of_parts{Objective::sheaths, Objective::pulleys, Objective:
 constexpr std::array of_sums{Objective::uniformity_mean, Objective::uniformity_worst,
                              Objective::efficiency_mean, Objective::efficiency_worst};
 
+// Of sums in another order, and what values are rounded to.
+constexpr double estimate_margin = 1e-9;
+
 bool contains(const auto& objectives, Objective objective) {
   return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
 }
@@ -46,7 +49,8 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
       compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
                         contains(wanted_, Objective::finger_uniformity_worst)),
       grasps_(grasps),
-      whole_(model, grasps, score, prices) {
+      whole_(model, grasps, score, prices),
+      outliner_(grasps) {
   if (!whole_.has_hand()) extent_.hand = false;
   // A single grasp is solved as quickly as the states of a tree.
   const bool share = grasps.size() > 1 && hold_one_finger_at_most(grasps);
@@ -113,11 +117,6 @@ bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcom
   return std::isnormal(motor);
 }
 
-void DecidingEvaluator::add_parts() {
-  outcome_.parts = {};
-  for (const TreeStates* tree : *trees_) outcome_.parts += tree->parts;
-}
-
 // As of DesignEvaluator.
 double DecidingEvaluator::travel() const {
   double strands = 0;
@@ -143,71 +142,39 @@ double DecidingEvaluator::tendon_length() const {
   return sum;
 }
 
-bool DecidingEvaluator::find_trees(const Routing& routing) {
-  if (!split_into_trees(routing, spans_)) return false;
-  trees_ = &known_->states(routing, spans_);
-  return !trees_->empty();
-}
-
-// Nothing where a figure leaves the range of a double, or there is no strand.
-std::optional<Performance> DecidingEvaluator::estimated(const WeightedGrasp& grasp) const {
-  TreeSums moving;
-  TreeSums jammed;
-  for (std::size_t t = 0; t < spans_.size(); ++t) {
-    const TreeSums& sums = (*trees_)[t]->sums(held_in_tree(spans_[t], grasp.grasp));
-    if (!sums.in_range) return std::nullopt;
-    (sums.jams ? jammed : moving) += sums;
-  }
-  // Beside a tree that jams the others are slack.
-  const TreeSums& pulled = jammed.jams ? jammed : moving;
-  if (!std::isnormal(pulled.motor) || !(pulled.strands.most > 0)) return std::nullopt;
-  const bool some_slack = jammed.jams && moving.has_strands();
-  Performance result;
-  result.uniformity = some_slack ? 0 : pulled.strands.least / pulled.strands.most;
-  result.efficiency = jammed.jams ? 0 : pulled.strands.work / pulled.motor;
-  return result;
-}
-
 std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
-  if (!estimates_ || !find_trees(routing)) return std::nullopt;
-  Performance sum;
-  Performance least{std::numeric_limits<double>::infinity(),
-                    std::numeric_limits<double>::infinity()};
-  double weight = 0;
-  for (const WeightedGrasp& grasp : grasps_) {
-    const std::optional<Performance> in_grasp = estimated(grasp);
-    if (!in_grasp) return std::nullopt;
-    weight += grasp.weight;
-    sum.uniformity += grasp.weight * in_grasp->uniformity;
-    sum.efficiency += grasp.weight * in_grasp->efficiency;
-    least.uniformity = std::min(least.uniformity, in_grasp->uniformity);
-    least.efficiency = std::min(least.efficiency, in_grasp->efficiency);
-  }
-  add_parts();
+  if (!estimates_ || !split_into_trees(routing, spans_)) return std::nullopt;
+  const std::vector<const TreeOutline*>& trees = known_->outlines(routing, spans_);
+  if (trees.empty()) return std::nullopt;
+  const std::optional<OutlinedPerformance> outlined = outliner_.outlined(spans_, trees);
+  if (!outlined) return std::nullopt;
+  outcome_.parts = {};
+  for (const TreeOutline* tree : trees) outcome_.parts += tree->parts;
   Estimate result;
   compute_objectives(outcome_, of_parts_, result.at_best);
   result.at_worst = result.at_best;
   const auto put = [&](Objective objective, double value) {
-    // Sums in another order, and what values are rounded to.
-    constexpr double margin = 1e-9;
-    result.at_best[static_cast<std::size_t>(objective)] = value + margin;
-    result.at_worst[static_cast<std::size_t>(objective)] = value - margin;
+    result.at_best[static_cast<std::size_t>(objective)] = value + estimate_margin;
+    result.at_worst[static_cast<std::size_t>(objective)] = value - estimate_margin;
   };
-  put(Objective::uniformity_mean, sum.uniformity / weight);
-  put(Objective::uniformity_worst, least.uniformity);
-  put(Objective::efficiency_mean, sum.efficiency / weight);
-  put(Objective::efficiency_worst, least.efficiency);
+  put(Objective::uniformity_mean, outlined->mean.uniformity);
+  put(Objective::uniformity_worst, outlined->worst.uniformity);
+  put(Objective::efficiency_mean, outlined->mean.efficiency);
+  put(Objective::efficiency_worst, outlined->worst.efficiency);
   return result;
 }
 
 // False where that cannot be, or where a figure leaves the range of a double.
 bool DecidingEvaluator::combine(const Routing& routing) {
-  if (!find_trees(routing)) return false;
+  if (!split_into_trees(routing, spans_)) return false;
+  trees_ = &known_->states(routing, spans_);
+  if (trees_->empty()) return false;
   outcome_.grasps.resize(grasps_.size());
   for (std::size_t g = 0; g < grasps_.size(); ++g) {
     if (!combine(grasps_[g], outcome_.grasps[g])) return false;
   }
-  add_parts();
+  outcome_.parts = {};
+  for (const TreeStates* tree : *trees_) outcome_.parts += tree->outline.parts;
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(), *prices_);
   return true;

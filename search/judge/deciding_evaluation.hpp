@@ -18,6 +18,7 @@
 
 #include "search/judge/evaluation.hpp"
 #include "search/judge/trees/known_trees.hpp"
+#include "search/judge/trees/outlined_performance.hpp"
 
 namespace reeve::search {
 
@@ -47,8 +48,6 @@ class DecidingEvaluator {
   std::size_t unconverged() const { return whole_.unconverged(); }
 
  private:
-  bool find_trees(const Routing& routing);
-  std::optional<Performance> estimated(const WeightedGrasp& grasp) const;
   bool combine(const Routing& routing);
   bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
   double scale(bool jams) const;
@@ -69,6 +68,7 @@ class DecidingEvaluator {
   GraspSet grasps_;
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;
+  PerformanceOutliner outliner_;
 
   // Of one routing.
   std::vector<TreeSpan> spans_;

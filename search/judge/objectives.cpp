@@ -179,7 +179,7 @@ std::string names() {
 
 double on_grid(double value) {
   constexpr double grid = 1e10;
-  return std::round(value * grid) / grid;
+  return std::round(value * grid) / grid + 0.0;  // which makes 0 of -0
 }
 
 const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }

@@ -119,7 +119,7 @@ inline bool is_there(const ObjectiveRow& row, const ObjectiveValues& values) {
 }
 
 // Rounded to 1e-10: far above rounding errors, so that designs that are equal on paper compare
-// equal, and far below anything that can be measured.
+// equal, and far below anything that can be measured. Never -0.
 double on_grid(double value);
 
 // All objectives on that grid, but the score (score.hpp), which is left at 0.

@@ -41,6 +41,11 @@ class LimitedGenerator {
   // Tendons and sets of trees that were looked at, given or not.
   std::uint64_t steps() const { return tendons_.steps() + (trees_ ? trees_->steps() : 0); }
 
+  void stop_with(const StopCheck& check) {
+    tendons_.stop_with(check);
+    if (trees_) trees_->stop_with(check);
+  }
+
  private:
   int fingers_;
   PartClasses classes_;

@@ -88,6 +88,7 @@ bool LimitedTendons::enter() {
 }
 
 bool LimitedTendons::step(Level& level) {
+  check_.step();
   ++steps_;
   if (listed_.next(level.shape)) return true;
   return !one_tendon_ && start_at_most(level.shape, level.shape.size - 1);

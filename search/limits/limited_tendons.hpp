@@ -16,6 +16,7 @@
 
 #include "core/routing.hpp"
 #include "search/limits/listed_shapes.hpp"
+#include "search/stop_check.hpp"
 
 namespace reeve::search {
 
@@ -41,6 +42,12 @@ class LimitedTendons {
 
   // Tendons that were looked at.
   std::uint64_t steps() const { return steps_ + listed_.steps(); }
+
+  // Looked at wherever it goes from tendon to tendon.
+  void stop_with(const StopCheck& check) {
+    check_ = check;
+    listed_.stop_with(check);
+  }
 
  private:
   struct Level {
@@ -90,6 +97,7 @@ class LimitedTendons {
 
   State at_;
   std::uint64_t steps_ = 0;
+  StopCheck check_;
 };
 
 }  // namespace reeve::search

@@ -34,6 +34,8 @@ class LimitedTrees {
 
   std::uint64_t steps() const { return steps_ + beside_.steps(); }
 
+  void stop_with(const StopCheck& check) { beside_.stop_with(check); }
+
  private:
   struct LimitedCell {
     NumberedParts::Sort sets = 0;

@@ -70,6 +70,7 @@ void ListedShapes::leave_milestone(Walk& walk, const ShapeCursor& cursor,
 
 // False behind the last shape.
 bool ListedShapes::step(Passed& passed) {
+  check_.step();
   ++passed.counts[parts_of(passed.cursor.shape())];
   ++steps_;
   return passed.cursor.next(parts_);
@@ -111,7 +112,10 @@ void ListedShapes::advance_to(ListedShape& shape, std::uint64_t index) {
       [](std::uint64_t i, const Passed& passed) { return i < passed.cursor.index(); });
   const Passed& last = *std::prev(beyond);
   if (last.cursor.index() > shape.index) shape.cursor = last.cursor;
-  for (; shape.cursor.index() < index; ++steps_) shape.cursor.next(parts_);
+  for (; shape.cursor.index() < index; ++steps_) {
+    check_.step();
+    shape.cursor.next(parts_);
+  }
   shape.index = index;
   shape.parts = parts_of(shape.cursor.shape());
 }

@@ -10,6 +10,7 @@
 
 #include "search/enumerate/shape_cursor.hpp"
 #include "search/limits/class_counts.hpp"
+#include "search/stop_check.hpp"
 
 namespace reeve::search {
 
@@ -47,6 +48,9 @@ class ListedShapes {
   // From shape to shape, where there is no list, but for those of next().
   std::uint64_t steps() const { return steps_; }
 
+  // Looked at wherever it goes from shape to shape.
+  void stop_with(const StopCheck& check) { check_ = check; }
+
  private:
   struct List {
     std::vector<Tendon> tendons;
@@ -78,6 +82,7 @@ class ListedShapes {
   std::vector<List> lists_;  // [size]; empty: none
   std::vector<Walk> walks_;  // [size]; empty: nobody has walked
   std::uint64_t steps_ = 0;
+  StopCheck check_;
 };
 
 }  // namespace reeve::search

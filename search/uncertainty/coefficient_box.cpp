@@ -33,6 +33,10 @@ std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, s
   return point;
 }
 
+std::vector<double> point_of(const Hardware& hardware) {
+  return {hardware.tube.mu, hardware.sheath.mu, hardware.bearing.mu, hardware.sheath.angle_rad};
+}
+
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point) {
   Hardware hardware = nominal;
   hardware.tube.mu = point[0];

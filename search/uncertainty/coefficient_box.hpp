@@ -26,6 +26,7 @@ CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges&
 // A point drawn uniformly: a function of seed and number alone.
 std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, std::uint64_t draw);
 
+std::vector<double> point_of(const Hardware& hardware);
 // `point` has one value for each interval of the box.
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point);
 Model at_point(const Model& nominal, const std::vector<double>& point);

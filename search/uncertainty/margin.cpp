@@ -1,5 +1,7 @@
 #include "search/uncertainty/margin.hpp"
 
+#include <functional>
+
 #include "core/notation.hpp"
 #include "numerics/minimise.hpp"
 #include "numerics/parallel.hpp"
@@ -13,15 +15,42 @@ double product(const Routing& routing, const Model& model, const GraspSet& grasp
   return uniformity_times_efficiency(DesignEvaluator(model, grasps).evaluate(routing));
 }
 
+// The corners of the box, to which leads often fall, and the nominal coefficients, which no least
+// lead may be above.
+std::vector<std::vector<double>> starts(const std::vector<Interval>& box, const Hardware& nominal) {
+  std::vector<std::vector<double>> points{point_of(nominal)};
+  for (std::size_t corner = 0; corner < std::size_t{1} << box.size(); ++corner) {
+    std::vector<double>& point = points.emplace_back();
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      point.push_back((corner >> i & 1U) != 0 ? box[i].high : box[i].low);
+    }
+  }
+  return points;
+}
+
+Minimum least_of(const std::function<double(const std::vector<double>&)>& function,
+                 const std::vector<std::vector<double>>& points) {
+  Minimum least{points.front(), function(points.front())};
+  for (const std::vector<double>& point : points) {
+    const double value = function(point);
+    if (value < least.value) least = {point, value};
+  }
+  return least;
+}
+
 Margin margin(const Routing& first, const Routing& challenger, const MarginOptions& options) {
   const auto lead = [&](const Model& model) {
     return product(first, model, options.grasps) - product(challenger, model, options.grasps);
   };
   const CoefficientBox box = coefficient_box(options.nominal.hardware, options.ranges);
   const std::vector<Interval> intervals(box.begin(), box.end());
-  const Minimum least = minimise(
-      [&](const std::vector<double>& point) { return lead(at_point(options.nominal, point)); },
-      intervals, options.evaluations);
+  const auto lead_at = [&](const std::vector<double>& point) {
+    return lead(at_point(options.nominal, point));
+  };
+  Minimum least = minimise(lead_at, intervals, options.evaluations);
+  const Minimum corner = least_of(lead_at, starts(intervals, options.nominal.hardware));
+  const Minimum beside = descend(lead_at, intervals, corner.at, options.evaluations);
+  if (beside.value < least.value) least = beside;
   return {to_word(challenger), lead(options.nominal), least.value,
           effective_hardware(at_point(options.nominal, least.at))};
 }

@@ -4,7 +4,8 @@
 // efficiency, by which designs of one front are ordered. Its least value over all coefficients in
 // their ranges says whether the order is safe (positive) or where it would turn (negative), and the
 // coefficients at which it is least are the ones to measure. Where uncertainty.hpp samples, this
-// looks for the worst case.
+// looks for the worst case: over the whole box, and from the least of its corners and the nominal
+// coefficients. Leads have kinks, and what is found is the least that was seen.
 #pragma once
 
 #include <optional>
@@ -31,7 +32,7 @@ struct MarginOptions {
   Model nominal;
   UncertaintyRanges ranges;
   GraspSet grasps;
-  int evaluations = 1000;  // for each challenger and each of two stages
+  int evaluations = 1000;  // for each challenger and each of three stages
   int threads = 0;
 };
 

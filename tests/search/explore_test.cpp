@@ -194,7 +194,7 @@ TEST(Explore, StoppedInTheMiddleOfABatchItCountsNothingBeyond) {
   options.references = {parse_routing("1-P-2-P-3-P-4-P-5-P-6-P-1"),
                         parse_routing("M-1-F+M-2-F+M-3-F+M-4-F+M-5-F+M-6-F"),
                         parse_routing("1b-B-2b-P-3b-B-4b-P-5b-B-6b-P-1b")};
-  for (const int pause_ms : {20, 60, 100}) {
+  for (const int pause_ms : {5, 15, 30}) {
     std::atomic<bool> stop{false};
     Supervision supervision;
     supervision.stop = &stop;

@@ -1,6 +1,7 @@
 // An exploration that goes on from what was saved of another one ends as that one.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
 #include <vector>
 
@@ -54,6 +55,35 @@ TEST(ExploreKeeping, GivesEveryDesignOnceInFull) {
     EXPECT_EQ(designs.at(place).word, to_word(routing));
     EXPECT_EQ(designs.at(place).values, evaluator.evaluate(routing));
   }
+}
+
+// The beginning of a shard is found step by step, which may take minutes.
+TEST(ExploreKeeping, StoppedOnTheWayToItsBeginningHasNothingYetAndGoesOn) {
+  ExploreOptions options = kept_options(2);
+  options.generator.fingers = 8;
+  options.grasps = single_grasps(8);
+  options.constraints = {parse_constraint("sheaths<=3")};
+  options.references.clear();
+  options.shard = {2, 20};
+  const std::atomic<bool> stop = true;
+  std::vector<ShardRecord> saved;
+  Keeping keeping;
+  keeping.save = [&](ExplorationPart& part) { saved.push_back(record_of(part)); };
+  const ExploreResult stopped = explore(options, {{}, &stop}, keeping);
+  EXPECT_TRUE(stopped.partial);
+  EXPECT_EQ(stopped.generated, 0U);
+  EXPECT_GT(stopped.total, 1'000'000U);
+  ASSERT_EQ(saved.size(), 1U);
+  Keeping later;
+  later.before = saved[0];
+  const ExploreResult whole = explore(options);
+  const ExploreResult gone_on = explore(options, {}, later);
+  EXPECT_EQ(gone_on.generated, whole.generated);
+  EXPECT_EQ(gone_on.evaluated, whole.evaluated);
+  ASSERT_FALSE(whole.top.empty());
+  ASSERT_EQ(gone_on.top.size(), whole.top.size());
+  EXPECT_EQ(gone_on.top.back().design.word, whole.top.back().design.word);
+  EXPECT_EQ(gone_on.rejected.back().count, whole.rejected.back().count);
 }
 
 }  // namespace

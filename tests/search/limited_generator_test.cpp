@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -200,6 +201,20 @@ TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
     EXPECT_EQ(other.verdicts_before(places[i - 50]), counted[i / 100]);
   }
   EXPECT_LT(limited.steps(), before_seeks + (places.size() / 500 + 1) * far);
+}
+
+TEST(LimitedGenerator, EndsAWayThatIsStoppedAfterAFewSteps) {
+  const GeneratorOptions options{full_parts(), 9, FingerIdentity::identical, false};
+  LimitedGenerator generator(options, {});
+  const std::uint64_t before = generator.steps();
+  const std::atomic<bool> stop = true;
+  generator.stop_with(StopCheck(&stop));
+  EXPECT_THROW(generator.seek(generator.total() / 10), WayStopped);
+  EXPECT_THROW(generator.verdicts_before(generator.total() / 12), WayStopped);
+  EXPECT_LE(generator.steps() - before, 4096U);
+  RoutingGenerator all(options);
+  all.stop_with(StopCheck(&stop));
+  EXPECT_THROW(all.seek(all.total() / 10), WayStopped);
 }
 
 }  // namespace

@@ -68,6 +68,35 @@ TEST(Margin, FindsWhereTheOrderTurns) {
   EXPECT_LT(margin.least_lead, 0);
 }
 
+// TR3 over TR5 and others, where the least lead lies in a corner that a search of the middle
+// misses; nominal coefficients in another corner.
+TEST(Margin, IsAtMostTheLeadInAnyCornerAndAtTheNominalCoefficients) {
+  UncertaintyRanges wide;
+  wide.tube_mu = {0.01, 0.3};
+  wide.sheath_mu = {0.01, 0.3};
+  for (const double mu : {0.1, 0.01}) {
+    MarginOptions asked = options(wide);
+    asked.nominal.hardware.tube.mu = asked.nominal.hardware.sheath.mu = mu;
+    const std::vector<Routing> routings =
+        parsed({"F-1-P-2-F", "M-1-P-2-M", "M-1-P-2-F", "M-1-T-2-F"});
+    const std::vector<Margin> found = margins(routings, asked).value();
+    for (const Margin& margin : found) {
+      EXPECT_LE(margin.least_lead, margin.nominal_lead) << margin.challenger;
+      const CoefficientBox box = coefficient_box(asked.nominal.hardware, wide);
+      for (unsigned corner = 0; corner < 16; ++corner) {
+        std::vector<double> point;
+        for (std::size_t i = 0; i < box.size(); ++i) {
+          point.push_back((corner >> i & 1U) != 0 ? box[i].high : box[i].low);
+        }
+        EXPECT_LE(
+            margin.least_lead,
+            lead("F-1-P-2-F", margin.challenger, at_point(asked.nominal.hardware, point)) + 1e-9)
+            << margin.challenger << ' ' << corner;
+      }
+    }
+  }
+}
+
 TEST(Margin, IsTheNominalLeadWhereNothingIsUncertain) {
   const UncertaintyRanges none{{0.18, 0.18}, {0.18, 0.18}, 0, 0};
   const Margin margin = margins(parsed({"1-P-2-P-1", "F-1-P-2-F"}), options(none)).value().at(0);

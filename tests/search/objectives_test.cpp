@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -126,6 +127,8 @@ TEST(Objectives, AreRoundedToTenDigitsBehindThePoint) {
   EXPECT_EQ(travel(0.3 + 6e-11), 0.3000000001);
   EXPECT_EQ(travel(0.3 - 4e-11), 0.3);
   EXPECT_EQ(travel(0.3 - 6e-11), 0.2999999999);
+  EXPECT_FALSE(std::signbit(travel(-0.0)));
+  EXPECT_FALSE(std::signbit(travel(-4e-11)));
 }
 
 TEST(ParseObjectives, KeepsTheOrderOfTheList) {

@@ -10,17 +10,20 @@ using BlockSet = std::uint64_t;  // bit b: block b; there are no more than max_b
 class KeyWriter {
  public:
   void put(unsigned digit) {
-    if (length_ < TreeKey::capacity) {
-      key_.bits[length_ / 16] |= static_cast<std::uint64_t>(digit) << (length_ % 16 * 4);
+    if (word_ < TreeKey::words) key_.bits[word_] |= static_cast<std::uint64_t>(digit) << shift_;
+    shift_ += 4;
+    if (shift_ == 64) {
+      shift_ = 0;
+      ++word_;
     }
-    ++length_;
   }
-  bool fits() const { return length_ <= TreeKey::capacity; }
+  bool fits() const { return word_ < TreeKey::words || (word_ == TreeKey::words && shift_ == 0); }
   const TreeKey& key() const { return key_; }
 
  private:
   TreeKey key_;
-  std::size_t length_ = 0;
+  std::size_t word_ = 0;
+  unsigned shift_ = 0;
 };
 
 // No kind of token has these digits, and no digit is 0, which is what follows a key's end.

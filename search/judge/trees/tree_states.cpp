@@ -1,24 +1,12 @@
 #include "search/judge/trees/tree_states.hpp"
 
-#include <algorithm>
-
 namespace reeve::search {
-
-TreeSums& TreeSums::operator+=(const TreeSums& other) {
-  jams |= other.jams;
-  motor += other.motor;
-  strands.least = std::min(strands.least, other.strands.least);
-  strands.most = std::max(strands.most, other.strands.most);
-  strands.sum += other.strands.sum;
-  strands.work += other.strands.work;
-  return *this;
-}
 
 TreeState TreeStates::in_state(std::size_t held) const {
   const std::size_t strands = strand_finger.size();
   const double* const first = numbers_.data() + held * (motor_sides + 2 * strands);
-  return {sums_[held].jams,
-          sums_[held].in_range,
+  return {outline.sums[held].jams,
+          outline.sums[held].in_range,
           {first, motor_sides},
           {first + motor_sides, strands},
           {first + motor_sides + strands, strands}};
@@ -40,14 +28,14 @@ void TreeSolver::solve(Grasp grasp, TreeStates& states) {
     sums.strands.add(state_.tension[i],
                      state_.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }
-  states.sums_.push_back(sums);
+  states.outline.sums.push_back(sums);
   for (const std::uint8_t finger : states.strand_finger) numbers.push_back(state_.closing[finger]);
 }
 
 void TreeSolver::solve(const Routing& tree, TreeStates& states) {
   expand(tree, network_);
   builder_.apply(network_, mechanics_);
-  states.parts = parts(network_);
+  states.outline.parts = parts(network_);
   states.length = mechanics_.length;
   states.strand_finger.clear();
   states.motor_sides = 0;
@@ -56,7 +44,7 @@ void TreeSolver::solve(const Routing& tree, TreeStates& states) {
     if (segment.kind != SegmentKind::strand) continue;
     states.strand_finger.push_back(static_cast<std::uint8_t>(segment.finger - 1));
   }
-  states.sums_.clear();
+  states.outline.sums.clear();
   states.numbers_.clear();
   solve(Grasp{}, states);
   for (int f = 1; f <= network_.fingers; ++f) solve(Grasp{std::uint64_t{1} << (f - 1)}, states);

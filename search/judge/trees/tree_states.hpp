@@ -18,6 +18,7 @@
 #include "core/network.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
+#include "search/judge/trees/tree_outline.hpp"
 
 namespace reeve::search {
 
@@ -30,32 +31,18 @@ struct TreeState {
   std::span<const double> closing;     // of the strands; 0 if it jams
 };
 
-// What a state adds to a routing.
-struct TreeSums {
-  bool jams = false;
-  bool in_range = true;
-  double motor = 0;     // Σ t_j of the motor-side segments
-  StrandTally strands;  // of the t_i
-
-  bool has_strands() const { return strands.least <= strands.most; }
-  TreeSums& operator+=(const TreeSums& other);
-};
-
 struct TreeStates {
-  PartCount parts;
+  TreeOutline outline;
   std::vector<double> length;               // of all segments
   std::vector<std::uint8_t> strand_finger;  // from 0
   std::size_t motor_sides = 0;
 
-  std::size_t fingers() const { return sums_.size() - 1; }
   // 0: no finger held; f: finger f.
   TreeState in_state(std::size_t held) const;
-  const TreeSums& sums(std::size_t held) const { return sums_[held]; }
 
  private:
   friend class TreeSolver;
 
-  std::vector<TreeSums> sums_;   // of the states
   std::vector<double> numbers_;  // state by state: the three spans
 };
 
