@@ -19,9 +19,10 @@ std::string name_of(const Cause& cause, const Subject& subject) {
   return effect_name(Effect{&cause, subject, {}});
 }
 
+std::string cause_part(const std::string& name) { return name.substr(0, name.find('[')); }
+
 const Cause& cause_of(const std::string& name) {
-  const std::size_t bracket = name.find('[');
-  const std::string cause_name = name.substr(0, bracket);
+  const std::string cause_name = cause_part(name);
   if (const Cause* cause = find_cause(cause_name)) return *cause;
   throw InputError({.what = "unknown cause",
                     .value = cause_name,
@@ -29,27 +30,31 @@ const Cause& cause_of(const std::string& name) {
                     .form = InputForm::unknown});
 }
 
-// What the experiment lacks to show a cause at all.
-std::string what_is_missing(const Cause& cause, const Survey& survey) {
-  struct Lack {
-    bool Survey::*has;
-    const char* text;
-  };
-  constexpr std::array lacks{
-      Lack{&Survey::has_speed, "it depends on the speed: expected it to be given"},
-      Lack{&Survey::has_cycle, "it depends on the cycle: expected it to be given"},
-      Lack{&Survey::has_temperature, "it depends on the temperature: expected it to be given"},
-      Lack{&Survey::has_motor_tension, "it is about the motor tension: expected it to be given"},
-      Lack{&Survey::has_both_directions,
-           "pulling and releasing differ by it: expected readings of both directions"},
-      Lack{&Survey::sheath_angle_varies,
-           "it shows where sheath angles differ: expected more than one of them"}};
+constexpr std::array lacks{
+    Lack{&Survey::has_speed, "it depends on the speed", "it to be given"},
+    Lack{&Survey::has_cycle, "it depends on the cycle", "it to be given"},
+    Lack{&Survey::has_temperature, "it depends on the temperature", "it to be given"},
+    Lack{&Survey::has_motor_tension, "it is about the motor tension", "it to be given"},
+    Lack{&Survey::has_both_directions, "pulling and releasing differ by it",
+         "readings of both directions"},
+    Lack{&Survey::sheath_angle_varies, "it shows where sheath angles differ",
+         "more than one of them"}};
+
+const Lack* lack_of(const Cause& cause, const Survey& survey) {
+  if (!cause.subjects(survey).empty()) return nullptr;
   for (const Lack& lack : lacks) {
     Survey changed = survey;
     changed.*lack.has = true;
-    if (!cause.subjects(changed).empty()) return lack.text;
+    if (!cause.subjects(changed).empty()) return &lack;
   }
-  return "the experiment has no routing, channel or part that it could be about";
+  return nullptr;
+}
+
+InputError cannot_show(const Cause& cause, const Survey& survey) {
+  if (const Lack* lack = lack_of(cause, survey)) {
+    return InputError({.what = lack->why, .expected = lack->wanted});
+  }
+  return InputError("the experiment has no routing, channel or part that it could be about");
 }
 
 // The first few.
@@ -68,7 +73,7 @@ std::string list_of_names(const Cause& cause, const std::vector<Subject>& subjec
 std::vector<Subject> subjects_named(const std::string& name, const Cause& cause,
                                     const Survey& survey) {
   const std::vector<Subject> possible = cause.subjects(survey);
-  if (possible.empty()) throw InputError(what_is_missing(cause, survey));
+  if (possible.empty()) throw cannot_show(cause, survey);
   std::vector<Subject> named;
   for (const Subject& subject : possible) {
     if (name_of(cause, subject) == name) named.push_back(subject);
@@ -181,6 +186,11 @@ class EffectReader {
 };
 
 }  // namespace
+
+const Lack* lack(const std::string& name, const Survey& survey) {
+  const Cause* cause = find_cause(cause_part(name));
+  return cause == nullptr ? nullptr : lack_of(*cause, survey);
+}
 
 Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware& hardware) {
   try {

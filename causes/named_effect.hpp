@@ -28,6 +28,17 @@ struct NamedEffect {
   std::vector<Setting> settings;
 };
 
+// Without which an experiment shows nothing of a cause.
+struct Lack {
+  bool Survey::*has;
+  const char* why;     // "it depends on the cycle"
+  const char* wanted;  // "it to be given"
+};
+
+// What it is that keeps an experiment from showing the cause of this name; nullptr if nothing of
+// that kind does, or if there is no such cause.
+const Lack* lack(const std::string& name, const Survey& survey);
+
 // Throws InputError that begins with the quoted name. `hardware` is the one that the effect is
 // seen against.
 Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware& hardware);

@@ -51,9 +51,13 @@ Segment read_channel(const TomlNode& table, std::string_view key) {
   node.fail_expected(expected);
 }
 
-Routing read_routing(const TomlNode& table) {
-  return parsed(table, "routing", "the word of a routing in quotes, such as \"M-1-T-2-F\"",
-                parse_routing);
+Routing read_routing(const TomlNode& table, const Catalogue& catalogue) {
+  return parsed(table, "routing",
+                "the word of a routing in quotes, such as \"M-1-T-2-F\", or its catalogue name",
+                [&](const std::string& text) {
+                  const Routing* named = catalogue.find_routing(text);
+                  return named != nullptr ? *named : parse_routing(text);
+                });
 }
 
 Grasp read_grasp(const TomlNode& table, std::string_view key, int fingers) {
@@ -80,7 +84,7 @@ void read_two_grasps(const TomlNode& table, int fingers, Subject& subject) {
   }
 }
 
-Subject read_subject(const TomlNode& table, SubjectKind kind) {
+Subject read_subject(const TomlNode& table, SubjectKind kind, const Catalogue& catalogue) {
   Subject subject;
   const bool of_two = kind == SubjectKind::channels;
   if (of_two || kind == SubjectKind::channel) subject.channel = read_channel(table, "channel");
@@ -94,7 +98,7 @@ Subject read_subject(const TomlNode& table, SubjectKind kind) {
     subject.finger = table.require("finger", "the number of a finger").integer(1, max_fingers);
   }
   if (kind == SubjectKind::grasp || kind == SubjectKind::contact) {
-    const Routing routing = read_routing(table);
+    const Routing routing = read_routing(table, catalogue);
     subject.routing = to_word(routing);
     if (kind == SubjectKind::grasp) read_two_grasps(table, finger_count(routing), subject);
     if (kind == SubjectKind::contact) subject.contact = read_contact(table, expand(routing));
@@ -126,7 +130,7 @@ std::string line(std::string_view key, const std::string& text) {
 
 }  // namespace
 
-void read_effect(const TomlNode& table, Model& model) {
+void read_effect(const TomlNode& table, const Catalogue& catalogue, Model& model) {
   const std::string known = "one of " + cause_names();
   const TomlNode& cause = table.require("cause", known);
   Effect effect;
@@ -138,7 +142,7 @@ void read_effect(const TomlNode& table, Model& model) {
   keys.insert(keys.begin(), "cause");
   for (const Parameter& parameter : parameters) keys.emplace_back(parameter.name);
   table.allow_only(keys);
-  effect.subject = read_subject(table, kind);
+  effect.subject = read_subject(table, kind, catalogue);
   for (const Parameter& parameter : parameters) {
     effect.values.push_back(read_parameter(table, parameter));
   }

@@ -4,13 +4,15 @@
 
 #include <string>
 
+#include "catalog/catalogue.hpp"
 #include "catalog/toml_node.hpp"
 #include "causes/model.hpp"
 
 namespace reeve::catalog {
 
-// Adds the effect to the model, whose hardware must be read already.
-void read_effect(const TomlNode& table, Model& model);
+// Adds the effect to the model, whose hardware must be read already. A routing is a word or a name
+// of the catalogue.
+void read_effect(const TomlNode& table, const Catalogue& catalogue, Model& model);
 
 std::string effect_toml(const Effect& effect, const Hardware& hardware);
 

@@ -33,7 +33,7 @@ std::string conditions_toml(const Conditions& conditions) {
 
 }  // namespace
 
-ModelFile read_model_file(const std::filesystem::path& path) {
+ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& catalogue) {
   const TomlNode file = read_toml(path);
   std::vector<std::string_view> names = hardware_table_names();
   names.insert(names.end(), {"conditions", "effect"});
@@ -42,7 +42,7 @@ ModelFile read_model_file(const std::filesystem::path& path) {
   ModelFile result{
       {hardware.hardware, {}, read_conditions(file)}, hardware.uncertainty, hardware.vary};
   if (const TomlNode* effects = file.find("effect")) {
-    for (const TomlNode& effect : effects->tables()) read_effect(effect, result.model);
+    for (const TomlNode& effect : effects->tables()) read_effect(effect, catalogue, result.model);
   }
   return result;
 }

@@ -13,13 +13,15 @@
 //                             channel | finger | routing, recorded, actual | routing, contact
 //   gain = 1.08             every parameter of the cause
 //
-// Routings are words. A model without effects is the plain friction model.
+// Routings are words, or names of the catalogue that is read with it. A model without effects is
+// the plain friction model.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "catalog/catalogue.hpp"
 #include "catalog/rig/hardware_file.hpp"
 #include "causes/model.hpp"
 #include "core/uncertainty_ranges.hpp"
@@ -33,7 +35,7 @@ struct ModelFile {
 };
 
 // Throws InputError with file, line, column, key, value and what was expected.
-ModelFile read_model_file(const std::filesystem::path& path);
+ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& catalogue = {});
 
 // Reads back as the same model, bit by bit. The comment lines stand at the top.
 std::string model_toml(const Model& model, const std::vector<std::string>& comment_lines,

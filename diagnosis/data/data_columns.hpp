@@ -33,6 +33,7 @@ struct DataColumn {
   MeasuredPlace place;       // tensions and their deviations only
   Unit unit;                 // of the file's numbers
   std::string meaning = {};  // its name as docs write it; as the file has it where they do not
+  bool unit_is_assumed = false;
 };
 
 struct DataColumns {

@@ -56,6 +56,8 @@ const char* note_kind_name(NoteKind kind) {
       return "inverted";
     case NoteKind::far_forecast:
       return "far_forecast";
+    case NoteKind::not_following:
+      return "not_following";
     case NoteKind::reversed:
       return "reversed";
   }

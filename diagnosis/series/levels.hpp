@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "diagnosis/series/series_blocks.hpp"
-#include "diagnosis/series/stretch_of_blocks.hpp"
 
 namespace reeve::diagnosis {
 

@@ -64,7 +64,30 @@ int rank_of_clock(const DataColumn& column) {
   return named->unit ? 1 : 0;
 }
 
-void choose_clock(HeaderColumns& header, HeaderFaults& faults) {
+constexpr const char* clock_names =
+    "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms";
+
+std::string names_of(const Columns& columns) {
+  constexpr std::size_t most = 10;
+  std::string list;
+  std::size_t count = 0;
+  for (const DataColumn& column : columns) {
+    if (column.name.empty() || ++count > most) continue;
+    list += fmt::format("{}'{}'", list.empty() ? "" : ", ", for_message(column.name));
+  }
+  if (count > most) list += fmt::format(", and {} more", count - most);
+  return list;
+}
+
+// It may be there under another name.
+std::string clock_or_its_name(const Columns& columns, const std::string& map_option) {
+  const std::string names = names_of(columns);
+  if (map_option.empty() || names.empty()) return clock_names;
+  return fmt::format("{}; it has {}, and {} 'COLUMN=time_s' says which of them is one", clock_names,
+                     names, map_option);
+}
+
+void choose_clock(HeaderColumns& header, const std::string& map_option, HeaderFaults& faults) {
   std::vector<std::size_t> clocks;
   int highest = 0;
   for (std::size_t i = 0; i < header.columns.size(); ++i) {
@@ -82,9 +105,10 @@ void choose_clock(HeaderColumns& header, HeaderFaults& faults) {
     }
   }
   if (clocks.size() == 1) return;
-  faults.add({.what = fmt::format("the header has {} column of time",
-                                  clocks.empty() ? "no" : "more than one"),
-              .expected = "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms"});
+  faults.add(
+      {.what =
+           fmt::format("the header has {} column of time", clocks.empty() ? "no" : "more than one"),
+       .expected = clocks.empty() ? clock_or_its_name(header.columns, map_option) : clock_names});
 }
 
 // One tension alone can be compared with nothing.
@@ -144,7 +168,7 @@ DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& 
                              const ReadingOptions& options, FaultList& faults) {
   HeaderFaults at_header(csv, faults);
   HeaderColumns header = read_header(csv, units, options, log_of_a_rig, at_header);
-  choose_clock(header, at_header);
+  choose_clock(header, options.map_option, at_header);
   refuse_columns_of_means(header.columns, at_header);
   for (DataColumn& column : header.columns) {
     if (!is_used(column)) column.role = DataRole::covariate;

@@ -15,6 +15,7 @@
 #include "diagnosis/series/coarse_clock.hpp"
 #include "diagnosis/series/log_columns.hpp"
 #include "diagnosis/series/log_words.hpp"
+#include "diagnosis/series/recordings.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -242,6 +243,11 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
   take_comments(csv, series);
   if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));
+  const DataColumn& clock = columns.columns[*find_column(columns.columns, DataRole::time)];
+  if (clock.unit_is_assumed) {
+    auto doubt = doubt_of_seconds(series, clock.name, options.map_option);
+    if (doubt) series.notes.push_back(std::move(*doubt));
+  }
   return series;
 }
 

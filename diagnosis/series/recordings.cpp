@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
@@ -18,6 +21,9 @@ void require_a_clock(const LoggedSeries& series, const std::vector<std::size_t>&
                            set_back.size(), series.size()),
        .expected = "rows in the order of their time"});
 }
+
+// Of a clock that counts seconds since 1970, as most do that show a date.
+double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
 
 }  // namespace
 
@@ -44,6 +50,25 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
     }
   }
   return steps.empty() ? 0 : middle_of(std::move(steps));
+}
+
+std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
+                                         const std::string& map_option) {
+  constexpr double long_step_s = 1;  // twice as long as a reading lasts at least
+  constexpr double last_year = 2100;
+  const double step_s = usual_step(series, {{0, series.size(), 0}});
+  const double year = year_at(*std::max_element(series.time_s.begin(), series.time_s.end()));
+  if (step_s < long_step_s && year <= last_year) return std::nullopt;
+  std::string text = fmt::format(
+      "the clock '{}' has no unit: in seconds its samples are mostly "
+      "{:.3g} s apart",
+      for_message(clock), step_s);
+  if (year > last_year) text += fmt::format(", and it shows the year {:.0f}", year);
+  text += ". If it counts milliseconds, it is time_ms";
+  if (!map_option.empty()) {
+    text += fmt::format(", and {} '{}=time_ms' says so", map_option, for_message(clock));
+  }
+  return DataNote{NoteKind::clock, text, {}};
 }
 
 }  // namespace reeve::diagnosis

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "diagnosis/series/logged_series.hpp"
@@ -28,5 +30,11 @@ Recordings recordings(const LoggedSeries& series);
 
 // Median of the steps of the clock that are not 0; 0 if there is none.
 double usual_step(const LoggedSeries& series, const std::vector<Recording>& parts);
+
+// If the unit of the clock is assumed, and makes steps that are long for a log of a carriage, or
+// dates to come: most loggers whose clock has no unit count milliseconds. `map_option` as in
+// ReadingOptions.
+std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
+                                         const std::string& map_option);
 
 }  // namespace reeve::diagnosis

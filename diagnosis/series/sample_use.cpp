@@ -14,6 +14,8 @@ const char* sample_use_name(SampleUse use) {
       return "load_varies";
     case SampleUse::settling:
       return "settling";
+    case SampleUse::not_following:
+      return "not_following";
     case SampleUse::slack:
       return "slack";
     case SampleUse::no_direction:

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "core/grasp.hpp"
 #include "diagnosis/series/logged_series.hpp"
 #include "diagnosis/series/recordings.hpp"
 
@@ -24,6 +26,13 @@ struct SeriesBlock {
   double speed_mm_s = 0;
   double load_N = 0;               // motor tension, or the sum of the tensions
   std::vector<double> tensions_N;  // as those of the series
+};
+
+// Successive blocks of a recording that may give readings.
+struct BlockStretch {
+  std::size_t begin = 0;  // blocks [begin, end)
+  std::size_t end = 0;
+  std::optional<Direction> direction;  // nothing if the log does not say
 };
 
 double block_width(double least_time_s, double usual_step_s);

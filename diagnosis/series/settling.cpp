@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "numerics/robust.hpp"
 
@@ -59,7 +60,8 @@ struct WatchedRatio {
   std::size_t tension = 0;
   double level = 0;      // as it is while sliding
   double tolerance = 0;  // by which it may be off
-  double noise = 0;      // … and by chance, in the next block
+  double tension_N = 0;  // as it mostly is
+  double noise_N = 0;    // … and by chance, in the next block
 };
 
 // By the later half of the stretch, without what may be off. Tensions that it does not have say
@@ -67,16 +69,22 @@ struct WatchedRatio {
 std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks) {
   std::vector<WatchedRatio> result;
   double greatest = 0;
+  std::vector<double> loads;
+  for (const SeriesBlock& block : blocks) loads.push_back(block.load_N);
+  const double load_N = std::abs(middle_of(std::move(loads)));
   for (std::size_t k = 0; k < blocks.front().tensions_N.size(); ++k) {
     if (!is_logged(blocks, k)) continue;
     std::vector<double> later;
     for (std::size_t i = blocks.size() / 2; i < blocks.size(); ++i) {
       later.push_back(ratio(blocks[i], k));
     }
-    result.push_back({k, std::abs(middle_of(std::move(later))), 0, 0});
+    result.push_back({k, std::abs(middle_of(std::move(later))), 0, 0, 0});
     greatest = std::max(greatest, result.back().level);
   }
-  for (WatchedRatio& ratio : result) ratio.level = std::max(ratio.level, nearly_slack * greatest);
+  for (WatchedRatio& ratio : result) {
+    ratio.tension_N = ratio.level * load_N;
+    ratio.level = std::max(ratio.level, nearly_slack * greatest);
+  }
   return result;
 }
 
@@ -96,16 +104,27 @@ ThirdMeans third_means(const std::vector<SeriesBlock>& blocks, std::size_t from,
   return means;
 }
 
-bool follows_the_load(const std::vector<SeriesBlock>& blocks, std::size_t from,
-                      const std::vector<WatchedRatio>& ratios) {
+struct LoadFollowing {
+  bool by_all = true;
+  std::vector<std::size_t> staying;  // tensions, where the load changes
+};
+
+LoadFollowing following(const std::vector<SeriesBlock>& blocks, std::size_t from,
+                        const std::vector<WatchedRatio>& ratios) {
+  LoadFollowing result;
   const ThirdMeans load = third_means(blocks, from, [](const SeriesBlock& b) { return b.load_N; });
-  const double growth = std::abs(std::log(load.last / load.first));
-  return std::all_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
+  const double growth = std::log(load.last / load.first);
+  for (const WatchedRatio& watched : ratios) {
     const ThirdMeans means =
         third_means(blocks, from, [&](const SeriesBlock& b) { return ratio(b, watched.tension); });
-    const double allowed = watched.tolerance + watched.noise + sticking * growth * watched.level;
-    return std::abs(means.last - means.first) <= allowed;
-  });
+    const double change = means.last - means.first;
+    const double chance = watched.tolerance + watched.noise_N / std::min(load.first, load.last);
+    const double sticks = sticking * std::abs(growth) * watched.level;
+    if (std::abs(change) <= chance + sticks) continue;
+    result.by_all = false;
+    if (sticks > chance && change * growth < 0) result.staying.push_back(watched.tension);
+  }
+  return result;
 }
 
 // Blocks before the one that the walk has come to; the first is 1.
@@ -133,11 +152,13 @@ bool is_off(const std::vector<SeriesBlock>& blocks, std::size_t from, BlocksAhea
   return std::any_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
     const BlockLine line = line_from(blocks, from, watched.tension);
     double off = 0;
+    double load_N = 0;
     for (std::size_t before = ahead.first; before <= ahead.last; ++before) {
       const SeriesBlock& block = blocks[from - before];
       off += (ratio(block, watched.tension) - line.at(block.time_s)) / ahead.count();
+      load_N += block.load_N / ahead.count();
     }
-    return !(std::abs(off) <= watched.tolerance + reach_of_noise(ahead) * watched.noise);
+    return !(std::abs(off) <= watched.tolerance + reach_of_noise(ahead) * watched.noise_N / load_N);
   });
 }
 
@@ -184,11 +205,11 @@ CoarseStretch coarse(const std::vector<SeriesBlock>& blocks, const BlockStretch&
 
 }  // namespace
 
-std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
-                                const std::vector<std::vector<BlockStretch>>& stretches) {
+std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
+                                       const std::vector<std::vector<BlockStretch>>& stretches) {
   const std::size_t tensions =
       recordings.empty() || recordings[0].empty() ? 0 : recordings[0][0].tensions_N.size();
-  std::vector<std::vector<double>> errors(tensions);
+  std::vector<std::vector<ForecastError>> errors(tensions);
   for (std::size_t part = 0; part < recordings.size(); ++part) {
     for (const BlockStretch& stretch : stretches[part]) {
       const std::vector<SeriesBlock> blocks = coarse(recordings[part], stretch).blocks;
@@ -196,29 +217,31 @@ std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& rec
         const std::size_t k = watched.tension;
         for (std::size_t i = 0; i + blocks_per_least_time < blocks.size(); ++i) {
           const double forecast = line_from(blocks, i + 1, k).at(blocks[i].time_s);
-          errors[k].push_back((ratio(blocks[i], k) - forecast) / watched.level);
+          const double error = (ratio(blocks[i], k) - forecast) * blocks[i].load_N;
+          errors[k].push_back({watched.tension_N, error});
         }
       }
     }
   }
-  std::vector<double> noise;
-  for (std::vector<double>& all : errors) noise.push_back(deviation_about_zero(std::move(all)));
+  std::vector<RatioNoise> noise;
+  for (std::vector<ForecastError>& all : errors) noise.push_back(ratio_noise(std::move(all)));
   return noise;
 }
 
-std::size_t settled_from(const std::vector<SeriesBlock>& all, const BlockStretch& stretch,
-                         const std::vector<double>& noise, double tolerance) {
+SettledPart settled_part(const std::vector<SeriesBlock>& all, const BlockStretch& stretch,
+                         const std::vector<RatioNoise>& noise, double tolerance) {
   const auto [each, blocks] = coarse(all, stretch);
-  if (blocks.size() < blocks_per_least_time) return stretch.end;
+  if (blocks.size() < blocks_per_least_time) return {stretch.end, {}};
   std::vector<WatchedRatio> ratios = ratio_levels(blocks);
   for (WatchedRatio& watched : ratios) {
     watched.tolerance = tolerance * watched.level;
-    watched.noise = walk_deviations * noise[watched.tension] * watched.level;
+    watched.noise_N = walk_deviations * noise[watched.tension].at(watched.tension_N);
   }
   std::size_t from = blocks.size() - blocks_per_least_time;
   while (from > 0 && !bends(blocks, from, ratios)) --from;
-  if (!follows_the_load(blocks, from, ratios)) return stretch.end;
-  return stretch.end - (blocks.size() - from - 1) * each;
+  LoadFollowing found = following(blocks, from, ratios);
+  if (!found.by_all) return {stretch.end, std::move(found.staying)};
+  return {stretch.end - (blocks.size() - from - 1) * each, {}};
 }
 
 }  // namespace reeve::diagnosis

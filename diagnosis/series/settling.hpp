@@ -6,13 +6,13 @@
 // stretch is walked backwards from its end, as long as every q goes on along the straight line
 // through the least time behind, to within
 //
-//   (tolerance + 4 sd) · median q
+//   tolerance · median q + 4 s / T_load
 //
-// with sd the relative deviation of such forecasts over all stretches of the log, and more of it
-// the farther the forecast. Two blocks off the line in a row end the walk, and so do the third to
-// the fifth together, as where q bends slowly; a single one is passed over. The first block of what
-// is left may hold the last contact's start, and is left out too. Idea: the settling time of
-// control engineering, about a trend instead of a level.
+// with s the deviation of such forecasts in newton over all stretches of the log that have such a
+// tension (ratio_noise.hpp), and more of it the farther the forecast. Two blocks off the line in a
+// row end the walk, and so do the third to the fifth together, as where q bends slowly; a single
+// one is passed over. The first block of what is left may hold the last contact's start, and is
+// left out too. Idea: the settling time of control engineering, about a trend instead of a level.
 //
 // The stretch is looked at in 50 blocks at most, since a bend is as slow as the carriage. What is
 // found must follow the load: from its first to its last third q changes by no more than that much
@@ -23,17 +23,23 @@
 #include <cstddef>
 #include <vector>
 
+#include "diagnosis/series/ratio_noise.hpp"
 #include "diagnosis/series/series_blocks.hpp"
-#include "diagnosis/series/stretch_of_blocks.hpp"
 
 namespace reeve::diagnosis {
 
-// Relative standard deviations, one for each tension, of the forecasts that the walk makes.
-std::vector<double> ratio_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
-                                const std::vector<std::vector<BlockStretch>>& stretches);
+// Of the forecasts that the walk makes, one for each tension.
+std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
+                                       const std::vector<std::vector<BlockStretch>>& stretches);
 
-// The first settled block of the stretch; its end if none is.
-std::size_t settled_from(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
-                         const std::vector<double>& noise, double tolerance);
+struct SettledPart {
+  std::size_t from = 0;  // block of the stretch; its end if none is settled
+  // Tensions that stay where the load grows or falls, so that it is none: a contact may stick, or
+  // a sensor be at the end of its range or far from its zero.
+  std::vector<std::size_t> staying;
+};
+
+SettledPart settled_part(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch,
+                         const std::vector<RatioNoise>& noise, double tolerance);
 
 }  // namespace reeve::diagnosis

@@ -11,7 +11,6 @@
 
 #include "diagnosis/series/sample_use.hpp"
 #include "diagnosis/series/series_blocks.hpp"
-#include "diagnosis/series/stretch_of_blocks.hpp"
 
 namespace reeve::diagnosis {
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnosis/data/intake/text_cells.hpp"
+#include "diagnosis/series/checks/reversed_motion.hpp"
 #include "diagnosis/series/levels.hpp"
 #include "diagnosis/series/recordings.hpp"
 #include "diagnosis/series/series_blocks.hpp"
@@ -66,7 +68,7 @@ class SteadySearch {
       for (std::size_t i = 0; i < sliding.uses.size(); ++i) mark(part, i, sliding.uses[i]);
       stretches.push_back(std::move(sliding.stretches));
     }
-    const std::vector<double> noise = ratio_noise(blocks_, stretches);
+    const std::vector<RatioNoise> noise = forecast_noise(blocks_, stretches);
     for (std::size_t part = 0; part < blocks_.size(); ++part) {
       for (const BlockStretch& stretch : stretches[part]) take_settled(part, stretch, noise);
     }
@@ -79,11 +81,15 @@ class SteadySearch {
   }
 
   void take_settled(std::size_t part, const BlockStretch& stretch,
-                    const std::vector<double>& noise) {
+                    const std::vector<RatioNoise>& noise) {
     const std::vector<SeriesBlock>& blocks = blocks_[part];
-    const std::size_t from = settled_from(blocks, stretch, noise, options_.tolerance);
+    const auto [from, staying] = settled_part(blocks, stretch, noise, options_.tolerance);
+    const SampleUse unsettled = staying.empty() ? SampleUse::settling : SampleUse::not_following;
     for (std::size_t i = stretch.begin; i < from; ++i) {
-      mark(part, i, blocks[i].load_N > 0 ? SampleUse::settling : SampleUse::slack);
+      mark(part, i, blocks[i].load_N > 0 ? unsettled : SampleUse::slack);
+    }
+    for (const std::size_t tension : staying) {
+      staying_at_[tension].push_back(series_.lines[blocks[stretch.begin].begin]);
     }
     if (from < stretch.end) take(part, {from, stretch.end, stretch.direction});
   }
@@ -160,7 +166,9 @@ class SteadySearch {
            {}});
     }
     note_missing_direction();
-    note_reversed_motion();
+    note_staying_tensions();
+    auto reversed = reversed_motion(result_.readings, options_.tolerance);
+    if (reversed) result_.notes.push_back(std::move(*reversed));
   }
 
   void note_missing_direction() {
@@ -177,27 +185,16 @@ class SteadySearch {
          {}});
   }
 
-  // Friction adds to the load while the carriage pulls, and takes from it while it releases.
-  void note_reversed_motion() {
-    if (!series_.motor_tension_N.is_logged()) return;
-    std::vector<double> pulled;
-    std::vector<double> released;
-    for (const SteadyReading& reading : result_.readings) {
-      if (!reading.motor_tension_N) continue;
-      (reading.direction == Direction::pull ? pulled : released)
-          .push_back(reading.motor_tension_N->mean_N);
+  void note_staying_tensions() {
+    for (const auto& [tension, lines] : staying_at_) {
+      result_.notes.push_back(
+          {NoteKind::not_following,
+           fmt::format("{} stays while the load grows or falls, in stretches of the log of which "
+                       "no reading is made: a contact sticks there, or the sensor's range ends, or "
+                       "its zero is far off",
+                       series_.tensions_N[tension].name),
+           lines});
     }
-    if (pulled.empty() || released.empty()) return;
-    const double pull_N = middle_of(std::move(pulled));
-    const double release_N = middle_of(std::move(released));
-    if (pull_N >= release_N) return;
-    result_.notes.push_back(
-        {NoteKind::reversed,
-         fmt::format("the motor tension is less while pulling (median {:.3g} N) than while "
-                     "releasing ({:.3g} N), and friction makes it more: does the position or speed "
-                     "count the other way?",
-                     pull_N, release_N),
-         {}});
   }
 
   const LoggedSeries& series_;
@@ -205,6 +202,7 @@ class SteadySearch {
   Recordings parts_;
   std::vector<std::vector<SeriesBlock>> blocks_;  // of each recording
   double width_s_ = 0;
+  std::map<std::size_t, std::vector<std::size_t>> staying_at_;  // tension → first lines
   std::vector<AveragedStretch> averaged_;
   SteadyReadings result_;
 };

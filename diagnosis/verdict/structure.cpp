@@ -45,6 +45,7 @@ class Tests {
       : problem_(problem),
         dataset_(*problem.dataset),
         data_(*problem.dataset->data),
+        at_(at),
         projection_(projection),
         relative_(relative(problem, at)),
         absolute_(problem.deviation_N.cwiseInverse()) {}
@@ -84,11 +85,25 @@ class Tests {
 
  private:
   void add(std::string about, MatrixXd columns, bool scan) {
+    take_out_scales(columns);
     whiten_columns(problem_.shared, columns);
     projection_.take_out(columns);
     if (!scan) columns = orthonormal_basis(columns);
     if (scan) normalise_pairs(columns);
     if (columns.cols() > 0) tests_.push_back({std::move(about), std::move(columns), scan});
+  }
+
+  // As of residuals. What all readings of a row do together says nothing where its scale is free:
+  // what would be left of such a column is rounding.
+  void take_out_scales(MatrixXd& columns) const {
+    constexpr double of_rounding = 1e-6;
+    for (Index c = 0; c < columns.cols(); ++c) {
+      VectorXd column = columns.col(c);
+      const double before = column.norm();
+      diagnosis::take_out_scales(problem_, at_, column);
+      if (column.norm() <= of_rounding * before) column.setZero();
+      columns.col(c) = column;
+    }
   }
 
   static void normalise_pairs(MatrixXd& columns) {
@@ -177,6 +192,7 @@ class Tests {
   const Problem& problem_;
   const Dataset& dataset_;
   const MeasuredData& data_;
+  const Forecast& at_;
   const Projection& projection_;
   VectorXd relative_;
   VectorXd absolute_;

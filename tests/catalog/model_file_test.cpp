@@ -216,6 +216,17 @@ TEST(BadModelFile, NamesThePlaceOfABadEffect) {
   for (const Mistake& mistake : mistakes) EXPECT_EQ(error_in_effect(mistake.text), mistake.message);
 }
 
+TEST(ModelFile, TakesNamesOfTheCatalogueForRoutings) {
+  const TemporaryFolder folder;
+  const Catalogue catalogue = read_catalogue(std::filesystem::path(REEVE_CATALOG_DIR));
+  const ModelFile file =
+      read_model_file(folder.write("m.toml",
+                                   "[[effect]]\ncause = \"seized_contact\"\nrouting = \"tr5\"\n"
+                                   "contact = \"T1-T2\"\n"),
+                      catalogue);
+  EXPECT_EQ(file.model.effects[0].subject.routing, "M-1-P-2-M");
+}
+
 TEST(BadModelFile, NamesThePlaceOfABadSubject) {
   const std::vector<Mistake> mistakes = {
       {"cause = \"sensor_gain\"\ngain = 1.1\n",

@@ -14,7 +14,7 @@ namespace reeve::testing {
 namespace {
 
 LoggedSeries log_at(const std::vector<std::string>& times) {
-  std::string text = "t,T1_N,T2_N\n";
+  std::string text = "t_s,T1_N,T2_N\n";
   for (const std::string& time : times) text += time + ",1,2\n";
   return log_of(text);
 }

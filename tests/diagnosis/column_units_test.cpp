@@ -57,6 +57,7 @@ TEST(AUnitThatIsGiven, IsOfAllTensionsOrOfOneColumn) {
   const MeasuredData data = read_data(text, options);
   EXPECT_EQ(data.readings[0].speed_mm_s, 7000);
   EXPECT_DOUBLE_EQ(*data.readings[0].motor_tension_N, 2 * 9.80665);
+  ASSERT_EQ(data.channels.size(), 2U);
   EXPECT_DOUBLE_EQ(*data.readings[0].tension_N[0], 9.80665);
   EXPECT_DOUBLE_EQ(*data.readings[0].tension_N[1], 4.4482216152605);
   EXPECT_EQ(
@@ -90,6 +91,58 @@ TEST(AColumnThatIsMapped, IsReadAsWhatItMeans) {
   EXPECT_DOUBLE_EQ(*data.readings[0].tension_N[0], 2 * 4.4482216152605);
   EXPECT_EQ(data_error("run,routing,T1_N\nA,TR5,1\n", {{{"Kraft", "T2_N"}}, {}, {}}),
             "d.csv:1: the header has no column 'Kraft': expected the column that means T2_N");
+}
+
+TEST(AColumnThatIsMapped, KeepsTheUnitOfItsName) {
+  for (const char* name :
+       {"Kraft Motor [kgf]", "Kraft [kgf] Motor", "Kraft (kg)", "Motor kg", "F_kgf", "Kraft/kgf"}) {
+    for (const char* meaning : {"motor_tension", "motor_tension_kgf"}) {
+      const MeasuredData data = read_data("run,routing,T1_N," + std::string(name) + "\nA,TR5,1,2\n",
+                                          {.map = {{name, meaning}}, .units = {}, .group = {}});
+      EXPECT_EQ(data.readings[0].motor_tension_N, 2 * 9.80665) << name;
+      EXPECT_EQ(note_text(data.notes, NoteKind::column_names),
+                "columns are read so: '" + std::string(name) + "' as motor_tension_N (from kgf)");
+    }
+  }
+  ReadingOptions options;
+  options.map = {{"Kraft [g]", "T1"}, {"v_m_s", "speed"}, {"Kraft A [lbf]", "Ta"}};
+  const MeasuredData data =
+      read_data("run,routing,Kraft [g],v_m_s,Kraft A [lbf]\nA,TR5,1000,2,1\n", options);
+  ASSERT_EQ(data.channels.size(), 2U);
+  EXPECT_DOUBLE_EQ(*data.readings[0].tension_N[0], 9.80665);
+  EXPECT_DOUBLE_EQ(*data.readings[0].tension_N[1], 4.4482216152605);
+  EXPECT_EQ(data.readings[0].speed_mm_s, 2000);
+}
+
+TEST(AColumnThatIsMapped, HasNoUnitOfALetterOrAWordThatIsNone) {
+  for (const char* name : {"Kraft G", "Sensor n", "pull in", "kgf"}) {
+    const MeasuredData data = read_data("run,routing," + std::string(name) + "\nA,TR5,2\n",
+                                        {.map = {{name, "T1"}}, .units = {}, .group = {}});
+    EXPECT_EQ(data.readings[0].tension_N[0], 2) << name;
+    EXPECT_NE(note_text(data.notes, NoteKind::column_names).find("N is assumed"),
+              std::string::npos);
+  }
+}
+
+TEST(AColumnThatIsMapped, IsNotGivenAnotherUnitThanItsNameSays) {
+  const std::string text = "run,routing,T1_N,Kraft [kgf]\nA,TR5,1,2\n";
+  ReadingOptions options;
+  options.map = {{"Kraft [kgf]", "motor_tension_N"}};
+  EXPECT_EQ(data_error(text, options),
+            "d.csv:1: column 4 'Kraft [kgf]': expected one unit: the name says kgf, and the "
+            "meaning that it is given N");
+  options.units = {{"Kraft [kgf]", "N"}};
+  const MeasuredData data = read_data(text, options);
+  EXPECT_EQ(data.readings[0].motor_tension_N, 2);
+  EXPECT_EQ(note_text(data.notes, NoteKind::column_names),
+            "columns are read so: 'Kraft [kgf]' as motor_tension_N, though its name says kgf");
+}
+
+TEST(AColumnThatIsMapped, AgreesWithTheRowOfUnits) {
+  EXPECT_EQ(data_error("run,routing,T1_N,Kraft [kgf]\n-,-,N,N\nA,TR5,1,2\n",
+                       {.map = {{"Kraft [kgf]", "motor_tension"}}, .units = {}, .group = {}}),
+            "d.csv:1: column 4 'Kraft [kgf]': expected one unit: the name says kgf, and line 2 "
+            "says N");
 }
 
 TEST(AColumnThatIsMapped, IsNoneOfALog) {

@@ -54,10 +54,49 @@ TEST(LogColumns, SayHowTheyAreRead) {
       note_text(sample("Time,Position [cm],T1_N,T2", "0,1,2,3").notes, NoteKind::column_names),
       "columns are read so: 'Time' as time_s (no unit is said: s is assumed), 'Position [cm]' "
       "as position_mm (from cm), 'T2' as T2_N (no unit is said: N is assumed)");
-  for (const char* clock : {"time_s", "t", "timestamp", "time_ms"}) {
+  for (const char* clock : {"time_s", "t_s", "t_ms", "time_ms"}) {
     EXPECT_TRUE(sample(std::string(clock) + ",position_mm,T1_N,T2_N", "0,1,2,3").notes.empty())
         << clock;
   }
+}
+
+TEST(LogColumns, SayThatAClockWithoutAUnitIsReadInSeconds) {
+  for (const std::string clock : {"t", "time", "timestamp"}) {
+    EXPECT_EQ(note_text(sample(clock + ",T1_N,T2_N", "0,2,3").notes, NoteKind::column_names),
+              "columns are read so: '" + clock + "' as time_s (no unit is said: s is assumed)");
+    EXPECT_EQ(
+        count_notes(log_of(clock + ",T1_N,T2_N\ns,N,N\n0,2,3\n").notes, NoteKind::column_names),
+        0U);
+  }
+}
+
+// A logger that counts milliseconds makes strokes of hours of them.
+TEST(LogColumns, NoteAClockThatIsHardlyInSeconds) {
+  ReadingOptions options;
+  options.map_option = "--map";
+  const auto doubt = [&](const std::string& clock, const std::string& start,
+                         const std::string& next) {
+    return note_text(
+        parse_logged_series(clock + ",T1_N,T2_N\n" + start + ",1,2\n" + next + ",1,2\n", "log.csv",
+                            options)
+            .notes,
+        NoteKind::clock);
+  };
+  EXPECT_EQ(doubt("t", "0", "10"),
+            "the clock 't' has no unit: in seconds its samples are mostly 10 s apart. If it counts "
+            "milliseconds, it is time_ms, and --map 't=time_ms' says so");
+  EXPECT_EQ(doubt("timestamp", "1700000000000", "1700000000010"),
+            "the clock 'timestamp' has no unit: in seconds its samples are mostly 10 s apart, and "
+            "it shows the year 55841. If it counts milliseconds, it is time_ms, and --map "
+            "'timestamp=time_ms' says so");
+  EXPECT_EQ(doubt("t", "0", "0.01"), "");
+  EXPECT_EQ(doubt("timestamp", "1700000000.00", "1700000000.01"), "");
+  EXPECT_EQ(doubt("time_s", "0", "10"), "");
+  // A clock of whole seconds, whose samples are spread between them.
+  const std::string spread = doubt("t", "0,1,2\n0,1,2\n0", "1,1,2\n1,1,2\n1");
+  EXPECT_EQ(spread.find("has no unit"), std::string::npos) << spread;
+  options.map = {{"t", "time_ms"}};
+  EXPECT_EQ(doubt("t", "0", "10"), "");
 }
 
 TEST(LogColumns, MayHaveARowOfUnits) {
@@ -103,6 +142,23 @@ TEST(LogColumns, HaveTheClockThatSaysItsUnitWhereThereAreTwo) {
   ASSERT_EQ(series.others.size(), 1U);
   EXPECT_EQ(series.others[0].name, "Timestamp");
   EXPECT_EQ(sample("Time,time_s,T1_N,T2_N", "99,7,1,2").time_s, Values{7});
+}
+
+TEST(LogColumns, WithoutAClockAreNamedWithWhatSaysWhichIsOne) {
+  ReadingOptions options;
+  options.map_option = "--map";
+  EXPECT_EQ(
+      input_error([&] { parse_logged_series("Zeit [s],T1_N,T2_N\n0,1,2\n", "log.csv", options); }),
+      "log.csv:1: the header has no column of time: expected one of time_s, t_s, t, time, "
+      "timestamp (seconds), time_ms and t_ms; it has 'Zeit [s]', 'T1_N', 'T2_N', and --map "
+      "'COLUMN=time_s' says which of them is one");
+}
+
+TEST(LogColumns, BelowALineOfOtherNamesAreFound) {
+  EXPECT_EQ(log_error("Channel 1,Channel 2,Channel 3\ntime_s,T1_N,T2_N\n0,1,2\n"),
+            "log.csv:1: no name in this line is one of a column, and line 2 has such names: "
+            "expected the header first: take this line out, or begin it with #");
+  EXPECT_EQ(log_of("#Channel 1,Channel 2,Channel 3\ntime_s,T1_N,T2_N\n0,1,2\n").size(), 1U);
 }
 
 TEST(LogColumns, OfOneMeaningAreRefused) {

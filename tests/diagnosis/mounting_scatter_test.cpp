@@ -10,6 +10,7 @@
 #include "diagnosis/model/left_noise.hpp"
 #include "diagnosis/model/mounting/mounted_comparison.hpp"
 #include "diagnosis/model/noise.hpp"
+#include "numerics/random.hpp"
 #include "tests/diagnosis/found_causes.hpp"
 #include "tests/support/planting.hpp"
 
@@ -136,6 +137,57 @@ TEST(NoiseWithinMountings, OfAModelThatPullsNothingIsThatOfTheReadings) {
   ASSERT_TRUE(noise);
   EXPECT_TRUE(std::isfinite(noise->absolute_N));
   EXPECT_GT(noise->absolute_N, 1);
+}
+
+// Pulled and released, with sensors that scatter by 0.5 % and 0.01 N beside motor tensions that are
+// written 2 % off.
+std::string with_scattering_motor(std::uint64_t seed) {
+  std::string text = "run,routing,held,direction,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t row = 0;
+  for (int run = 1; run <= 8; ++run) {
+    for (const char* word : {"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"}) {
+      const Network network = expand(parse_routing(word));
+      for (const int turn : {0, 1, 2, 0, 1, 2}) {
+        const Grasp grasp = turn == 0 ? Grasp{} : hold({turn});
+        const Direction direction = row % 2 == 0 ? Direction::pull : Direction::release;
+        const TensionState state = tensions(network, mechanics(network, {}), grasp, direction);
+        const double load = 12 + 7 * static_cast<double>(row % 7);
+        text += fmt::format("{},{},{},{},{}", run, word, turn == 0 ? "" : std::to_string(turn),
+                            direction == Direction::pull ? "pull" : "release",
+                            load * (1 + 0.02 * normal(seed, 0, row)));
+        for (int strand = 1; strand <= 4; ++strand) {
+          const auto segment = find_segment(network, {SegmentKind::strand, strand, 0}).value();
+          const double tension = load * state.tension[segment];
+          const auto stream = static_cast<std::uint32_t>(strand);
+          text += fmt::format(",{}", tension * (1 + 0.005 * normal(seed, stream, row)) +
+                                         0.01 * normal(seed, 10 + stream, row));
+        }
+        text += "\n";
+        ++row;
+      }
+    }
+  }
+  return text;
+}
+
+TEST(NoiseWithinMountings, HoldsNothingOfMotorTensionsThatScatter) {
+  ReadingOptions options;
+  options.noise.push_back(parse_column_noise("motor=2%"));
+  Workers workers(1);
+  double relative = 0;
+  double absolute_N = 0;
+  constexpr int sets = 6;
+  for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+    const MeasuredData data = read_data(with_scattering_motor(seed), options);
+    const Dataset all = dataset(data, all_readings(data));
+    const auto noise =
+        noise_left_within_mountings(all, Model{}, mounting_modes(all, Model{}, workers));
+    ASSERT_TRUE(noise);
+    relative += noise->relative / sets;
+    absolute_N += noise->absolute_N / sets;
+  }
+  EXPECT_NEAR(relative, 0.005, 0.0005);
+  EXPECT_NEAR(absolute_N, 0.01, 0.002);
 }
 
 }  // namespace

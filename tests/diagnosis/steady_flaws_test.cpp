@@ -1,6 +1,7 @@
 // What is taken from logs with spikes, holes, copies and gaps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -18,6 +19,18 @@ TEST(SteadyReadings, DoNotFollowSpikes) {
   EXPECT_EQ(found.readings.size(), 40U);
   EXPECT_GT(count(found, SampleUse::spike), 15U);
   EXPECT_GT(share_within(deviations_from_truth(samples, found), 3), 0.97);
+}
+
+// Not that contacts do not slide yet.
+TEST(SteadyReadings, NameASensorAtTheEndOfItsRange) {
+  LoggedSeries series = series_of(rig_log({}, one_run));
+  for (double& tension : series.tensions_N[2].values) tension = std::min(tension, 5.5);
+  const SteadyReadings found = steady_readings(series, {});
+  EXPECT_GT(count(found, SampleUse::not_following), 1000U);
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_EQ(found.notes[0].kind, NoteKind::not_following);
+  EXPECT_EQ(found.notes[0].text.substr(0, 10), "T3_N stays");
+  EXPECT_GE(found.notes[0].lines.size(), 4U);
 }
 
 TEST(SteadyReadings, LeaveOutSamplesThatLackAValue) {

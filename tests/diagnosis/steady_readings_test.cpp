@@ -104,7 +104,7 @@ TEST(SteadyReadings, DoNotComeFromStrokesTooShortForTheContactsToSlide) {
   plan.stiffness_N_mm = 0.5;
   plan.greatest_load_N = plan.least_load_N = 30;
   const auto [samples, found] = readings_on(plan);
-  EXPECT_GT(count(found, SampleUse::settling), 800U);
+  EXPECT_GT(count(found, SampleUse::not_following), 800U);
   EXPECT_TRUE(found.readings.empty());
 }
 

@@ -85,6 +85,24 @@ TEST(Structure, OfNoiseIsNone) {
   EXPECT_NEAR(alarms, 0.2 * sets, 3 * std::sqrt(0.2 * 0.8 * sets));
 }
 
+// Where the scales of rows are free, what all readings of a row do together is no pattern.
+TEST(Structure, LooksForNothingThatFreeScalesTakeUp) {
+  std::string csv = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
+  for (int i = 0; i < 30; ++i) csv += fmt::format("r,1-P-2-P-1,{},3,2,4,5\n", 1 + i % 2);
+  const Setting setting(csv);
+  const auto tests = setting.tests();
+  for (const StructureTest& test : tests) {
+    for (Eigen::Index c = 0; c < test.patterns.cols(); ++c) {
+      Eigen::VectorXd beside = test.patterns.col(c);
+      take_out_scales(setting.problem, setting.at, beside);
+      EXPECT_LT((beside - test.patterns.col(c)).norm(), 1e-9) << test.about << ' ' << c;
+    }
+  }
+  const StructureTest* order = test_about(tests, "order of the rows");
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->patterns.norm(), 0);
+}
+
 // One grasp both ways: that pulling reads more and releasing less follows the grasp's direction.
 TEST(Structure, TellsPullingFromReleasing) {
   const Setting setting(two_strands(40, [](int i) {

@@ -1,11 +1,35 @@
 #include "diagnosis/data/intake/beginning.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "diagnosis/data/intake/column_units.hpp"
 
 namespace reeve::diagnosis {
+namespace {
+
+std::ptrdiff_t names_known_in(const CsvRow& row, const ReadingOptions& options) {
+  return std::count_if(row.fields.begin(), row.fields.end(), [&](std::string_view field) {
+    return try_column_named(meaning_of(std::string(trimmed(field)), options)).has_value();
+  });
+}
+
+// The line below may be the header, and this one a logger's names of its channels.
+void require_header_first(const CsvReader& csv, const CsvRow& row, const ReadingOptions& options) {
+  const CsvRow& header = csv.header();
+  if (names_known_in(header, options) > 0 || names_known_in(row, options) < 2) return;
+  throw InputError(
+      {.where = fmt::format("{}:{}", csv.name(), header.line),
+       .what = fmt::format("no name in this line is one of a column, and line {} has such names",
+                           row.line),
+       .expected = "the header first: take this line out, or begin it with #"});
+}
+
+}  // namespace
 
 Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults) {
   Beginning result;
@@ -17,6 +41,7 @@ Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultLis
     result.is_broken = true;
     faults.add(csv.header().line + 1, "where the rest cannot be read", error.fault());
   }
+  if (result.first) require_header_first(csv, *result.first, options);
   return result;
 }
 

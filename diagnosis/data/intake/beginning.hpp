@@ -1,4 +1,5 @@
 // Where the rows of a file begin: the row below the header is one of units, or the first reading.
+// Throws InputError if it is the header, below a line of other names such as a logger's channels.
 #pragma once
 
 #include <functional>

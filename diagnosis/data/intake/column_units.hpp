@@ -1,5 +1,6 @@
-// Which unit a column's numbers are in: what the user says goes before what the file says, and the
-// name and the row of units must agree.
+// Which unit a column's numbers are in: what the user says goes before what the file says, and all
+// that the file says must agree: the name, the row of units, and the meaning that a name is given,
+// which may be one of another unit ("Kraft [kgf]" as motor_tension_N), or of none.
 #pragma once
 
 #include <optional>
@@ -21,6 +22,10 @@ bool is_units_row(const CsvRow& header, const CsvRow& row, const ReadingOptions&
 // Whether the text is that column's name, or means the same.
 bool means(const std::string& text, const std::string& name, DataRole role,
            const MeasuredPlace& place);
+
+// What the column's name says, or else the meaning that it is given.
+std::optional<Unit> unit_of_name(const ColumnName& named, const std::string& name,
+                                 const ReadingOptions& options);
 
 // Nothing where nobody says it. Throws InputError that says what was expected.
 std::optional<Unit> unit_of(const ColumnName& named, const std::string& name,

@@ -83,6 +83,7 @@ class HeaderReader {
     DataColumn column{named->role,  name, range.low,         range.high,
                       named->place, {},   plain_name(*named)};
     column.unit = unit.value_or(own_unit(dimension_of(named->role)));
+    column.unit_is_assumed = dimension_of(named->role) != Dimension::none && !unit;
     note_name(*named, name, unit);
     return column;
   }
@@ -150,16 +151,18 @@ class HeaderReader {
                  const std::optional<Unit>& unit) {
     const Dimension dimension = dimension_of(named.role);
     const bool assumed = dimension != Dimension::none && !unit;
-    const bool against_name = unit && named.unit && !(*unit == *named.unit);
-    const bool as_docs_say =
-        named.role == DataRole::time ? !unit || unit->is_own() || named.unit : !assumed;
+    const auto in_name = unit_of_name(named, name, options_);
+    const bool against_name = unit && in_name && !(*unit == *in_name);
+    const bool in_plain_unit =
+        named.role != DataRole::time || named.unit || (unit && unit->is_own());
+    const bool as_docs_say = !assumed && in_plain_unit;
     if (is_plain(name, named) && as_docs_say && !against_name) return;
     std::string text = fmt::format("'{}' as {}", for_message(name), plain_name(named));
     if (assumed) {
       text += fmt::format(" (no unit is said: {} is assumed)", own_unit(dimension).name);
     }
     if (unit && !unit->is_own()) text += fmt::format(" (from {})", unit->name);
-    if (against_name) text += fmt::format(", though its name says {}", named.unit->name);
+    if (against_name) text += fmt::format(", though its name says {}", in_name->name);
     result_.read_as.back() = std::move(text);
   }
 
