@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
@@ -58,6 +59,15 @@ Routing read_actuated_routing(const std::string& text, const Catalogue& catalogu
   Routing routing = read_routing(text, catalogue);
   require_actuated(graph(expand(routing)), to_word(routing));
   return routing;
+}
+
+void GivenRoutings::add(const Routing& routing) {
+  const std::string word = to_word(routing);
+  const auto [first, is_new] =
+      words_.emplace(to_word(canonical(routing, FingerIdentity::distinct)), word);
+  if (is_new) return;
+  const std::string as = first->second == word ? "" : ", as " + first->second;
+  throw InputError(fmt::format("routing '{}' is given twice{}", word, as));
 }
 
 std::string is_seed(const std::string& text) {
@@ -146,10 +156,10 @@ void ModelOption::add_to(CLI::App& command) {
                 ->excludes(hardware);
 }
 
-ModelFile ModelOption::read() const {
+ModelFile ModelOption::read(const Catalogue& catalogue) const {
   if (option_->count() > 0) {
     if (file_.empty()) throw no_file("--model");
-    return read_model_file(file_);
+    return read_model_file(file_, catalogue);
   }
   const HardwareFile file = hardware_.read();
   return {{file.hardware}, file.uncertainty, file.vary};
@@ -162,7 +172,8 @@ void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   if (option_->count() > 0) inputs.push_back({file_, "the model"});
 }
 
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings,
+                               const std::string& file) {
   const MechanicsBuilder builder(hardware);
   std::vector<std::string> unmatched = builder.unmatched_contacts({});
   for (const Routing& routing : routings) {
@@ -172,7 +183,7 @@ void require_contacts_to_match(const Hardware& hardware, const std::vector<Routi
     });
   }
   if (unmatched.empty()) return;
-  throw InputError({.where = "hardware",
+  throw InputError({.where = file.empty() ? "hardware" : file + ": hardware",
                     .what = "contact",
                     .value = unmatched.front(),
                     .expected = fmt::format(
@@ -275,7 +286,10 @@ void RankingFlags::add_to(CLI::App& command) {
       ->needs(drawn)
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the draws")->check(is_seed)->capture_default_str();
+  command.add_option("--seed", seed, "Seed of the draws")
+      ->needs(drawn)
+      ->check(is_seed)
+      ->capture_default_str();
   command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

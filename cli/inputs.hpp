@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,16 @@ namespace reeve::cli {
 Routing read_routing(const std::string& text, const Catalogue& catalogue);
 // The same, and every tendon must hang on the motor.
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue);
+
+// Routings to compare, each once, whichever way its word is walked.
+class GivenRoutings {
+ public:
+  // Throws InputError that names both words.
+  void add(const Routing& routing);
+
+ private:
+  std::map<std::string, std::string> words_;  // as given, by canonical word
+};
 
 Catalogue shipped_catalogue();
 
@@ -109,7 +120,8 @@ struct OutOption {
 struct ModelOption {
   void add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
-  ModelFile read() const;
+  // Effects on routings may name those of the catalogue.
+  ModelFile read(const Catalogue& catalogue) const;
   std::string name() const;  // of where it comes from
   void list_in(std::vector<InputFile>& inputs) const;
 
@@ -119,9 +131,10 @@ struct ModelOption {
   CLI::Option* option_ = nullptr;
 };
 
-// A contact that the hardware file names must be in one of the routings: else it is likely a slip
-// of the pen.
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings);
+// A contact that the hardware names must be in one of the routings: else it is likely a slip of the
+// pen in its file.
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings,
+                               const std::string& file = "");
 
 struct FormatOption {
   std::string format = "table";

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "cli/inputs.hpp"
-#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 
@@ -68,7 +67,7 @@ std::vector<Routing> ranked_routings(const AskedRoutings& asked, const Catalogue
                       .expected = "routings, --catalog or --store",
                       .form = InputForm::unknown});
   }
-  std::set<std::string> words;
+  GivenRoutings given;
   for (const Routing& routing : result) {
     const std::string word = to_word(routing);
     if (finger_count(routing) == 0) {
@@ -83,9 +82,7 @@ std::vector<Routing> ranked_routings(const AskedRoutings& asked, const Catalogue
                                finger_count(routing), finger_count(routing) == 1 ? "" : "s",
                                to_word(result.front()), finger_count(result.front()))});
     }
-    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
-      throw InputError(fmt::format("routing '{}' is given twice", word));
-    }
+    given.add(routing);
   }
   return result;
 }

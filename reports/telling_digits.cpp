@@ -29,6 +29,17 @@ int telling_decimals(double span, std::size_t steps, int at_least) {
   return decimals;
 }
 
+int significant_decimals(double value, int at_least) {
+  if (!std::isfinite(value) || value == 0) return at_least;
+  constexpr int digits = 3;
+  constexpr int most = 10;
+  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  int decimals = std::clamp(digits - before_point, at_least, most);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  for (; decimals > at_least && text.back() == '0'; --decimals) text.pop_back();
+  return decimals;
+}
+
 std::string rounded_text(double value, Rounding way) {
   if (!std::isfinite(value) || value == 0) return fmt::format("{}", value);
   constexpr int digits = 4;

@@ -15,6 +15,10 @@ int telling_digits(std::vector<double> values, int at_least = 4);
 // Decimals, at least so many and at most 9, at which what spans so much takes as many steps.
 int telling_decimals(double span, std::size_t steps, int at_least);
 
+// Decimals, at least so many and at most 10, at which a value has three significant digits, less
+// the zeros that these end with: 2 of 17.05 and of 0.3, 4 of 0.0021, if at least 2.
+int significant_decimals(double value, int at_least);
+
 // Rounded to four significant digits or to the unit, whichever is finer, never to the other side:
 // up or down.
 enum class Rounding { up, down };

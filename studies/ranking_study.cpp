@@ -59,6 +59,7 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   report.score = request.score;
   report.grasps = request.grasps;
   report.model = request.model;
+  report.ranges = request.ranges;
   const std::vector<RankedDesign> designs = ranked(request, report.unconverged);
   const std::vector<Routing> routings = in_order(request.routings, designs);
   DrawnDesigns drawn;

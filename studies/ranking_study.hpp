@@ -64,6 +64,7 @@ struct RankReport {
   // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;
+  UncertaintyRanges ranges;  // of either
   std::optional<RankDetails> details;
   ListedLadder ladder;
   std::optional<PartPrices> prices;

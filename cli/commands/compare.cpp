@@ -29,11 +29,11 @@ struct CompareFlags {
 
 CompareReport report(const CompareFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
-  const Model model = flags.model.read().model;
+  const Model model = flags.model.read(catalogue).model;
   MeasuredData data = flags.readings.read(flags.data, catalogue);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
-  require_contacts_to_match(model.hardware, routings);
+  require_contacts_to_match(model.hardware, routings, flags.model.name());
   return comparison_study(std::move(data), model, catalogue);
 }
 

@@ -63,7 +63,7 @@ Sheet shortest_sheet(const ExploreInputs& inputs, const ListedWith& with) {
 ExploreInputs read(const ExploreFlags& flags) {
   ExploreInputs inputs;
   inputs.catalogue = shipped_catalogue();
-  const ModelFile file = flags.model.read();
+  const ModelFile file = flags.model.read(inputs.catalogue);
   inputs.options = flags.read(file.model, inputs.catalogue);
   inputs.drawn = flags.read_uncertainty(file, inputs.options);
   const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value(),
@@ -129,7 +129,12 @@ void prepare_folder(const ExploreFlags& flags, std::vector<InputFile> inputs) {
   flags.store.list_in(inputs);
   require_no_input_in(flags.out, exploration_files(), inputs);
   prepare_directory(flags.out, "--out");
-  require_file_can_be_written(std::filesystem::path(flags.out) / "index.html", "--out");
+  // Better now than after hours.
+  const std::filesystem::path out = flags.out;
+  for (const std::string& file : exploration_files()) {
+    require_file_can_be_written(out / file, "--out");
+  }
+  require_folder_can_be_written(out / "figures", "--out");
 }
 
 void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::App& command,

@@ -45,6 +45,7 @@ struct RankFlags {
   std::vector<std::string> routings;
   bool catalog = false;
   int fingers = 2;
+  CLI::Option* fingers_given = nullptr;
   FamilyOption family;
   bool margin = false;
   OutOption out;
@@ -60,7 +61,17 @@ struct RankFlags {
   FormatOption format;
 };
 
+// Routings that are given say how many fingers those of the catalogue have.
+void require_fingers_to_count(const RankFlags& flags) {
+  if (flags.fingers_given->count() == 0 || flags.routings.empty()) return;
+  throw InputError(
+      {.what = "--fingers",
+       .value = fmt::format("{}", flags.fingers),
+       .expected = "--catalog with it, and no routings: where there are some, theirs count"});
+}
+
 AskedRoutings asked_routings(const RankFlags& flags, const Catalogue& catalogue) {
+  require_fingers_to_count(flags);
   return {flags.routings, flags.catalog, flags.fingers, flags.family.read(catalogue)};
 }
 
@@ -89,8 +100,8 @@ RankInputs read(const RankFlags& flags) {
   const AskedRoutings asked = asked_routings(flags, inputs.catalogue);
   inputs.routings = ranked_routings(asked, inputs.catalogue);
   if (asked.family) name_by(*asked.family, inputs.catalogue);
-  inputs.file = flags.model.read();
-  require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
+  inputs.file = flags.model.read(inputs.catalogue);
+  require_contacts_to_match(inputs.file.model.hardware, inputs.routings, flags.model.name());
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
   inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
   if (flags.data_given->count() > 0) {
@@ -175,10 +186,25 @@ Sheet shortest_sheet(const RankRequest& asked, const ListedWith& with, const Lis
   return rank_sheet(report, columns);
 }
 
+// What takes long and would then be shown nowhere: a page has both.
+void require_all_to_be_shown(const RankFlags& flags) {
+  const char* asked = flags.margin ? "--margin" : flags.sweep.text.empty() ? "" : "--sweep";
+  if (*asked == '\0' || flags.out.is_given()) return;
+  const char* lacks = flags.format.is("csv")          ? "--format csv"
+                      : !flags.tables.columns.empty() ? "--columns"
+                                                      : "";
+  if (*lacks == '\0') return;
+  throw InputError({.where = asked,
+                    .what = fmt::format("{} prints the ranking alone", lacks),
+                    .expected = "one of the two, or --out with them for a page",
+                    .form = InputForm::unknown});
+}
+
 int run(const RankFlags& flags, const CLI::App& command) {
   if (flags.stored.is_given()) {
     return rank_stored(command, flags.stored, flags.tables, flags.format);
   }
+  require_all_to_be_shown(flags);
   const RankInputs inputs = read(flags);
   RankRequest asked = request(flags, inputs);
   asked.details = flags.out.is_given();
@@ -224,9 +250,11 @@ void add_options(CLI::App& command, RankFlags& flags) {
               "For --catalog: the family, all with the same hardware; paper, which it is "
               "by default, or a folder of families/")
       ->needs(catalog);
-  command.add_option("--fingers", flags.fingers, "For --catalog alone: number of fingers")
-      ->check(CLI::Range(1, max_fingers))
-      ->capture_default_str();
+  flags.fingers_given =
+      command.add_option("--fingers", flags.fingers, "For --catalog alone: number of fingers")
+          ->needs(catalog)
+          ->check(CLI::Range(1, max_fingers))
+          ->capture_default_str();
   command.add_flag("--margin", flags.margin,
                    "Search the ranges of the coefficients for where the first design's lead over "
                    "each other one is least");

@@ -50,8 +50,8 @@ ShownRouting report(const ShowFlags& flags) {
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
   const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
-  const Model model = own ? Model{*mechanism->hardware} : flags.model.read().model;
-  require_contacts_to_match(model.hardware, {routing});
+  const Model model = own ? Model{*mechanism->hardware} : flags.model.read(catalogue).model;
+  require_contacts_to_match(model.hardware, {routing}, flags.model.name());
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   ShownRouting shown = shown_routing(routing, model, grasps(flags, finger_count(routing)),
@@ -86,6 +86,15 @@ void require_one_grasp_to_draw(const ShowFlags& flags) {
   }
 }
 
+// A graph has no objectives.
+void require_cost_to_be_shown(const ShowFlags& flags) {
+  if (!flags.format.is("dot") || !flags.prices.is_given() || flags.out.is_given()) return;
+  throw InputError({.where = "--cost",
+                    .what = "--format dot shows no cost",
+                    .expected = "another format, or --out with it for a page",
+                    .form = InputForm::unknown});
+}
+
 void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
   flags.svg.write(show_svg(report, flags.held.empty() ? nullptr : &report.grasps.front()));
 }
@@ -99,6 +108,7 @@ void write_page(const std::filesystem::path& folder, const ShownRouting& report,
 }
 
 void run(const ShowFlags& flags, const CLI::App& command) {
+  require_cost_to_be_shown(flags);
   const ShownRouting shown = report(flags);
   require_one_grasp_to_draw(flags);
   require_places(flags);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -102,6 +103,27 @@ std::vector<NamedEffect> read_causes(const SimulateFlags& flags, const Catalogue
   return causes;
 }
 
+// Names the option that gives what the cause depends on.
+void require_shown(const NamedEffect& cause, const Survey& possible) {
+  struct Remedy {
+    bool Survey::*has;
+    const char* option;
+  };
+  constexpr std::array remedies{
+      Remedy{&Survey::has_speed, "--speed"}, Remedy{&Survey::has_cycle, "--cycles"},
+      Remedy{&Survey::has_temperature, "--temperature"},
+      Remedy{&Survey::has_both_directions, "--directions pull,release"},
+      Remedy{&Survey::sheath_angle_varies, "--sheath-angle with more than one"}};
+  const Lack* lacking = lack(cause.name, possible);
+  if (lacking == nullptr) return;
+  for (const Remedy& remedy : remedies) {
+    if (remedy.has != lacking->has) continue;
+    throw InputError({.where = fmt::format("--cause '{}'", cause.name),
+                      .what = lacking->why,
+                      .expected = remedy.option});
+  }
+}
+
 // A wrong grasp can be hidden once for each grasp recorded.
 bool same(const Effect& a, const Effect& b) {
   return effect_name(a) == effect_name(b) && a.subject.recorded == b.subject.recorded;
@@ -113,9 +135,10 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   model.hardware = flags.hardware.read().hardware;
   std::vector<Routing> routings;
   for (const PlannedRouting& planned : plan.routings) routings.push_back(planned.routing);
-  require_contacts_to_match(model.hardware, routings);
+  require_contacts_to_match(model.hardware, routings, flags.hardware.name());
   const Survey possible = survey(plan);
   for (const NamedEffect& cause : read_causes(flags, catalogue)) {
+    require_shown(cause, possible);
     const Effect effect =
         for_name("--cause ", [&] { return effect_of(cause, possible, model.hardware); });
     for (const Effect& other : model.effects) {

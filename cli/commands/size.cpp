@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/asked/asked_command.hpp"
@@ -15,7 +15,6 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
-#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
@@ -23,6 +22,7 @@
 #include "pages/sizing/sizing_page.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/files.hpp"
+#include "reports/results/model_text.hpp"
 #include "reports/sizing/explored_settings.hpp"
 #include "reports/sizing/sizing_report.hpp"
 #include "reports/uncertainty/range_notes.hpp"
@@ -55,7 +55,7 @@ std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& cata
 }
 
 void require_comparable(const std::vector<Routing>& routings) {
-  std::set<std::string> words;
+  GivenRoutings given;
   const int fingers = finger_count(routings.front());
   for (const Routing& routing : routings) {
     const std::string word = to_word(routing);
@@ -71,9 +71,7 @@ void require_comparable(const std::vector<Routing>& routings) {
            .what = fmt::format("it has {} finger{}", own, own == 1 ? "" : "s"),
            .expected = fmt::format("as many as '{}' has: {}", to_word(routings.front()), fingers)});
     }
-    if (!words.insert(to_word(canonical(routing, FingerIdentity::distinct))).second) {
-      throw InputError(fmt::format("routing '{}' is given twice", word));
-    }
+    given.add(routing);
   }
 }
 
@@ -111,6 +109,19 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
   }
 }
 
+bool counts_score(const Goal& goal) {
+  return std::find(goal.factors.begin(), goal.factors.end(), Objective::score) !=
+         goal.factors.end();
+}
+
+// Weights that nothing asks for would be passed over.
+void require_score_to_count(const SizeFlags& flags, const Goal& goal) {
+  if (flags.score_given->count() == 0 || counts_score(goal)) return;
+  throw InputError({.what = "--score",
+                    .value = flags.score,
+                    .expected = "--goal score with it; the goal is another"});
+}
+
 SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fingers) {
   SizingOptions options = flags.search;
   options.nominal = file.model;
@@ -124,18 +135,21 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   options.goal = for_name("--", [&] {
     return targeted ? parse_target(flags.target, fingers) : parse_goal(flags.goal);
   });
-  const std::vector<Objective>& factors = options.goal.factors;
-  require_hand_for("--goal", factors, options.nominal.hardware);
-  if (std::find(factors.begin(), factors.end(), Objective::score) != factors.end()) {
+  require_score_to_count(flags, options.goal);
+  require_hand_for("--goal", options.goal.factors, options.nominal.hardware);
+  if (counts_score(options.goal)) {
     require_hand_for("--score", options.score, options.nominal.hardware);
   }
   read_bounds(flags, file.vary, options);
   return options;
 }
 
-std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options) {
+std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options, int fingers) {
   std::vector<std::string> notes;
   if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
+  for (std::string& note : absent_finger_notes(options.nominal, fingers)) {
+    notes.push_back(std::move(note));
+  }
   if (flags.from_given->count() == 0) return notes;
   const std::string differing =
       differing_settings(summary_of_one_exploration(flags.from), options.nominal, options.grasps);
@@ -219,9 +233,9 @@ SizeInputs read(const SizeFlags& flags) {
   inputs.catalogue = shipped_catalogue();
   inputs.routings = read_routings(flags, inputs.catalogue);
   require_comparable(inputs.routings);
-  const ModelFile file = flags.model.read();
+  const ModelFile file = flags.model.read(inputs.catalogue);
   const Hardware& hardware = file.model.hardware;
-  require_contacts_to_match(hardware, inputs.routings);
+  require_contacts_to_match(hardware, inputs.routings, flags.model.name());
   inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
   inputs.vary = file.vary;
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
@@ -235,7 +249,7 @@ SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
                    const StudySupervision& supervision) {
   SizingReport report =
       sizing_study(inputs.routings, inputs.options, inputs.catalogue, supervision);
-  report.notes = notes(flags, inputs.options);
+  report.notes = notes(flags, inputs.options, finger_count(inputs.routings.front()));
   return report;
 }
 
@@ -287,7 +301,7 @@ void write_asked(SizingReport report, const Arguments& arguments) {
 
 std::string asked_hardware_toml(const SizingReport& report, const Arguments& arguments) {
   const AskedCommand<SizeFlags> asked("size", add_options, arguments);
-  return sized_hardware_toml(report, asked.flags().model.read().vary);
+  return sized_hardware_toml(report, asked.flags().model.read(shipped_catalogue()).vary);
 }
 
 }  // namespace reeve::cli

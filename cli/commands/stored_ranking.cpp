@@ -52,7 +52,7 @@ void require_nothing_else(const CLI::App& rank) {
 // Hardware and prices are read again, and must say the same.
 ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& store,
                               const std::string& name, const Catalogue& catalogue) {
-  const ModelFile file = explore.flags.model.read();
+  const ModelFile file = explore.flags.model.read(catalogue);
   ExploreOptions options = explore.flags.read(file.model, catalogue);
   const auto uncertainty = explore.flags.ranking.uncertainty
                                ? std::optional(explore.flags.read_uncertainty(file, options))

@@ -18,20 +18,22 @@ void add_goal(CLI::App& command, SizeFlags& flags) {
                       "Instead: how hard the fingers are to pull, relative to each other, such as "
                       "1=2,others=1")
           ->excludes(goal);
-  command.add_option("--score", flags.score, "For --goal score: objectives with weights")
-      ->default_str("authors");
+  flags.score_given =
+      command.add_option("--score", flags.score, "For --goal score: objectives with weights")
+          ->default_str("authors");
   flags.grasps_given = command
                            .add_option("--grasps", flags.grasps,
                                        "As of rank; with --target none held, unless they are given")
                            ->capture_default_str();
-  command.add_flag("--nominal", flags.nominal,
-                   "Size for the coefficients as they are, and not for the 5 % quantile over their "
-                   "ranges");
 }
 
 void add_search(CLI::App& command, SizeFlags& flags) {
   SizingOptions& search = flags.search;
+  CLI::Option* nominal = command.add_flag(
+      "--nominal", flags.nominal,
+      "Size for the coefficients as they are, and not for the 5 % quantile over their ranges");
   command.add_option("--draws", search.draws, "Draws of the coefficients")
+      ->excludes(nominal)
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
       ->capture_default_str();
   command.add_option("--seed", search.seed, "Seed of the draws and of the starts")

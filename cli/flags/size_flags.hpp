@@ -27,6 +27,7 @@ struct SizeFlags {
   std::string grasps = "single";
   CLI::Option* grasps_given = nullptr;
   std::string score = "authors";
+  CLI::Option* score_given = nullptr;
   bool nominal = false;
   SizingOptions search;  // draws, seed, starts, evaluations, threads
   std::string save;

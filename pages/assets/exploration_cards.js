@@ -58,8 +58,8 @@ const explorationCards = (() => {
     const designs = state.designs();
     return table("Objectives",
       ["objective", "value", "unit", "better"],
-      state.objectives.map(({ title, unit, better }, column) =>
-        [title, explorationCharts.cell({ unit }, designs.values[column][row]) +
+      state.objectives.map(({ name, title, unit, better }, column) =>
+        [title, explorationCharts.cell({ name, unit }, designs.values[column][row]) +
           explorationCharts.bandText(designs, column, row), unit, better]));
   }
 

@@ -30,9 +30,9 @@ const explorationCharts = (() => {
     if (share < 1 && text === "100.0") return "over 99.9 %";
     return `${text} %`;
   };
-  // Aligned in a column.
-  const cell = (objective, value) =>
-    objective.unit === "1" && value !== null ? value.toFixed(4) : number(value);
+  // Shares are aligned in a column. A cost without a unit is no share.
+  const cell = ({ name, unit }, value) =>
+    unit === "1" && name !== "cost" && value !== null ? value.toFixed(4) : number(value);
   const axisTitle = (objective) =>
     `${objective.title}${objective.unit === "1" ? "" : `, ${objective.unit}`}` +
     ` (${objective.better} is better)`;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {
@@ -47,6 +48,9 @@ VerdictLabel verdict_label(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   switch (result.verdict) {
     case Verdict::none:
+      if (!beyond_belief_sentence(result).empty()) {
+        return {"No cause is named, but the readings scatter beyond belief", "question"};
+      }
       return {weak_structure_remains(report) ? "No cause is named, and weak structure remains"
                                              : "Nothing is wrong that the readings could show",
               "check"};

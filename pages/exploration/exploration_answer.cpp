@@ -11,6 +11,7 @@
 #include "reports/decision/decision_words.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -36,7 +37,7 @@ std::string values_text(const ExploreReport& report, const ListedDesign& design)
   for (const Objective objective : ranked_and_constrained(report.options)) {
     const ObjectiveRow& about = row(objective);
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", objective_title(about),
-                        fixed(value(design.ranked.design.values, objective), about.decimals));
+                        shown_value(objective, value(design.ranked.design.values, objective)));
   }
   constexpr std::pair<Objective, const char*> parts[] = {{Objective::sheaths, "sheath"},
                                                          {Objective::pulleys, "pulley"},

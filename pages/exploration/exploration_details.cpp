@@ -60,15 +60,22 @@ class Lines {
 
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
-// Without its schematic unless `drawn`.
-Json grasp_json(const ShownRouting& report, std::size_t grasp, bool drawn, Lines& lines) {
+std::string planned_svg(const ShownRouting& report, const LayoutPlan& plan, std::size_t grasp,
+                        const std::string& ids) {
+  const ShownGrasp& shown = report.grasps[grasp];
+  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
+  return schematic_svg(schematic(report.network, plan, title,
+                                 GraspView{shown.grasp, report.direction, shown.state}, false),
+                       ids);
+}
+
+Json grasp_json(const ShownRouting& report, std::size_t grasp) {
   const ShownGrasp& shown = report.grasps[grasp];
   Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
   json["tensions"] = Json::array();
   for (const double tension : shown.state.tension) {
     json["tensions"].push_back(three_decimals(tension));
   }
-  if (drawn) json["schematic"] = lines.add(grasp_svg(report, grasp, "schematic"));
   return json;
 }
 
@@ -82,8 +89,11 @@ Json design_json(const ShownRouting& report, bool whole, Lines& lines) {
     json["shared"] = std::move(shared);
   }
   json["grasps"] = Json::array();
+  const LayoutPlan plan = layout_plan(report.network);
   for (std::size_t i = 0; i < report.grasps.size(); ++i) {
-    json["grasps"].push_back(grasp_json(report, i, whole || i == 0, lines));
+    Json grasp = grasp_json(report, i);
+    if (whole || i == 0) grasp["schematic"] = lines.add(planned_svg(report, plan, i, "schematic"));
+    json["grasps"].push_back(std::move(grasp));
   }
   json["contacts"] = Json::array();
   for (const ShownContact& contact : shown_contacts(report)) {
@@ -155,11 +165,7 @@ DesignDetails design_details(const DetailedDesigns& designs, const SolveDesign& 
 }
 
 std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids) {
-  const ShownGrasp& shown = report.grasps[grasp];
-  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
-  return schematic_svg(schematic(report.network, title,
-                                 GraspView{shown.grasp, report.direction, shown.state}, false),
-                       ids);
+  return planned_svg(report, layout_plan(report.network), grasp, ids);
 }
 
 }  // namespace reeve::pages

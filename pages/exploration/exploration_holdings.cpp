@@ -36,7 +36,10 @@ std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std
 }
 
 std::size_t details_of(const ExplorationView& view) {
-  return view.details.value_or(usual_schematics / view.report.options.grasps.size());
+  // Who stopped an exploration waits for its end.
+  constexpr std::size_t in_a_hurry = 20;
+  const std::size_t drawn = view.report.result.partial ? in_a_hurry : usual_schematics;
+  return view.details.value_or(drawn / view.report.options.grasps.size());
 }
 
 // How many there could be, however many are asked for.
@@ -101,7 +104,7 @@ HeldDesigns held_designs(const ExploreReport& report) {
 
 DetailedDesigns detailed_designs(const ExplorationView& view) {
   DetailedDesigns designs{in_order_of_details(view.report, details_of(view)), {}};
-  if (view.details) return designs;
+  if (view.details || view.report.result.partial) return designs;
   const std::vector<const Routing*> more =
       in_order_of_details(view.report, details_of(view) + usual_first_schematics);
   designs.brief.assign(more.begin() + static_cast<std::ptrdiff_t>(designs.whole.size()),

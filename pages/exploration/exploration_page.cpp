@@ -74,9 +74,7 @@ std::string schematic_id(std::string word) {
 // What the schematics of this page can show; whether a strand is slack in one, their grasps say.
 DrawnParts drawn_parts(const ExplorationView& view) {
   DrawnParts parts;
-  const auto add = [&](const Routing& routing) {
-    parts |= reports::drawn_parts(layout(expand(routing), {}));
-  };
+  const auto add = [&](const Routing& routing) { parts |= reports::drawn_parts(expand(routing)); };
   for (const Routing& routing : drawn_routings(view.report)) add(routing);
   const DetailedDesigns detailed = detailed_designs(view);
   for (const Routing* routing : detailed.whole) add(*routing);

@@ -21,11 +21,11 @@ namespace {
 constexpr std::size_t first_designs = 50;
 constexpr std::size_t front_designs = 200;
 
-// Shares line up in their column.
+// Shares line up in their column. A cost without a unit is no share.
 std::string cell(const ObjectiveRow& row, const ListedDesign& design) {
   const double v = value(design.ranked.design.values, row.objective);
-  return row.unit == std::string_view("1") && std::isfinite(v) ? fmt::format("{:.4f}", v)
-                                                               : four_digits(v);
+  const bool is_share = row.unit == std::string_view("1") && row.objective != Objective::cost;
+  return is_share && std::isfinite(v) ? fmt::format("{:.4f}", v) : four_digits(v);
 }
 
 Json design_row(const ListedDesign& design, const std::vector<Objective>& shown) {

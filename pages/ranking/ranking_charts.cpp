@@ -40,6 +40,10 @@ struct SharedSpot {
   Bands bands;  // of the first of them
 };
 
+bool reads_alike(Objective objective, double one, double other) {
+  return objective_text(objective, one) == objective_text(objective, other);
+}
+
 std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, const Axes& axes) {
   std::vector<SharedSpot> result;
   for (std::size_t i = 0; i < report.designs.size(); ++i) {
@@ -47,7 +51,7 @@ std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, c
     const double x = value(ranked.design.values, axes.first);
     const double y = value(ranked.design.values, axes.second);
     auto found = std::find_if(result.begin(), result.end(), [&](const SharedSpot& point) {
-      return fixed(point.x) == fixed(x) && fixed(point.y) == fixed(y);
+      return reads_alike(axes.first, point.x, x) && reads_alike(axes.second, point.y, y);
     });
     if (found == result.end())
       found = result.insert(found, {x, y, false, {}, report.designs[i].bands});
@@ -69,7 +73,8 @@ std::string shortened(const std::vector<std::string>& names) {
 chart::Spot spot(const SharedSpot& point, const Axes& on, bool labelled) {
   const std::string names = shortened(point.names);
   const auto line = [](Objective objective, double value) {
-    return fmt::format("\n{} {}", objective_title(row(objective)), fixed(value));
+    return fmt::format("\n{} {}", objective_title(row(objective)),
+                       objective_text(objective, value));
   };
   return {point.x, point.y, names + line(on.first, point.x) + line(on.second, point.y),
           labelled ? names : ""};
@@ -104,7 +109,8 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
     span[1].add(point.y);
     (point.on_front ? front : dominated)
         .spots.push_back(spot(point, on, all_named || point.on_front));
-    alt += fmt::format(" {}: {}, {}.", shortened(point.names), fixed(point.x), fixed(point.y));
+    alt += fmt::format(" {}: {}, {}.", shortened(point.names), objective_text(on.first, point.x),
+                       objective_text(on.second, point.y));
   }
   std::string caption = "Routings on one point share its label.";
   if (!all_named) caption += " Only those on the Pareto front are labelled.";

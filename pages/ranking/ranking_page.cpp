@@ -58,7 +58,7 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
                                    std::to_string(design.ranked.front), labels[i],
                                    design.ranked.design.word};
     for (const Objective objective : shown) {
-      cells.push_back(objective_text(row(objective), design.ranked.design.values));
+      cells.push_back(objective_text(objective, value(design.ranked.design.values, objective)));
     }
     if (design.distribution) {
       const RankDistribution& drawn = *design.distribution;

@@ -9,6 +9,7 @@
 #include "reports/json.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/sheet/text_table.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -28,8 +29,8 @@ std::string heading(const ShownGrasp& shown) {
 
 }  // namespace
 
-std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& values) {
-  return fixed(value(values, row.objective), row.is_count() ? 0 : 3);
+std::string objective_text(Objective objective, double value) {
+  return fixed(value, shown_decimals(objective, value, row(objective).is_count() ? 0 : 3));
 }
 
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state) {
@@ -109,7 +110,8 @@ HtmlTable objective_table(const ShownRouting& report) {
     if (!is_there(row, report.values)) continue;
     if (row.objective == Objective::cost && !report.prices) continue;
     const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
-    table.add({objective_title(row), objective_text(row, report.values),
+    table.add({objective_title(row),
+               objective_text(row.objective, value(report.values, row.objective)),
                priced ? report.prices->unit : row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};

@@ -14,8 +14,8 @@
 
 namespace reeve::pages {
 
-// Counts without decimals.
-std::string objective_text(const ObjectiveRow& row, const ObjectiveValues& values);
+// Counts without decimals, others with three: of a cost as many more as tell it.
+std::string objective_text(Objective objective, double value);
 
 // In the order T1 … T2n.
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "reports/results/data_text.hpp"
+#include "reports/shown_value.hpp"
 #include "reports/telling_digits.hpp"
 
 namespace reeve::reports {
@@ -48,8 +49,8 @@ std::string value_text(Objective objective, const ObjectiveValues& values,
   }
   const std::string unit = shown_unit(objective_unit(objective, cost_unit));
   return fmt::format("{} {}{}{}", objective_heading(objective),
-                     fixed(value(values, objective), row(objective).decimals),
-                     unit.empty() ? "" : " ", unit);
+                     shown_value(objective, value(values, objective)), unit.empty() ? "" : " ",
+                     unit);
 }
 
 // "uniformity 0.985 (-1.1 %)": the change against the first, whichever way is better.
@@ -68,7 +69,7 @@ std::string measure_text(const ListedLadder& ladder, double amount) {
   const MeasureWords& words = words_of(ladder.ladder.options.by);
   if (*words.one != '\0') return plural(static_cast<std::size_t>(amount), words.one);
   const std::string unit = ladder.cost_unit.empty() ? "" : " " + ladder.cost_unit;
-  return fmt::format("cost {}{}", fixed(amount, 2), unit);
+  return fmt::format("cost {}{}", shown_value(Objective::cost, amount), unit);
 }
 
 bool stays_open(const ObjectiveValues& values) {

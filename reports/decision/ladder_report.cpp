@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
 #include "reports/results/design_list.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -35,6 +37,15 @@ std::string marks(const ListedLadder& ladder, std::size_t i) {
   if (all.affordable && all.affordable->word == word) add(within_text(all.options));
   if (all.first.word == word) add("first");
   return text;
+}
+
+// Of the ladder's first column.
+int by_decimals(const Ladder& ladder) {
+  int decimals = row(ladder.options.by).decimals;
+  for (const Rung& rung : ladder.rungs) {
+    decimals = std::max(decimals, shown_decimals(ladder.options.by, rung.at_most));
+  }
+  return decimals;
 }
 
 std::vector<TableColumn> columns(const Ladder& ladder, const std::string& cost_unit) {
@@ -123,7 +134,7 @@ Section ladder_section(const ListedLadder& ladder) {
   const Ladder& all = ladder.ladder;
   if (all.rungs.size() < 2) return {};
   Table table{columns(all, ladder.cost_unit), {}};
-  const int decimals = row(all.options.by).decimals;
+  const int decimals = by_decimals(all);
   for (std::size_t i = 0; i < all.rungs.size(); ++i) {
     const ListedDesign& design = ladder.rungs[i];
     std::vector<std::string> cells{fixed(all.rungs[i].at_most, decimals),
@@ -131,8 +142,8 @@ Section ladder_section(const ListedLadder& ladder) {
                                    design.ranked.design.word};
     for (const Objective objective : all.objectives) {
       if (objective == all.options.by) continue;
-      cells.push_back(
-          fixed(value(design.ranked.design.values, objective), row(objective).decimals));
+      cells.push_back(fixed(value(design.ranked.design.values, objective),
+                            shown_decimals(objective, ladder.rungs)));
       cells.push_back(gain_cell(ladder, i, objective));
     }
     cells.push_back(percent(all.rungs[i].kept));

@@ -139,7 +139,8 @@ std::string none_answer(const DiagnosisReport& report) {
   std::string text =
       fmt::format("The model as it stands explains {} {}.\n",
                   some_are_far(result) ? "the training runs" : "the data",
-                  !is_believed ? "only if mountings differ by more than can be believed"
+                  drowns_in_noise(result) ? "only if readings scatter by more than can be believed"
+                  : !is_believed          ? "only if mountings differ by more than can be believed"
                   : weak_structure_remains(report) ? "but for weak structure"
                                                    : "as well as their noise allows");
   if (some_are_far(result))

@@ -131,7 +131,18 @@ std::string row_sentence(const DiagnosisResult& result) {
              100 * off);
 }
 
+bool drowns_in_noise(const DiagnosisResult& result) {
+  constexpr double most_of_any_sensor = 0.5;
+  return result.noise.source != NoiseSource::known && result.noise.relative > most_of_any_sensor;
+}
+
 std::string beyond_belief_sentence(const DiagnosisResult& result) {
+  if (drowns_in_noise(result)) {
+    return fmt::format(
+        "Check this first: it takes readings that scatter by {:.0f} %, more than those of any force "
+        "sensor. Are routings, grasps, directions, units and columns what the file says?",
+        100 * result.noise.relative);
+  }
   std::vector<std::string> beyond;
   for (const Mounted kind : all_kinds) {
     if (is_beyond_belief(result.mounting, kind)) {

@@ -14,7 +14,9 @@ namespace reeve::reports {
 std::vector<std::string> scatter_sentences(const DiagnosisResult& result);
 // That readings of one row go together; empty if they do not.
 std::string row_sentence(const DiagnosisResult& result);
-// That mountings would have to differ by more than can be believed; empty if not.
+// Readings scatter so much that hardly anything would show.
+bool drowns_in_noise(const DiagnosisResult& result);
+// That it takes such readings, or mountings that differ by more than can be believed; empty if not.
 std::string beyond_belief_sentence(const DiagnosisResult& result);
 Json row_scatter_json(const DiagnosisResult& result);
 Json mountings_json(const DiagnosisResult& result);

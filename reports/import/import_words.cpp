@@ -14,6 +14,8 @@ const char* sample_use_words(SampleUse use) {
       return "the tensions are not steady";
     case SampleUse::settling:
       return "not all contacts slide yet";
+    case SampleUse::not_following:
+      return "a tension does not follow the load";
     case SampleUse::slack:
       return "no tension";
     case SampleUse::no_direction:

@@ -12,6 +12,7 @@
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
 #include "reports/results/shared_carriage.hpp"
+#include "reports/shown_value.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/drawn_columns.hpp"
 #include "search/uncertainty/sweep.hpp"
@@ -24,8 +25,13 @@ bool with_distributions(const std::vector<ListedDesign>& designs) {
                      [](const ListedDesign& design) { return design.distribution.has_value(); });
 }
 
+// Of an objective in a column, with as many decimals as the column's cells take.
+struct ColumnRow {
+  const ObjectiveRow* row;
+  int decimals;
+};
 // Objectives that make one column: the parts of one family.
-using ColumnRows = std::vector<const ObjectiveRow*>;
+using ColumnRows = std::vector<ColumnRow>;
 
 bool has_blocks(const std::vector<ListedDesign>& designs) {
   return std::any_of(designs.begin(), designs.end(), [](const ListedDesign& design) {
@@ -43,15 +49,19 @@ bool has_cost(const std::vector<ListedDesign>& designs) {
          std::isfinite(value(designs.front().ranked.design.values, Objective::cost));
 }
 
-std::vector<ColumnRows> all_columns() {
+ColumnRow column_row(const ObjectiveRow& row, const std::vector<ListedDesign>& designs) {
+  return {&row, shown_decimals(row.objective, designs)};
+}
+
+std::vector<ColumnRows> all_columns(const std::vector<ListedDesign>& designs) {
   std::vector<ColumnRows> columns;
-  for (const ObjectiveRow& row : objective_table()) columns.push_back({&row});
+  for (const ObjectiveRow& row : objective_table()) columns.push_back({column_row(row, designs)});
   return columns;
 }
 
 std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
                                           std::vector<Objective> shown, const ListColumns& wanted) {
-  if (!wanted.chosen.empty()) return all_columns();
+  if (!wanted.chosen.empty()) return all_columns(designs);
   const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
   if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
   const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
@@ -60,15 +70,15 @@ std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& desig
   for (const Objective objective : shown) {
     const ObjectiveRow& about = row(objective);
     const bool joins = !wanted.apart && !columns.empty() &&
-                       std::string_view(columns.back().front()->family) == about.family;
+                       std::string_view(columns.back().front().row->family) == about.family;
     if (!joins) columns.emplace_back();
-    columns.back().push_back(&about);
+    columns.back().push_back(column_row(about, designs));
   }
   return columns;
 }
 
 TableColumn objective_column(const ColumnRows& rows, bool apart, const std::string& cost_unit) {
-  const ObjectiveRow& row = *rows.front();
+  const ObjectiveRow& row = *rows.front().row;
   const std::string part = apart && *row.part != '\0' ? std::string(", ") + row.part : "";
   TableColumn column =
       number_column(row.heading + part, objective_unit(row.objective, cost_unit), row.dispensable);
@@ -78,8 +88,8 @@ TableColumn objective_column(const ColumnRows& rows, bool apart, const std::stri
 
 std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values) {
   std::string cell;
-  for (const ObjectiveRow* row : rows) {
-    cell += (cell.empty() ? "" : "/") + fixed(value(values, row->objective), row->decimals);
+  for (const ColumnRow& of : rows) {
+    cell += (cell.empty() ? "" : "/") + fixed(value(values, of.row->objective), of.decimals);
   }
   return cell;
 }

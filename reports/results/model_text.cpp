@@ -59,6 +59,10 @@ std::string list(const Model& model, bool in_designs) {
   return text;
 }
 
+std::string absent_finger_note(const std::string& what, int finger) {
+  return fmt::format("{} changes nothing: no routing here has a finger {}", what, finger);
+}
+
 }  // namespace
 
 Json model_json(const Model& model, std::uint64_t unconverged) {
@@ -95,6 +99,30 @@ std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged
                                  "solve{} did not converge, and the figures are approximate",
                                  unconverged, unconverged == 1 ? "" : "s"),
                      true});
+  }
+  return lines;
+}
+
+std::vector<std::string> absent_finger_notes(const Model& model, int fingers) {
+  std::vector<std::string> notes;
+  for (const FingerHardware& finger : model.hardware.fingers) {
+    if (finger.finger <= fingers) continue;
+    notes.push_back(absent_finger_note(fmt::format("[finger.{}] of the hardware", finger.finger),
+                                       finger.finger));
+  }
+  for (const Effect& effect : model.effects) {
+    if (effect.cause->subject_kind() != SubjectKind::finger) continue;
+    if (effect.subject.finger <= fingers) continue;
+    notes.push_back(
+        absent_finger_note(effect_name(effect) + " of the model", effect.subject.finger));
+  }
+  return notes;
+}
+
+std::vector<SheetLine> absent_finger_lines(const Model& model, int fingers) {
+  std::vector<SheetLine> lines;
+  for (const std::string& note : absent_finger_notes(model, fingers)) {
+    lines.push_back({"Note: " + note, true});
   }
   return lines;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -17,5 +18,10 @@ Json model_json(const Model& model, std::uint64_t unconverged);
 
 // None for the plain friction model.
 std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged);
+
+// A sentence for each finger of the hardware, and each effect on one, that routings of so many
+// fingers do not have.
+std::vector<std::string> absent_finger_notes(const Model& model, int fingers);
+std::vector<SheetLine> absent_finger_lines(const Model& model, int fingers);
 
 }  // namespace reeve::reports

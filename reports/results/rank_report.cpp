@@ -74,9 +74,13 @@ void add_details(Json& json, const RankDetails& details) {
 Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.prices);
   std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
-  if (report.uncertainty) {
+  if (!report.designs.empty()) {
+    const int fingers = finger_count(report.designs.front().routing);
+    for (const SheetLine& line : absent_finger_lines(report.model, fingers)) lines.push_back(line);
+  }
+  if (report.uncertainty || report.margins) {
     const Hardware nominal = effective_hardware(report.model);
-    for (const std::string& note : range_notes(nominal, report.uncertainty->ranges)) {
+    for (const std::string& note : range_notes(nominal, report.ranges)) {
       lines.push_back({"Note: " + note, true});
     }
   }

@@ -7,6 +7,7 @@
 #include "reports/results/model_text.hpp"
 #include "reports/results/shared_carriage.hpp"
 #include "reports/schematic/schematic_svg.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -132,7 +133,9 @@ Table objective_list(const ShownRouting& report) {
     if (!is_there(row, values)) continue;
     if (row.objective == Objective::cost && !report.prices) continue;
     const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
-    table.add({row.name, fixed(value(values, row.objective)),
+    constexpr int at_least = 3;
+    const double shown = value(values, row.objective);
+    table.add({row.name, fixed(shown, shown_decimals(row.objective, shown, at_least)),
                priced ? report.prices->unit : row.unit, row.meaning});
   }
   return table;
@@ -186,6 +189,9 @@ Sheet show_sheet(const ShownRouting& report) {
     lines.push_back({shared});
   }
   for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
+    lines.push_back(line);
+  }
+  for (const SheetLine& line : absent_finger_lines(report.model, report.network.fingers)) {
     lines.push_back(line);
   }
   Sheet sheet{{{"", std::nullopt, lines},

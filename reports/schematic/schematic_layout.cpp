@@ -30,6 +30,7 @@ class Layouter {
     shift((out_.width - measured.right) / 2);
     out_.title = frame_.title;
     out_.subtitle = frame_.subtitle;
+    out_.parts = drawn_parts(net_);
     out_.segments.resize(net_.segments.size());
     out_.contacts.resize(net_.contacts.size());
     add_hand_turns();
@@ -240,7 +241,7 @@ class Layouter {
 
   void add_legend() {
     const Box room{margin, out_.height - 2, out_.width - margin, 0};
-    DrawnParts parts = drawn_parts(out_);
+    DrawnParts parts = out_.parts;
     parts.slack = frame_.with_slack;
     out_.legend = legend(room, frame_.with_tension, parts);
     out_.height = out_.legend.bottom + margin / 2;
@@ -255,9 +256,19 @@ class Layouter {
 
 }  // namespace
 
-SchematicLayout layout(const Network& network, const SchematicFrame& frame) {
-  if (has_floating_parts(network)) return floating_layout(network, frame);
+LayoutPlan layout_plan(const Network& network) {
+  if (!has_floating_parts(network)) return {};
+  return {std::make_shared<const FloatingPlan>(floating_plan(network))};
+}
+
+SchematicLayout layout(const Network& network, const SchematicFrame& frame,
+                       const LayoutPlan& plan) {
+  if (plan.floating) return floating_layout(network, frame, *plan.floating);
   return Layouter(network, frame).run();
+}
+
+SchematicLayout layout(const Network& network, const SchematicFrame& frame) {
+  return layout(network, frame, layout_plan(network));
 }
 
 }  // namespace reeve::reports

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,7 @@ struct Legend {
 struct SchematicLayout {
   std::string title;
   std::string subtitle;
+  DrawnParts parts;  // slack, which does not show in a layout, is not among them
   double width = 0;
   double height = 0;
   std::vector<DrawnSegment> segments;
@@ -142,11 +144,20 @@ struct SchematicFrame {
   bool with_slack = true;    // among it strands without any
 };
 
-// Drawings with floating blocks, bars or anchored tips: floating/floating_layout.hpp.
+// What drawings of one routing in several grasps share: for who makes more than one.
+struct FloatingPlan;
+struct LayoutPlan {
+  // Of drawings with floating blocks, bars or anchored tips: floating/floating_layout.hpp.
+  std::shared_ptr<const FloatingPlan> floating;
+};
+LayoutPlan layout_plan(const Network& network);
+
+// With the plan of this network.
+SchematicLayout layout(const Network& network, const SchematicFrame& frame, const LayoutPlan& plan);
 SchematicLayout layout(const Network& network, const SchematicFrame& frame);
 
-// Slack does not show in a layout.
-DrawnParts drawn_parts(const SchematicLayout& layout);
+// Slack is not among them.
+DrawnParts drawn_parts(const Network& network);
 
 // The symbols' meanings, flowing between left and right.
 Legend legend(const Box& room, bool with_tension, const DrawnParts& parts);

@@ -64,9 +64,14 @@ Schematic schematic(const Network& network, const std::string& title, bool with_
 
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
                     bool with_legend) {
-  return {layout(network, {title, subtitle(view, network.fingers), view.grasp, with_legend, true,
-                           has_slack(view.state)}),
-          &view.state, view.direction};
+  return schematic(network, layout_plan(network), title, view, with_legend);
+}
+
+Schematic schematic(const Network& network, const LayoutPlan& plan, const std::string& title,
+                    const GraspView& view, bool with_legend) {
+  const SchematicFrame frame{
+      title, subtitle(view, network.fingers), view.grasp, with_legend, true, has_slack(view.state)};
+  return {layout(network, frame, plan), &view.state, view.direction};
 }
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
@@ -103,7 +108,7 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
                                         [](const Schematic& s) { return s.state != nullptr; });
   DrawnParts parts;
   for (const Schematic& schematic : schematics) {
-    parts |= drawn_parts(schematic.layout);
+    parts |= schematic.layout.parts;
     parts.slack = parts.slack || (schematic.state != nullptr && has_slack(*schematic.state));
   }
   const Legend key =

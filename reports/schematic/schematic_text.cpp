@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/performance.hpp"
 #include "reports/schematic/floating/fittings.hpp"
 #include "reports/schematic/schematic_measures.hpp"
 
@@ -149,19 +150,17 @@ DrawnParts& DrawnParts::operator|=(const DrawnParts& other) {
   return *this;
 }
 
-DrawnParts drawn_parts(const SchematicLayout& layout) {
+DrawnParts drawn_parts(const Network& network) {
+  const PartCount count = core::parts(network);
   DrawnParts parts;
-  for (const DrawnContact& contact : layout.contacts) {
-    parts.tubes = parts.tubes || contact.kind == ContactKind::tube;
-    parts.bearings = parts.bearings || contact.kind == ContactKind::bearing;
-    parts.sheaths = parts.sheaths || contact.kind == ContactKind::sheath;
-  }
-  for (const DrawnEnd& end : layout.ends) {
-    parts.fixed = parts.fixed || end.hold == EndHold::fixed;
-    parts.tied = parts.tied || end.hold == EndHold::tied;
-    parts.anchors = parts.anchors || end.hold == EndHold::anchored;
-  }
-  for (const DrawnBlock& block : layout.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
+  parts.tubes = count.tubes > 0;
+  parts.bearings = count.pulleys > 0;
+  parts.sheaths = count.sheaths > 0;
+  parts.fixed = count.fixed_ends > 0;
+  parts.tied = count.sheaths > 2 * count.movable_pulleys;
+  parts.anchors = count.anchors > 0;
+  parts.blocks = count.blocks > 0;
+  parts.bars = count.bars > 0;
   return parts;
 }
 

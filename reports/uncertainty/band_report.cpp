@@ -8,6 +8,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/decision/decision_words.hpp"
+#include "reports/shown_value.hpp"
 #include "search/uncertainty/sweep.hpp"
 
 namespace reeve::reports {
@@ -50,10 +51,9 @@ std::vector<SheetLine> met_lines(const std::vector<ListedDesign>& shown) {
 }
 
 std::string band_cell(const ListedDesign& design, Objective objective) {
-  const int decimals = row(objective).decimals;
   const Band* band = find_band(design.bands, objective);
-  if (band == nullptr) return fixed(value(design.ranked.design.values, objective), decimals);
-  return band_text(*band, decimals);
+  if (band == nullptr) return shown_value(objective, value(design.ranked.design.values, objective));
+  return band_text(*band, row(objective).decimals);
 }
 
 }  // namespace

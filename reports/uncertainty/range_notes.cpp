@@ -7,10 +7,11 @@ namespace {
 
 void add_note(const char* parts, double mu, const MuRange& range, std::vector<std::string>& notes) {
   if (range.low <= mu && mu <= range.high) return;
-  notes.push_back(
-      fmt::format("the nominal friction coefficient of {}, {:.4g}, is outside the range that is "
-                  "drawn from, {:.4g} to {:.4g}: [uncertainty] of the hardware file gives another",
-                  parts, mu, range.low, range.high));
+  notes.push_back(fmt::format(
+      "the nominal friction coefficient of {}, {:.4g}, is outside its range, {:.4g} "
+      "to {:.4g}, which is widened to hold it: [uncertainty] of the hardware file gives "
+      "another",
+      parts, mu, range.low, range.high));
 }
 
 }  // namespace

@@ -216,6 +216,7 @@ TEST(BadRank, IsNamedWithTheRoutings) {
       {{"rank", "TR1", "TR1"}, "routing 'M-1-T-2-F' is given twice", {}},
       {{"rank", "TR1", "M-1-T-2-F"}, "routing 'M-1-T-2-F' is given twice", {}},
       {{"rank", "--catalog", "TR3"}, "routing 'F-1-P-2-F' is given twice", {}},
+      {{"rank", "M-1-P-2-F", "F-2-P-1-M"}, "routing 'F-2-P-1-M' is given twice, as M-1-P-2-F", {}},
       {{"rank", "TR1", "M-1-F"},
        "and 'M-1-T-2-F' has 2; only routings with the same number of fingers can be compared",
        {}},
@@ -225,6 +226,31 @@ TEST(BadRank, IsNamedWithTheRoutings) {
        "--format: xml not in {table,json,csv,markdown,latex}",
        {}},
       {{"rank", "TR1", "--draws", "100001"}, "--draws: Value 100001 not in range 1 to 100000", {}},
+  });
+}
+
+TEST(BadOption, ThatWouldBePassedOverIsRefused) {
+  const std::string alone =
+      " prints the ranking alone; expected one of the two, or --out with them for a page";
+  expect_all_bad({
+      {{"rank", "TR1", "TR3", "--seed", "3"}, "--seed requires --uncertainty", {}},
+      explore({"--seed", "3"}, "--seed requires --uncertainty"),
+      {{"rank", "TR1", "TR3", "--fingers", "5"}, "--fingers requires --catalog", {}},
+      {{"rank", "TR1", "--catalog", "--fingers", "5"},
+       "--fingers '5': expected --catalog with it, and no routings: where there are some, theirs count",
+       {}},
+      {{"size", "TR1", "--vary", "tip_angle=1..4", "--nominal", "--draws", "7"},
+       "--nominal excludes --draws",
+       {}},
+      show_tr1({"--format", "dot", "--cost", "empty.toml"},
+               "--cost: --format dot shows no cost; expected another format, or --out with it"),
+      {{"rank", "TR1", "TR3", "--margin", "--columns", "routing"},
+       "--margin: --columns" + alone,
+       {}},
+      {{"rank", "TR1", "TR3", "--margin", "--format", "csv"}, "--margin: --format csv" + alone, {}},
+      {{"rank", "TR1", "TR3", "--sweep", "mu=0.1..0.2", "--columns", "routing"},
+       "--sweep: --columns" + alone,
+       {}},
   });
 }
 

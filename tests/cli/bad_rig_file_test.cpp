@@ -25,9 +25,14 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       show_tr1({"--hardware", "syntax.toml"}, "syntax.toml:1:6: not valid TOML: "),
       show_tr1(
           {"--hardware", "contact.toml"},
-          "hardware: contact 'a-T9': expected two segments with a contact between them in M-1-T-2-F"),
+          "contact.toml: hardware: contact 'a-T9': expected two segments with a contact between them "
+          "in M-1-T-2-F"),
       explore({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
       {{"rank", "TR1", "--hardware", "nan.toml"}, "nan.toml:2:6: tube.mu = nan", {}},
+      {{"rank", "TR1", "--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'", {}},
+      {{"export", "TR1", "--hardware", "contact.toml"},
+       "contact.toml: hardware: contact 'a-T9'",
+       {}},
   });
 }
 
@@ -40,7 +45,7 @@ TEST(BadModel, IsNamedWithFileLineAndColumn) {
       show_tr1({"--model", "cause.toml"}, cause),
       show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:3: unknown key 'effect'"),
       show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
-      show_tr1({"--model", "contact.toml"}, "hardware: contact 'a-T9'"),
+      show_tr1({"--model", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
       explore(
           {"--fingers", "6", "--hardware", "contact.toml"},
           "contact.toml: hardware: contact 'a-T9': expected two segments with a contact between "

@@ -57,7 +57,7 @@ TEST(BadPlan, IsNamedWithOptionAndValue) {
                "--noise-absolute 'nan': expected a number from 0 to 1000"),
       simulate({"--seed", "-1"}, "--seed"),
       simulate({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
-      simulate({"--hardware", "contact.toml"}, "hardware: contact 'a-T9'"),
+      simulate({"--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
       simulate({"extra"}, "extra"),
   });
 }
@@ -71,7 +71,13 @@ TEST(BadHiddenCause, IsNamedWithWhatWasExpected) {
                "sensor_gain[T1], sensor_gain[T2], sensor_gain[T3], sensor_gain[T4]"),
       simulate({"--cause", "sensor_gain[T3", "--set", "gain=1.1"}, "has no such thing; expected"),
       simulate({"--cause", "seized_contact[TR2,T1-T2]"}, "has no such thing; expected"),
-      simulate({"--cause", "wear", "--set", "change=1"}, "'wear': it depends on the cycle"),
+      simulate({"--cause", "wear", "--set", "change=1"},
+               "--cause 'wear': it depends on the cycle: expected --cycles"),
+      simulate({"--cause", "speed_dependent_friction", "--set", "slope=0.1"},
+               "it depends on the speed: expected --speed"),
+      simulate({"--cause", "temperature"}, "it depends on the temperature: expected --temperature"),
+      simulate({"--cause", "hysteresis", "--directions", "pull"},
+               "pulling and releasing differ by it: expected --directions pull,release"),
       simulate({"--cause", "load_dependent_friction"},
                "its size is missing: expected exponent=VALUE, from -0.3 to 0.7"),
       simulate({"--cause", "load_dependent_friction", "--set", "gamma=0.1"},

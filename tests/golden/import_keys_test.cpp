@@ -16,8 +16,8 @@ TEST(KeysOfImport, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["readings"][0]["tensions"]), "T1 T2 T3 T4");
   EXPECT_EQ(keys(json["readings"][0]["motor_tension"]), "mean_N deviation_N");
   EXPECT_EQ(keys(json["samples"]),
-            "taken standstill speed_varies load_varies settling slack no_direction incomplete copy "
-            "spike too_few");
+            "taken standstill speed_varies load_varies settling not_following slack no_direction "
+            "incomplete copy spike too_few");
   EXPECT_EQ(keys(json["settings"]),
             "least_time_s tolerance per_sweep reverse direction run routing held");
 }

@@ -73,6 +73,31 @@ TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
   EXPECT_EQ(explored.summary()["settings"]["model"]["effects"].size(), 5U);
 }
 
+TEST(Model, OfAFingerThatNoRoutingHasIsNoted) {
+  const TemporaryFolder folder;
+  const std::string hardware = folder.write("h.toml", "[finger.3]\ntip_mu = 0.01\n").string();
+  const std::string model =
+      folder.write("m.toml", "[[effect]]\ncause = \"sheath_angle\"\nfinger = 3\nangle_rad = 2\n")
+          .string();
+  const std::string because = " changes nothing: no routing here has a finger 3\n";
+  for (const Arguments& command :
+       {Arguments{"show", "TR1"}, Arguments{"rank", "TR1", "TR3"},
+        Arguments{"size", "TR1", "--vary", "tip_angle=1..4", "--nominal", "--starts", "1"}}) {
+    const auto printed = [&](const std::string& option, const std::string& file) {
+      Arguments arguments = command;
+      arguments.insert(arguments.end(), {option, file});
+      return reeve(arguments).out;
+    };
+    EXPECT_EQ(count(printed("--hardware", hardware), "Note: [finger.3] of the hardware" + because),
+              1U)
+        << command[0];
+    EXPECT_EQ(count(printed("--model", model), "Note: sheath_angle[3] of the model" + because), 1U)
+        << command[0];
+  }
+  const ProcessResult three = reeve({"show", "M-1-P-2-P-3-M", "--model", model});
+  EXPECT_EQ(three.out.find("changes nothing"), std::string::npos) << three.out;
+}
+
 TEST(Model, WithoutEffectsIsItsHardware) {
   const TemporaryFolder folder;
   const std::string file = folder.write("m.toml", "[tube]\nmu = 0.1\n").string();
@@ -88,6 +113,21 @@ TEST(Model, SeizesAContactOfTheRoutingThatItNames) {
   };
   EXPECT_EQ(grasp("TR5")["tensions"]["T1"], 0);
   EXPECT_GT(grasp("TR2")["tensions"]["T1"], 0);
+}
+
+TEST(Model, NamesRoutingsAsTheCommandLineDoes) {
+  const TemporaryFolder folder;
+  const auto ranked = [&](const std::string& routing) {
+    const std::string file =
+        folder
+            .write("m.toml", "[[effect]]\ncause = \"seized_contact\"\nrouting = \"" + routing +
+                                 "\"\ncontact = \"T1-T2\"\n")
+            .string();
+    const ProcessResult result = reeve({"rank", "TR5", "TR7", "--model", file});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_EQ(ranked("TR5"), ranked("M-1-P-2-M"));
 }
 
 TEST(Check, OfTheShippedCatalogueExitsWithZero) {

@@ -147,6 +147,12 @@ TEST(ShowCost, IsThatOfTheRanking) {
   const std::string table = printed({"show", "TR3", "--cost", price_file});
   EXPECT_TRUE(has(table, "\ncost ") && has(table, " EUR ")) << table;
   EXPECT_FALSE(has(printed({"show", "TR3"}), "\ncost "));
+  // As little as a sheath weighs in tonnes, of which three decimals tell nothing.
+  const TemporaryFolder folder;
+  folder.write("tonnes.toml", "unit = \"t\"\nsheath = 2.1e-6\n");
+  const std::string weighed =
+      printed({"show", "TR3", "--cost", (folder.path() / "tonnes.toml").string()});
+  EXPECT_TRUE(has(weighed, " 0.0000042  t ")) << weighed;
 }
 
 }  // namespace

@@ -245,6 +245,14 @@ TEST_F(Stored, RefusesDesignsThatAreNotAsTheyWereSaved) {
   }
 }
 
+// A ranking of all designs is exact, and here are the best alone.
+TEST_F(Stored, RefusesToRankAllOfWhichItHasTheBestAlone) {
+  EXPECT_EQ(explore({}).exit_code, 0);
+  execute(store(), "UPDATE about SET value = 'all' WHERE key = 'keep'");
+  expect_bad(run({"rank", "--store", "s.db", "--objectives", "sheaths"}),
+             "s.db: it keeps 0 designs: expected all 54 that were evaluated, as it says");
+}
+
 TEST_F(Stored, RefusesAFileThatWasCutOff) {
   EXPECT_EQ(explore(some_work).exit_code, 0);
   fs::resize_file(store(), fs::file_size(store()) / 2);

@@ -154,6 +154,26 @@ TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
   }
 }
 
+// Before the search, which may take hours.
+TEST(Explore, RefusesAFolderInWhichOneOfItsFilesCannotBeWritten) {
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  const auto refusal = [&](const std::string& out) {
+    const ProcessResult result = reeve({"explore", "--fingers", "16", "--out", out}, options);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  std::filesystem::create_directories(folder.path() / "a" / "designs.csv");
+  EXPECT_EQ(refusal("a"),
+            "reeve: --out 'a/designs.csv': expected the name of a file, not a folder\n");
+  std::filesystem::create_directories(folder.path() / "b");
+  folder.write("b/figures", "");
+  EXPECT_EQ(
+      refusal("b"),
+      "reeve: --out 'b/figures': expected a folder that can be written to: Not a directory\n");
+}
+
 bool said_something(const RunningProcess& process) {
   return process.err.find('\n') != std::string::npos;
 }

@@ -185,6 +185,20 @@ TEST(ExplorationPage, SaysThatItIsPartial) {
             std::string::npos);
 }
 
+// Who stops it waits for its end.
+TEST(ExplorationPage, HasFewDetailsWhereItIsPartial) {
+  ExploreReport report = explored(small_options());
+  const auto details = [&report] {
+    std::size_t designs = 0;
+    const Json data = page_data(exploration_page(testing::view(report)).html);
+    for (const Json& chunk : data["chunks"]) designs += chunk["words"].size();
+    return designs;
+  };
+  const std::size_t whole = details();
+  report.result.partial = true;
+  EXPECT_GT(whole, 2 * details());
+}
+
 TEST(ExplorationPage, IsMadeEvenIfNothingIsLeft) {
   ExploreOptions options = small_options();
   options.constraints.push_back(parse_constraint("sheaths<=0"));

@@ -35,6 +35,15 @@ TEST(RankingPlot, PutsEachDesignWhereItsValuesAre) {
   }
 }
 
+TEST(RankingPlot, TellsCostsOfGramsInTonnesApart) {
+  const TemporaryFolder folder;
+  folder.write("tonnes.toml", "unit = \"t\"\nsheath = 2.1e-6\n");
+  const Ranked ranked({"TR1", "TR3", "TR7", "--objectives", "cost,jams", "--cost",
+                       (folder.path() / "tonnes.toml").string()});
+  EXPECT_EQ(ranked.chart("pareto").front().marks("points").size(), 3U);
+  EXPECT_NE(ranked.html.find(">0.0000042<"), std::string::npos);
+}
+
 TEST(RankingCharts, DrawTheTensionsOfTheFileAsBars) {
   const std::vector<ReadPanel> panels = catalogue().chart("tensions-held-1");
   const Json& routings = catalogue().json["routings"];

@@ -106,8 +106,8 @@ TEST(RangeNotes, NameACoefficientThatItsRangeLeavesOut) {
   EXPECT_EQ(
       range_notes(hardware, ranges),
       std::vector<std::string>{
-          "the nominal friction coefficient of tubes, 0.3, is outside the range that is drawn "
-          "from, 0.05 to 0.2: [uncertainty] of the hardware file gives another"});
+          "the nominal friction coefficient of tubes, 0.3, is outside its range, 0.05 to "
+          "0.2, which is widened to hold it: [uncertainty] of the hardware file gives another"});
   hardware.sheath.mu = 0.04;
   EXPECT_EQ(range_notes(hardware, ranges).size(), 2U);
   ExploreReport report;

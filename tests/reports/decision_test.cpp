@@ -84,6 +84,36 @@ TEST(AnswerLines, SayTheCostInItsUnit) {
       << said;
 }
 
+ListedLadder thousandth(ListedLadder ladder) {
+  const auto scale = [](ObjectiveValues& values) {
+    values[static_cast<std::size_t>(Objective::cost)] /= 1000;
+  };
+  for (Rung& rung : ladder.ladder.rungs) {
+    rung.at_most /= 1000;
+    scale(rung.design.values);
+  }
+  for (ListedDesign& rung : ladder.rungs) scale(rung.ranked.design.values);
+  scale(ladder.ladder.first.values);
+  scale(ladder.ladder.affordable->values);
+  ladder.cost_unit = "kg";
+  return ladder;
+}
+
+TEST(AnswerLines, SayACostOfGramsInKilograms) {
+  const ListedLadder ladder = thousandth(three_rungs(Objective::cost));
+  const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
+  EXPECT_NE(said.find("First: C: cost 0.03 kg, "), std::string::npos) << said;
+  EXPECT_NE(said.find("Two (B): cost 0.0125 kg, "), std::string::npos) << said;
+  EXPECT_NE(said.find("at cost 0.0125 kg\n"), std::string::npos) << said;
+}
+
+TEST(LadderTable, HasACostOfGramsInKilograms) {
+  const std::string table = text(Sheet{{ladder_section(thousandth(three_rungs(Objective::cost)))}});
+  for (const char* cost : {"\n   0.0100  ", "\n   0.0125  ", "\n   0.0300  "}) {
+    EXPECT_NE(table.find(cost), std::string::npos) << table;
+  }
+}
+
 TEST(AnswerLines, SayThatNothingIsCheaperWithinTheLoss) {
   ListedLadder ladder = three_rungs();
   ladder.affordable.reset();
@@ -124,6 +154,19 @@ TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
             "      1  -     A             0.500            62.5 %\n"
             "      2  Two   B             0.792  +58.4 %   99.0 %  knee, within 2 %\n"
             "      4  -     C             0.800   +1.0 %  100.0 %  first\n");
+}
+
+TEST(LadderTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
+  ListedLadder ladder = three_rungs();
+  ladder.ladder.objectives = {Objective::travel};
+  for (Rung& rung : ladder.ladder.rungs) {
+    rung.design.values[static_cast<std::size_t>(Objective::travel)] = 2;
+  }
+  const std::string table = text(Sheet{{ladder_section(ladder)}});
+  EXPECT_NE(table.find(" +0.0 %"), std::string::npos) << table;
+  EXPECT_EQ(table.find("-0.0"), std::string::npos) << table;
+  EXPECT_EQ(ladder_json(ladder)["rungs"][1]["gains"].dump(), R"({"travel":0.0})");
+  EXPECT_EQ(ladder_csv(ladder).find("-0"), std::string::npos);
 }
 
 TEST(LadderTable, IsNoneOfOneRung) {

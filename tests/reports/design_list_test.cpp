@@ -119,6 +119,24 @@ TEST(DesignTable, TellsOfBlocksWhereThereAreAny) {
   EXPECT_TRUE(told({without, design("")}));
 }
 
+ListedDesign costing(double cost) {
+  ListedDesign listed = without_hand(design(""));
+  listed.ranked.design.values[static_cast<std::size_t>(Objective::cost)] = cost;
+  return listed;
+}
+
+TEST(DesignTable, HasTheDecimalsThatTellItsCosts) {
+  const auto table = [](const std::vector<ListedDesign>& designs) {
+    return text(design_table(designs, shown_objectives({}, authors_score())));
+  };
+  const std::string of_grams = table({costing(0.0021), costing(0.0115)});
+  EXPECT_NE(of_grams.find(" 0.0021\n"), std::string::npos) << of_grams;
+  EXPECT_NE(of_grams.find(" 0.0115\n"), std::string::npos) << of_grams;
+  const std::string of_euros = table({costing(17.05), costing(0.3)});
+  EXPECT_NE(of_euros.find(" 17.05\n"), std::string::npos) << of_euros;
+  EXPECT_NE(of_euros.find("  0.30\n"), std::string::npos) << of_euros;
+}
+
 TEST(BandTable, KeepsItsColumnsAlignedWithTheDashOfARange) {
   ListedDesign narrow = design("");
   narrow.distribution = RankDistribution{0.25, 4, 1, 9};

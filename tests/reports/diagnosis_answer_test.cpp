@@ -72,6 +72,21 @@ TEST(DiagnosisAnswer, SaysWhatMountingsItWouldTake) {
   EXPECT_FALSE(says(report, "believed"));
 }
 
+// Of a file whose directions are blank, say, with half of its rows released.
+TEST(DiagnosisAnswer, SaysWhatReadingsItWouldTake) {
+  DiagnosisReport report = report_of(Verdict::none);
+  report.result.noise.source = NoiseSource::smoothing;
+  report.result.noise.relative = 0.3;
+  EXPECT_FALSE(says(report, "believed"));
+  report.result.noise.relative = 2;
+  EXPECT_TRUE(says(report,
+                   "The model as it stands explains the data only if readings scatter by more than "
+                   "can be believed.\nCheck this first: it takes readings that scatter by 200 %, "
+                   "more than those of any force sensor."));
+  report.result.noise.source = NoiseSource::known;
+  EXPECT_FALSE(says(report, "believed"));
+}
+
 TEST(DiagnosisAnswer, AdvisesNoNoiseOfTheMotorThatNoMotorHas) {
   DiagnosisReport report = report_of(Verdict::unexplained);
   report.result.unexplained = Unexplained{};

@@ -129,9 +129,51 @@ TEST(FloatingSchematic, ShowsTheRatioOfUnequalArmsOnly) {
   EXPECT_TRUE(has("M-Y1+1x-Y1-2x", "Y1"));
 }
 
+// As they are drawn.
+DrawnParts parts_in(const SchematicLayout& layout) {
+  DrawnParts parts;
+  for (const DrawnContact& contact : layout.contacts) {
+    parts.tubes = parts.tubes || contact.kind == ContactKind::tube;
+    parts.bearings = parts.bearings || contact.kind == ContactKind::bearing;
+    parts.sheaths = parts.sheaths || contact.kind == ContactKind::sheath;
+  }
+  for (const DrawnEnd& end : layout.ends) {
+    parts.fixed = parts.fixed || end.hold == EndHold::fixed;
+    parts.tied = parts.tied || end.hold == EndHold::tied;
+    parts.anchors = parts.anchors || end.hold == EndHold::anchored;
+  }
+  for (const DrawnBlock& block : layout.blocks) (block.is_bar ? parts.bars : parts.blocks) = true;
+  return parts;
+}
+
+TEST(FloatingSchematic, SaysWhichPartsAreDrawn) {
+  const auto expect_parts = [](const Routing& routing) {
+    const Network network = expand(routing);
+    ASSERT_EQ(drawn_parts(network), parts_in(layout(network, {}))) << to_word(routing);
+  };
+  for (const std::string& word : in_print) expect_parts(parse_routing(word));
+  for (const char* word : {"M-1-F", "M-1-M", "1-P-1", "M-1b-P-2b-F", "M-T-F", "F-B-M", "F-1-P-2-F"})
+    expect_parts(parse_routing(word));
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    testing::Dice dice(seed);
+    expect_parts(testing::random_rigging(dice));
+  }
+}
+
+TEST(FloatingSchematic, IsTheSameFromAPlanThatGraspsShare) {
+  const Network network = expand(parse_routing("M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4b-M"));
+  const LayoutPlan plan = layout_plan(network);
+  for (const Grasp grasp : {Grasp{}, hold({2}), hold({1, 4})}) {
+    const TensionState state = tensions(network, mechanics(network, {}), grasp);
+    const GraspView view{grasp, Direction::pull, state};
+    EXPECT_EQ(schematic_svg(schematic(network, plan, "shared", view)),
+              schematic_svg(schematic(network, "shared", view)));
+  }
+}
+
 TEST(FloatingSchematic, ExplainsOnlyThePartsThatAreThere) {
   const auto explained = [](const std::string& word) {
-    const DrawnParts parts = drawn_parts(drawn(word));
+    const DrawnParts parts = drawn(word).parts;
     return std::vector<bool>{parts.anchors, parts.blocks, parts.bars};
   };
   EXPECT_EQ(explained("M-1-F"), (std::vector<bool>{false, false, false}));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace reeve {
 namespace {
 
@@ -13,6 +15,18 @@ TEST(TellingDigits, AreAsManyAsTellValuesApart) {
   EXPECT_EQ(telling_decimals(0.5, 8, 3), 3);
   EXPECT_EQ(telling_decimals(1e-4, 8, 3), 5);
   EXPECT_EQ(telling_decimals(0, 8, 3), 3);
+}
+
+TEST(SignificantDecimals, ShowThreeDigitsWithoutTheZerosBehindThem) {
+  EXPECT_EQ(significant_decimals(17.05, 2), 2);
+  EXPECT_EQ(significant_decimals(0.3, 2), 2);
+  EXPECT_EQ(significant_decimals(0.125, 2), 3);
+  EXPECT_EQ(significant_decimals(0.0021, 2), 4);
+  EXPECT_EQ(significant_decimals(-0.00123456, 2), 5);
+  EXPECT_EQ(significant_decimals(0.0099999, 2), 2);
+  EXPECT_EQ(significant_decimals(1e-10, 2), 10);
+  EXPECT_EQ(significant_decimals(0, 2), 2);
+  EXPECT_EQ(significant_decimals(std::numeric_limits<double>::infinity(), 2), 2);
 }
 
 TEST(RoundedText, StaysOnItsSide) {

@@ -34,11 +34,11 @@ using namespace measures;
 
 class FloatingLayouter {
  public:
-  FloatingLayouter(const Network& network, const SchematicFrame& frame)
+  FloatingLayouter(const Network& network, const SchematicFrame& frame, const FloatingPlan& plan)
       : net_(network),
         frame_(frame),
-        all_(fittings(network)),
-        arrangement_(arranged(network, all_)),
+        all_(plan.fittings),
+        arrangement_(plan.arrangement),
         places_{network, all_, arrangement_, {}, 0} {}
 
   SchematicLayout run() {
@@ -50,6 +50,7 @@ class FloatingLayouter {
     places_.left = std::floor((out_.width - content) / 2);
     out_.title = frame_.title;
     out_.subtitle = frame_.subtitle;
+    out_.parts = drawn_parts(net_);
     add_fingers(row);
     for (std::size_t i = 0; i < net_.contacts.size(); ++i) add_contact(i);
     for (std::size_t i = 0; i < net_.blocks.size(); ++i) add_block(i);
@@ -64,12 +65,7 @@ class FloatingLayouter {
   }
 
  private:
-  static Arrangement arranged(const Network& network, Fittings& all) {
-    face(all);
-    return arrange(network, 0, all);
-  }
-
-  // Everything was measured with the palm at 0.
+  // Everything was planned with the palm at 0.
   void move_down(double by) {
     FloatingHeights& heights = arrangement_.heights;
     for (double& level : heights.level) level += by;
@@ -229,7 +225,7 @@ class FloatingLayouter {
 
   void add_legend() {
     const Box room{margin, out_.height - 2, out_.width - margin, 0};
-    DrawnParts parts = drawn_parts(out_);
+    DrawnParts parts = out_.parts;
     parts.slack = frame_.with_slack;
     out_.legend = legend(room, frame_.with_tension, parts);
     out_.height = out_.legend.bottom + margin / 2;
@@ -237,7 +233,7 @@ class FloatingLayouter {
 
   const Network& net_;
   const SchematicFrame& frame_;
-  Fittings all_;
+  const Fittings& all_;
   Arrangement arrangement_;
   FloatingPlaces places_;
   SchematicLayout out_;
@@ -245,8 +241,16 @@ class FloatingLayouter {
 
 }  // namespace
 
-SchematicLayout floating_layout(const Network& network, const SchematicFrame& frame) {
-  return FloatingLayouter(network, frame).run();
+FloatingPlan floating_plan(const Network& network) {
+  FloatingPlan plan{fittings(network), {}};
+  face(plan.fittings);
+  plan.arrangement = arrange(network, 0, plan.fittings);
+  return plan;
+}
+
+SchematicLayout floating_layout(const Network& network, const SchematicFrame& frame,
+                                const FloatingPlan& plan) {
+  return FloatingLayouter(network, frame, plan).run();
 }
 
 }  // namespace reeve::reports

@@ -8,10 +8,20 @@
 // at right angles only.
 #pragma once
 
+#include "reports/schematic/floating/arrangement.hpp"
 #include "reports/schematic/schematic_layout.hpp"
 
 namespace reeve::reports {
 
-SchematicLayout floating_layout(const Network& network, const SchematicFrame& frame);
+// The same in all grasps, and what takes long.
+struct FloatingPlan {
+  Fittings fittings;
+  Arrangement arrangement;  // with the palm at height 0
+};
+
+FloatingPlan floating_plan(const Network& network);
+
+SchematicLayout floating_layout(const Network& network, const SchematicFrame& frame,
+                                const FloatingPlan& plan);
 
 }  // namespace reeve::reports

@@ -1,0 +1,24 @@
+// Values of objectives as text: with the decimals of the objective. A cost has the unit of
+// somebody's prices, of which two decimals may tell nothing (kg of parts that weigh a gram each),
+// and so as many more as it takes to tell it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "search/judge/objectives.hpp"
+#include "studies/listed_design.hpp"
+
+namespace reeve::reports {
+
+// At least as many as are asked for.
+int shown_decimals(Objective objective, double value, int at_least);
+// Those of the objective.
+int shown_decimals(Objective objective, double value);
+// Of a column: as many as any of its cells takes.
+int shown_decimals(Objective objective, const std::vector<ListedDesign>& designs);
+
+// "-" if it is none.
+std::string shown_value(Objective objective, double value);
+
+}  // namespace reeve::reports
