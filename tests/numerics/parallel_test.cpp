@@ -13,6 +13,10 @@
 #include "core/error.hpp"
 #include "numerics/random.hpp"
 
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/lsan_interface.h>
+#endif
+
 namespace reeve {
 namespace {
 
@@ -148,6 +152,18 @@ TEST(Parallel, OfManyExceptionsThatOfTheFirstBlockComesThrough) {
     }
   }
 }
+
+#if defined(__SANITIZE_ADDRESS__)
+
+// Nearly all helpers of so short a call are still queued at its end.
+TEST(Parallel, HelpersThatCameTooLateAreNoLeak) {
+  for (int round = 0; round < 50; ++round) {
+    Workers(2).for_each_block(2, 1, [](const IndexBlock&) {});
+  }
+  EXPECT_EQ(__lsan_do_recoverable_leak_check(), 0);
+}
+
+#endif
 
 }  // namespace
 }  // namespace reeve
