@@ -34,11 +34,15 @@ void add_row(SQLite::Statement& row, Digest& digest) {
   }
 }
 
-void add_rows(SQLite::Database& database, const std::string& sql, std::int64_t shard,
-              Digest& digest) {
+void add_rows(SQLite::Statement rows, Digest& digest) {
+  while (rows.executeStep()) add_row(rows, digest);
+}
+
+SQLite::Statement rows_of_shard(SQLite::Database& database, const std::string& sql,
+                                std::int64_t shard) {
   SQLite::Statement rows(database, sql);
   rows.bind(1, shard);
-  while (rows.executeStep()) add_row(rows, digest);
+  return rows;
 }
 
 }  // namespace
@@ -67,13 +71,18 @@ void Digest::add_byte(std::uint64_t byte) { value_ = (value_ ^ byte) * fnv_prime
 
 std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard) {
   Digest digest;
-  add_rows(database,
-           "SELECT shard, shards, total, generated, evaluated, unconverged, seconds, "
-           "designs_digest FROM shards WHERE shard = ?",
-           shard, digest);
+  for (const char* table : {"about", "settings"}) {
+    add_rows({database, fmt::format("SELECT key, value FROM {} ORDER BY key", table)}, digest);
+  }
+  add_rows(rows_of_shard(database,
+                         "SELECT shard, shards, total, generated, evaluated, unconverged, "
+                         "seconds, designs_digest FROM shards WHERE shard = ?",
+                         shard),
+           digest);
   for (const char* table : {"constraints", "known", "archive", "ladder", "sample"}) {
     // By number, or of the sample by place.
-    add_rows(database, fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table), shard,
+    add_rows(rows_of_shard(database,
+                           fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table), shard),
              digest);
   }
   return digest.value();

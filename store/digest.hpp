@@ -30,7 +30,8 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// Of the shard's rows in all tables but `designs`, and of its counts.
+// Of the shard's rows in all tables but `designs`, of its counts, and of what was asked, so that
+// rows of another exploration are none of this.
 std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard);
 
 // Of a row of `designs`, as it is written and as it is read. Those of many rows are added up, so

@@ -154,8 +154,16 @@ void ExplorationStore::save(ExplorationPart& so_far) {
     write_record(connection_->database(), shard_, so_far, asked_, added_digest_);
     connection_->commit();
   });
+  require_there();
   added_since_save_ = 0;
   added_digest_ = 0;
+}
+
+// What is saved in a file without a name is lost at the end.
+void ExplorationStore::require_there() const {
+  if (connection_->lock->is_on(file_)) return;
+  throw InputError({.where = file_.string(),
+                    .what = "somebody removed or replaced it while explore was writing it"});
 }
 
 }  // namespace reeve::store

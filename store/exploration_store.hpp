@@ -42,6 +42,7 @@ class ExplorationStore {
   struct Connection;
 
   void require_same(std::optional<Keep> keep);
+  void require_there() const;
 
   std::filesystem::path file_;
   Description asked_;

@@ -11,7 +11,7 @@
 namespace reeve::store {
 
 inline constexpr int application_id = 0x72656576;  // "reev"
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 void create_tables(SQLite::Database& database);
 

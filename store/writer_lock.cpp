@@ -1,6 +1,7 @@
 #include "store/writer_lock.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,6 +32,14 @@ WriterLock::WriterLock(const std::filesystem::path& file)
 
 WriterLock::~WriterLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool WriterLock::is_on(const std::filesystem::path& file) const {
+  struct stat locked = {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return true;
+  struct stat named = {};
+  return ::stat(file.c_str(), &named) == 0 && named.st_dev == locked.st_dev &&
+         named.st_ino == locked.st_ino;
 }
 
 }  // namespace reeve::store

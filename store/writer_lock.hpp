@@ -19,6 +19,9 @@ class WriterLock {
   WriterLock& operator=(const WriterLock&) = delete;
   ~WriterLock();
 
+  // Whether the name still leads to the file that was locked, or no lock is held.
+  bool is_on(const std::filesystem::path& file) const;
+
  private:
   int descriptor_ = -1;
 };

@@ -127,6 +127,14 @@ std::string digest_of(Json shard) {
   return hash_of(shard);
 }
 
+// No digest holds them.
+void require_seconds(double seconds) {
+  if (seconds >= 0) return;
+  throw InputError({.what = "seconds",
+                    .value = fmt::format("{}", seconds),
+                    .expected = "a number that is not negative"});
+}
+
 void require_intact(const Json& json, const std::string& name) {
   const std::string digest = digest_of(json);
   if (!json.contains("digest")) {
@@ -214,6 +222,7 @@ ShardFile shard_file_of(const std::string& text, const std::string& name) {
     json.at("version").get_to(file.version);
     read_counts(json, file.record);
     read_designs(json, file.record);
+    require_seconds(file.record.seconds);
     file.record.origin = name;
   } catch (const Json::exception& error) {
     throw InputError({.where = name,

@@ -49,10 +49,11 @@ std::string evaluated_text(const ExploreResult& result) {
   if (made(result) == result.evaluated) {
     return fmt::format("{} evaluated, {:.0f} a second", result.evaluated, rate(result));
   }
+  // Shards that are put together do not say whether these were evaluated, too.
   return fmt::format(
-      "Of the {} that are actuated {} evaluated, {:.0f} a second; the other {} fail by their parts "
-      "alone",
-      result.evaluated, made(result), rate(result), result.pruned);
+      "Of the {} that are actuated {} fail by their parts alone; the other {} evaluated, {:.0f} a "
+      "second",
+      result.evaluated, result.pruned, made(result), rate(result));
 }
 
 std::vector<Objective> objectives_to_show(const ExploreReport& report) {

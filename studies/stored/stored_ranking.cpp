@@ -1,7 +1,5 @@
 #include "studies/stored/stored_ranking.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -116,17 +114,6 @@ bool lacks_designs(const std::vector<StoredShard>& shards, std::uint64_t kept, b
   return kept < wanted;
 }
 
-// A file of which somebody has changed what it keeps.
-void require_all(const std::vector<StoredShard>& shards, std::uint64_t kept,
-                 const std::filesystem::path& file) {
-  std::uint64_t evaluated = 0;
-  for (const StoredShard& shard : shards) evaluated += shard.record.evaluated;
-  if (kept == evaluated) return;
-  throw InputError({.where = file.string(),
-                    .what = fmt::format("it keeps {} designs", kept),
-                    .expected = fmt::format("all {} that were evaluated, as it says", evaluated)});
-}
-
 // Words that are no routings, for whatever reason, are said to be of this file.
 ExploreReport concluded(ExplorationPart part, const ExploreOptions& asked,
                         const Catalogue& catalogue, const std::filesystem::path& file) {
@@ -165,7 +152,6 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   const std::vector<StoredShard> shards = store.shards();
   add_kept(store, is_same_order(stored, asked), ranking.gaps.empty(), ranker);
   if (!lacks_designs(shards, ranker.kept(), asks_again(stored, asked))) ranking.gaps.clear();
-  if (ranking.keeps_all) require_all(shards, ranker.kept(), store.file());
   ExplorationPart& part = ranker.part();
   for (const StoredShard& shard : shards) {
     part.total += shard.record.total;

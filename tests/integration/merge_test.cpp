@@ -225,6 +225,8 @@ TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
   expect_refused(changed);
   with("\"generated\": ", "\"generated\": 1");
   expect_refused(changed);
+  with("\"seconds\": ", "\"seconds\": -");
+  expect_refused("seconds '-");
   with(",\n  \"digest\"", ",\n  \"other\"");
   expect_refused("it has no digest, so that it cannot be told whether it is whole");
   with("\"evaluated\":", "\"valued\":");
@@ -249,8 +251,8 @@ TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
           folder_.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_NE(
-      result.out.find("Of the 228 that are actuated 0 evaluated, 0 a second; the other 228 fail by "
-                      "their parts alone"),
+      result.out.find("Of the 228 that are actuated 228 fail by their parts alone; the other 0 "
+                      "evaluated, 0 a second"),
       std::string::npos);
   EXPECT_NE(result.out.find("No design of this shard meets the constraints"), std::string::npos);
 }

@@ -169,7 +169,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   EXPECT_EQ(explore({}).exit_code, 0);
   execute(store(), "PRAGMA user_version = 7");
   expect_bad(explore({}), start +
-                              "it is a store of version 7; expected version 2, which this "
+                              "it is a store of version 7; expected version 3, which this "
                               "program reads");
   expect_bad(run({"explore", "--store", "no/s.db"}),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");
@@ -245,12 +245,44 @@ TEST_F(Stored, RefusesDesignsThatAreNotAsTheyWereSaved) {
   }
 }
 
-// A ranking of all designs is exact, and here are the best alone.
-TEST_F(Stored, RefusesToRankAllOfWhichItHasTheBestAlone) {
+// What was asked is part of what was saved: here are the best alone, and none of another friction.
+TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
   EXPECT_EQ(explore({}).exit_code, 0);
-  execute(store(), "UPDATE about SET value = 'all' WHERE key = 'keep'");
-  expect_bad(run({"rank", "--store", "s.db", "--objectives", "sheaths"}),
-             "s.db: it keeps 0 designs: expected all 54 that were evaluated, as it says");
+  fs::copy_file(store(), folder_.path() / "whole.db");
+  folder_.write("rough.toml", "[sheath]\nmu = 0.3\n");
+  EXPECT_EQ(run({"explore", "--hardware", "rough.toml", "--out", "other", "--store", "other.db"})
+                .exit_code,
+            0);
+  const std::string rows_of_another =
+      "ATTACH '" + (folder_.path() / "other.db").string() + "' AS other;";
+  std::string all_tables;
+  for (const char* table : {"shards", "archive", "ladder", "known", "constraints", "sample"}) {
+    const std::string name = table;
+    all_tables +=
+        "DELETE FROM " + name + "; INSERT INTO " + name + " SELECT * FROM other." + name + ";";
+  }
+  for (const std::string& sql : {std::string("UPDATE about SET value = 'all' WHERE key = 'keep'"),
+                                 rows_of_another + all_tables}) {
+    SCOPED_TRACE(sql);
+    fs::copy_file(folder_.path() / "whole.db", store(), fs::copy_options::overwrite_existing);
+    execute(store(), sql);
+    for (const ProcessResult& result :
+         {explore({}), run({"rank", "--store", "s.db", "--objectives", "sheaths"}),
+          run({"merge", "s.db", "--out", "m"})}) {
+      expect_bad(result,
+                 "s.db: shard 1 of 1: expected what explore saved of it: the file is damaged, or "
+                 "was changed");
+    }
+  }
+}
+
+// What is saved in a file that has no name any more is lost.
+TEST_F(Stored, NoticesThatItIsRemoved) {
+  const ProcessResult result = explore(
+      some_work,
+      disturbed(0, [&](const RunningProcess&) { return generated() > 0 && fs::remove(store()); }),
+      {"--threads", "1"});
+  expect_bad(result, "s.db: somebody removed or replaced it while explore was writing it");
 }
 
 TEST_F(Stored, RefusesAFileThatWasCutOff) {
