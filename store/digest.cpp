@@ -81,9 +81,10 @@ std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard) {
            digest);
   for (const char* table : {"constraints", "known", "archive", "ladder", "sample"}) {
     // By number, or of the sample by place.
-    add_rows(rows_of_shard(database,
-                           fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table), shard),
-             digest);
+    add_rows(
+        rows_of_shard(database, fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table),
+                      shard),
+        digest);
   }
   return digest.value();
 }
