@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <thread>
 #include <typeinfo>
 
 #include "cli/commands/commands.hpp"
@@ -20,7 +22,10 @@ namespace {
 constexpr std::size_t longest_line = 800;
 constexpr std::size_t longest_message = 20000;
 
-bool is_silent = false;
+// Longer than processes that are started together differ.
+constexpr std::chrono::seconds patience{5};
+
+std::string second_speaker;  // this process, if it leaves the first word to another
 std::atomic_flag is_said = ATOMIC_FLAG_INIT;
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
@@ -86,10 +91,12 @@ int complain_alone(const std::string& message, int exit_code) {
 }
 
 int complain(const std::string& message, int exit_code) {
-  return is_silent ? exit_code : complain_alone(message, exit_code);
+  if (second_speaker.empty()) return complain_alone(message, exit_code);
+  std::this_thread::sleep_for(patience);
+  return complain_alone(second_speaker + message, exit_code);
 }
 
-void leave_complaints_to_others() { is_silent = true; }
+void leave_first_word_to_others(const std::string& speaker) { second_speaker = speaker; }
 
 int complain_of_memory() {
   say_last("reeve: not enough memory\n");

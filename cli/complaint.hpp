@@ -11,8 +11,9 @@ namespace reeve::cli {
 // "reeve: …", shortened where what the user gave is longer than anybody reads.
 int complain(const std::string& message, int exit_code);
 
-// From here on `complain` says nothing: another process says the same.
-void leave_complaints_to_others();
+// From here on `complain` waits for some seconds: most often another process says the same, and all
+// are ended. What is said after all begins with `speaker`.
+void leave_first_word_to_others(const std::string& speaker);
 // Of what no other process can say.
 int complain_alone(const std::string& message, int exit_code);
 

@@ -32,10 +32,8 @@ std::string machine() {
 }
 
 [[noreturn]] void refuse_to_connect(const std::string& why) {
-  const Launch launch = launched();
-  if (launch.rank == 0) throw InputError(why);
-  throw Unconnected(
-      fmt::format("rank {} of {}, on {}: {}", launch.rank, launch.size, machine(), why));
+  if (launched().rank == 0) throw InputError(why);
+  throw Unconnected(why);
 }
 
 }  // namespace
@@ -48,6 +46,11 @@ Launch launched() {
                     .value = wish(),
                     .expected = "off, or nothing",
                     .form = InputForm::equals});
+}
+
+std::string this_process() {
+  const Launch launch = launch_in_environment();
+  return fmt::format("rank {} of {}, on {}: ", launch.rank, launch.size, machine());
 }
 
 bool follows_another() { return wish() != "off" && launch_in_environment().rank > 0; }

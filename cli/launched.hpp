@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "numerics/processes.hpp"
 
@@ -11,8 +12,10 @@ namespace reeve::cli {
 // As the environment says; alone where REEVE_MPI is off. Throws InputError if that is anything
 // else.
 Launch launched();
-// Whether it is for another process to speak, and to return an exit code that means something.
+// Whether it is for another process to speak first.
 bool follows_another();
+// "rank 1 of 3, on node7: ", for what it says itself.
+std::string this_process();
 
 // Throws InputError if there are others: all would do the same, and write the same files.
 void require_alone(const Launch& launch);

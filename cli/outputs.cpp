@@ -69,6 +69,7 @@ void require_no_input_in(const fs::path& folder, const std::vector<std::string>&
   for (const std::string& file : files) require_not_an_input(folder / file, inputs, option);
   // Which figures there will be is known when they are made.
   const fs::path figures = folder / "figures";
+  require_not_an_input(figures, inputs, option);
   for (const InputFile& input : inputs) {
     const fs::path place = where_links_lead(input.file);
     if (!can_be_lost(input.file) || !are_the_same(figures, place.parent_path())) continue;

@@ -122,14 +122,12 @@ int run_to_last_words(int argc, char** argv) {
 
 int program(int argc, char** argv) {
   if (!follows_another()) return run_to_last_words(argc, argv);
-  leave_complaints_to_others();
+  leave_first_word_to_others(this_process());
   try {
-    run_to_last_words(argc, argv);
+    return run_to_last_words(argc, argv);
   } catch (const Unconnected& error) {
-    return complain_alone(error.what(), interrupted);
+    return complain_alone(this_process() + error.what(), interrupted);
   }
-  // Another one would have mpirun end the process that has something to say.
-  return done;
 }
 
 }  // namespace reeve::cli

@@ -35,11 +35,6 @@ std::string reason(const SQLite::Exception& error) {
   }
 }
 
-int flags(Access access) {
-  return access == Access::read ? SQLite::OPEN_READONLY
-                                : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
-}
-
 int pragma(const SQLite::Database& database, const char* name) {
   SQLite::Statement query(database, fmt::format("PRAGMA {}", name));
   return query.executeStep() ? query.getColumn(0).getInt() : 0;
@@ -78,6 +73,35 @@ void require_place(const fs::path& file, Access access) {
   refuse(file, fmt::format("there is no folder '{}'", folder.string()), "one that is there");
 }
 
+// Names such as ":memory:" mean something to SQLite, absolute ones do not.
+SQLite::Database database_in(const fs::path& file, int flags) {
+  return {fs::absolute(file).string(), flags, patience_ms};
+}
+
+// What a process that was killed has left half written is undone by who opens it next, and takes
+// writing.
+SQLite::Database opened_database(const fs::path& file, Access access) {
+  if (access == Access::write) {
+    return database_in(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  }
+  try {
+    SQLite::Database database = database_in(file, SQLite::OPEN_READONLY);
+    pragma(database, "application_id");
+    return database;
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_READONLY) throw;
+  }
+  try {
+    SQLite::Database database = database_in(file, SQLite::OPEN_READWRITE);
+    pragma(database, "application_id");
+    return database;
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_READONLY) throw;
+  }
+  refuse(file, "a process that was killed has left it half written",
+         "a place where that can be undone, by writing");
+}
+
 }  // namespace
 
 void fail(const fs::path& file, const SQLite::Exception& error) {
@@ -88,12 +112,12 @@ void fail(const fs::path& file, const SQLite::Exception& error) {
 OpenedStore open_store(const fs::path& file, Access access) {
   require_place(file, access);
   return in_database(file, [&] {
-    // Names such as ":memory:" mean something to SQLite, absolute ones do not.
-    OpenedStore opened{SQLite::Database(fs::absolute(file).string(), flags(access), patience_ms)};
+    OpenedStore opened{opened_database(file, access)};
     const int application = pragma(opened.database, "application_id");
     const int version = pragma(opened.database, "user_version");
     opened.is_new = application == 0 && version == 0 && is_empty(opened.database);
     if (opened.is_new && access == Access::write) return opened;
+    if (opened.is_new) refuse(file, "explore has saved nothing in it yet", "what it stored");
     if (application != application_id) {
       refuse(file, "it is a database, but no store of an exploration", "what reeve explore stored");
     }

@@ -185,9 +185,12 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
   return none_is_left ? answer_is_no : done;
 }
 
-// The command that the shards are parts of.
+// The command that the shards are parts of. How their own lists were shown is no part of it.
 ParsedExplore parsed_merge(std::vector<std::string> arguments, const std::vector<std::string>& here,
                            const std::string& name) {
+  std::erase_if(arguments, [](const std::string& argument) {
+    return argument.starts_with("--columns=") || argument.starts_with("--text-width=");
+  });
   arguments.insert(arguments.end(), here.begin(), here.end());
   return {arguments, name};
 }

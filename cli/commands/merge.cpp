@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -48,6 +49,12 @@ ShardFile read_shard(const std::filesystem::path& folder) {
 
 // A store may hold several.
 void add_shards(const std::filesystem::path& place, std::vector<ShardFile>& shards) {
+  if (place.empty()) {
+    throw InputError({.where = "''",
+                      .what = "it is no name",
+                      .expected = "that of a folder of explore --shard, or of a store",
+                      .form = InputForm::unknown});
+  }
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(place, ignored)) {
     shards.push_back(read_shard(place));
@@ -73,6 +80,8 @@ std::vector<ShardFile> read_shards(const MergeFlags& flags) {
   std::vector<ShardFile> shards;
   for (const std::string& place : flags.folders) add_shards(place, shards);
   require_all_shards(shards);
+  // Spelled as the first was asked for, in whichever order they are named.
+  std::ranges::sort(shards, {}, [](const ShardFile& file) { return file.shard.index; });
   return shards;
 }
 

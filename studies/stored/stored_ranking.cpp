@@ -25,8 +25,10 @@ bool is_same_order(const ExploreOptions& a, const ExploreOptions& b) {
   return !decides_by_score(a.order) || is_same_score(a.score, b.score);
 }
 
-bool is_among(const Constraint& constraint, const std::vector<Constraint>& constraints) {
-  return std::any_of(constraints.begin(), constraints.end(),
+// Whether `a` has this constraint of `b`: a bound on another score is another one.
+bool has_too(const ExploreOptions& a, const Constraint& constraint, const ExploreOptions& b) {
+  if (constraint.objective == Objective::score && !is_same_score(a.score, b.score)) return false;
+  return std::any_of(a.constraints.begin(), a.constraints.end(),
                      [&](const Constraint& other) { return other.text == constraint.text; });
 }
 
@@ -34,7 +36,7 @@ bool is_among(const Constraint& constraint, const std::vector<Constraint>& const
 bool asks_again(const ExploreOptions& stored, const ExploreOptions& asked) {
   return std::all_of(
       stored.constraints.begin(), stored.constraints.end(),
-      [&](const Constraint& constraint) { return is_among(constraint, asked.constraints); });
+      [&](const Constraint& constraint) { return has_too(asked, constraint, stored); });
 }
 
 // What is better in everything meets it if a design does.
@@ -129,11 +131,11 @@ ExploreReport concluded(ExplorationPart part, const ExploreOptions& asked,
 std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked) {
   std::vector<Gap> gaps;
   if (!is_same_order(stored, asked)) gaps.push_back(Gap::other_order);
-  const auto& before = stored.constraints;
   const auto& now = asked.constraints;
   if (!asks_again(stored, asked)) gaps.push_back(Gap::constraint_dropped);
   if (!std::all_of(now.begin(), now.end(), [&](const Constraint& constraint) {
-        return is_among(constraint, before) || admits_what_is_better(constraint, stored.order);
+        return has_too(stored, constraint, asked) ||
+               admits_what_is_better(constraint, stored.order);
       })) {
     gaps.push_back(Gap::constraint_elsewhere);
   }

@@ -123,6 +123,9 @@ TEST(WrittenOver, IsNoStoreAlsoWhileThereIsNoneYet) {
   const std::string refused =
       "reeve: --out 'o': 'o/designs.csv' would be written over the store: expected another place\n";
   EXPECT_EQ(run_in(folder, command).err, refused);
+  EXPECT_EQ(
+      run_in(folder, {"explore", "--store", "o/figures", "--out", "o"}).err,
+      "reeve: --out 'o': 'o/figures' would be written over the store: expected another place\n");
   EXPECT_FALSE(fs::exists(folder.path() / "o"));
   fs::create_directory(folder.path() / "o");
   ASSERT_EQ(run_in(folder, {"explore", "--store", "o/designs.csv", "--out", "p"}).exit_code, 0);

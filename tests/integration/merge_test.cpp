@@ -237,6 +237,31 @@ TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
   EXPECT_NE(half.err.find("s1/shard.json: it cannot be understood"), std::string::npos) << half.err;
 }
 
+// Lists that the shards printed are none of the whole, and its command is that of the first.
+TEST_F(Merging, DoesNotDependOnHowShardsWereShownAndNamed) {
+  const Arguments table{"--fingers", "2",     "--objectives", "uniformity,efficiency",
+                        "--format",  "latex", "--columns",    "name,routing",
+                        "--top",     "20",    "--text-width", "88mm"};
+  explore_shard(table, 1, 2);
+  explore_shard({"--fingers", "2", "--top", "20"}, 2, 2);
+  for (const std::vector<int>& order : {std::vector{1, 2}, std::vector{2, 1}}) {
+    fs::remove_all(folder_.path() / "out");
+    const ProcessResult result = merge(order, {"--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(read_text(folder_.path() / "out/index.html").find("--objectives"), std::string::npos);
+  }
+}
+
+TEST_F(Merging, TakesNoNameForNoFolder) {
+  explore_shard({"--fingers", "2"}, 1, 1);
+  const ProcessResult result = run({"merge", "", "--out", "."}, folder_.path() / "s1");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err,
+            "reeve: '': it is no name; expected that of a folder of explore --shard, or of a "
+            "store\n");
+  EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));
+}
+
 TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
   explore_shard({}, 1, 1);
   EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));

@@ -163,6 +163,10 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
                               "reeve explore stored");
   EXPECT_TRUE(read_text(store()) == cats);
   fs::remove(store());
+  folder_.write("s.db", "");
+  expect_bad(run({"rank", "--store", "s.db"}),
+             "s.db: explore has saved nothing in it yet; expected what it stored");
+  fs::remove(store());
   fs::create_directory(store());
   expect_bad(explore({}), start + "it is a folder; expected the file of a store");
   fs::remove(store());
@@ -283,6 +287,22 @@ TEST_F(Stored, NoticesThatItIsRemoved) {
       disturbed(0, [&](const RunningProcess&) { return generated() > 0 && fs::remove(store()); }),
       {"--threads", "1"});
   expect_bad(result, "s.db: somebody removed or replaced it while explore was writing it");
+}
+
+// As a kill does within a transaction that has a journal: rows are changed, and to be changed back.
+TEST_F(Stored, IsReadAfterAKillThatLeavesAJournal) {
+  EXPECT_EQ(explore({"--fingers", "3"}).exit_code, 0);
+  const std::string ranked = run({"rank", "--store", "s.db"}).out;
+  const std::string killed = (folder_.path() / "killed.db").string();
+  const ProcessResult result = run_process(
+      {"sqlite3", store().string(), "PRAGMA cache_size = 1", "BEGIN",
+       "UPDATE archive SET equals_left_out = equals_left_out + 1",
+       ".shell cp " + store().string() + " " + killed,
+       ".shell cp " + store().string() + "-journal " + killed + "-journal", "ROLLBACK"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_NE(read_text(killed), read_text(store()));
+  EXPECT_EQ(run({"rank", "--store", "killed.db"}).out, ranked);
+  EXPECT_FALSE(fs::exists(killed + "-journal"));
 }
 
 TEST_F(Stored, RefusesAFileThatWasCutOff) {

@@ -134,6 +134,16 @@ TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
   EXPECT_FALSE(exact({"--objectives", "travel", "--constraint", "sheaths<=2"}));
 }
 
+// The same words bound another score.
+TEST_F(Stored, IsNotExactUnderABoundOnAnotherScore) {
+  ASSERT_EQ(explore({"--score", "uniformity=1", "--constraint", "score>=0.5"}).exit_code, 0);
+  const auto ranked = [&](const char* score) {
+    return Json::parse(run({"rank", "--store", "s.db", "--score", score, "--format", "json"}).out);
+  };
+  EXPECT_TRUE(ranked("uniformity=1")["exact"]);
+  EXPECT_FALSE(ranked("force_transmission=1")["exact"]);
+}
+
 TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
   ASSERT_EQ(explore({"--objectives", "knots", "--top", "53"}).exit_code, 0);
   const Json ranked = Json::parse(

@@ -20,10 +20,16 @@ const Arguments long_work{"explore", "--fingers", "9", "--parts", "full", "--top
 class Mpirun : public Stored {
  protected:
   // In a container who runs it may be root, on fewer cores than processes, and without a network.
-  ProcessResult together(int size, const Arguments& arguments, ProcessOptions options = {}) const {
-    Arguments command{REEVE_MPIRUN, "--oversubscribe",    "--mca",         "btl", "self,vader",
-                      "-n",         std::to_string(size), REEVE_EXECUTABLE};
-    command.insert(command.end(), arguments.begin(), arguments.end());
+  ProcessResult together(int size, Arguments arguments, ProcessOptions options = {}) const {
+    arguments.insert(arguments.begin(), REEVE_EXECUTABLE);
+    return run_together(size, arguments, std::move(options));
+  }
+
+  ProcessResult run_together(int size, const Arguments& program,
+                             ProcessOptions options = {}) const {
+    Arguments command{REEVE_MPIRUN, "--oversubscribe",   "--mca", "btl", "self,vader",
+                      "-n",         std::to_string(size)};
+    command.insert(command.end(), program.begin(), program.end());
     options.environment["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
     options.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
     options.directory = folder_.path();
@@ -123,6 +129,20 @@ TEST_F(Mpirun, SaysABadOptionOnce) {
     EXPECT_EQ(result.err.find("reeve: ", first + 1), std::string::npos) << result.err;
     EXPECT_TRUE(fs::is_empty(folder_.path()));
   }
+}
+
+// Of what the first one knows nothing.
+TEST_F(Mpirun, SaysTheBadOptionOfOneThatFollows) {
+  folder_.write("differs",
+                "#!/bin/sh\n[ $OMPI_COMM_WORLD_RANK = 1 ] && set -- \"$@\" --bogus\nexec \"$@\"\n");
+  const ProcessResult result =
+      run_together(3, {"sh", "differs", REEVE_EXECUTABLE, "explore", "--fingers", "3"});
+  EXPECT_FALSE(result.timed_out);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("reeve: rank 1 of 3, on "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(": The following argument was not expected: --bogus; see reeve --help"),
+            std::string::npos)
+      << result.err;
 }
 
 TEST_F(Mpirun, AloneRunsAnything) {
