@@ -77,7 +77,7 @@ TEST(ExploreNotes, SayThatFingersDifferWhereTheyDo) {
   };
   const auto tip_mu = &FingerHardware::tip_mu;
   EXPECT_EQ(notes_of({}), 0U);
-  EXPECT_EQ(notes_of({finger_with(5, tip_mu, 0.5)}), 1U);
+  ASSERT_EQ(notes_of({finger_with(5, tip_mu, 0.5)}), 1U);
   EXPECT_EQ(notes(report).front(),
             "[finger.5] of the hardware changes nothing: no routing here has a finger 5");
   EXPECT_EQ(notes_of({finger_with(1, &FingerHardware::closing, 1)}), 0U);
