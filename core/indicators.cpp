@@ -5,17 +5,37 @@
 
 namespace reeve::core {
 
-Indicators indicators(const Network& network, const TensionState& state) {
-  return indicators(network, state, finger_pulls(network, state));
+double ClosingAlike::given_up(const Network& network) {
+  double sum = 0;
+  if (network.blocks.empty()) {
+    for (const Segment& segment : network.segments) {
+      if (segment.kind == SegmentKind::motor_side) ++sum;
+    }
+    return sum;
+  }
+  // Of the ways alone: neither friction nor lengths tell.
+  mechanics_.length.assign(network.segments.size(), 1);
+  mechanics_.phi.assign(network.contacts.size(), 0);
+  mechanics_.decay.assign(network.contacts.size(), 1);
+  mechanics_.closing.assign(static_cast<std::size_t>(network.fingers), 1);
+  kinematics_.solve(network, mechanics_, Grasp{}, Direction::pull, motion_);
+  for (const Segment& segment : network.segments) {
+    if (segment.kind != SegmentKind::strand) continue;
+    sum += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+  }
+  return sum;
 }
 
-Indicators indicators(const Network& network, const TensionState& state, const FingerPulls& pulls) {
+Indicators indicators(const Network& network, const TensionState& state) {
+  return indicators(network, state, finger_pulls(network, state), ClosingAlike().given_up(network));
+}
+
+Indicators indicators(const Network& network, const TensionState& state, const FingerPulls& pulls,
+                      double given_up) {
   constexpr double best = 10;
   double sum = 0;
-  int motor_sides = 0;
   int strands = 0;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    if (network.segments[i].kind == SegmentKind::motor_side) ++motor_sides;
     if (network.segments[i].kind != SegmentKind::strand) continue;
     sum += state.tension[i];
     ++strands;
@@ -36,7 +56,7 @@ Indicators indicators(const Network& network, const TensionState& state, const F
   }
   const double transmission = best * sum / strands;
   return {best * (1 - (pulls.greatest - pulls.least) / sum), best * (1 - twist / sum),
-          best * (1 - friction / sum), motor_sides * transmission, transmission};
+          best * (1 - friction / sum), given_up * transmission, transmission};
 }
 
 }  // namespace reeve::core

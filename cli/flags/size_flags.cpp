@@ -62,14 +62,15 @@ void SizeFlags::add_to(CLI::App& command) {
       ->needs(from_given)
       ->capture_default_str();
   command
-      .add_option("--vary", vary,
-                  "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
-                  "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
-                  "contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
+      .add_option(
+          "--vary", vary,
+          "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
+          "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
+          "arm_mm, contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
       ->allow_extra_args(false);
   command
       .add_option("--same", same,
-                  "What stays equal: tips, sheaths, strands, or dimensions such as "
+                  "What stays equal: tips, sheaths, strands, arms, or dimensions such as "
                   "'sheath_angle[2,3,4]'. May be given several times")
       ->allow_extra_args(false);
   add_goal(command, *this);

@@ -55,9 +55,15 @@ std::string motor_html(const SizingDetails& details) {
   const auto add = [&](const char* what, const char* unit, double MotorDemand::*of) {
     table.add({what, unit, short_text(before.*of), short_text(sized.*of)});
   };
+  const auto add_motion = [&](const char* what, const char* unit, double MotorDemand::*of) {
+    const auto cell = [of](const MotorDemand& demand) {
+      return demand.can_move() ? short_text(demand.*of) : "-";
+    };
+    table.add({what, unit, cell(before), cell(sized)});
+  };
   add("force", "N", &MotorDemand::force_N);
-  add("stroke", "mm", &MotorDemand::stroke_mm);
-  add("speed", "mm/s", &MotorDemand::speed_mm_s);
+  add_motion("stroke", "mm", &MotorDemand::stroke_mm);
+  add_motion("speed", "mm/s", &MotorDemand::speed_mm_s);
   add("power, at most", "W", &MotorDemand::power_W);
   if (sized.torque_Nm) {
     table.add({"torque at the spool", "N m", short_text(*before.torque_Nm),

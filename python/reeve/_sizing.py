@@ -46,10 +46,10 @@ def size(
         For from: how many of them. Default: 20.
     vary : str or sequence of str
         A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: of
-        all fingers, each by itself. Also tip_angle, strand_mm, closing,
+        all fingers, each by itself. Also tip_angle, strand_mm, closing, arm_mm,
         contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times.
     same : str or sequence of str
-        What stays equal: tips, sheaths, strands, or dimensions such as
+        What stays equal: tips, sheaths, strands, arms, or dimensions such as
         'sheath_angle[2,3,4]'. May be given several times.
     goal : str
         What to make the most of: an objective, or a product such as

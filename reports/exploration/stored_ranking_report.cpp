@@ -62,6 +62,7 @@ std::vector<SheetLine> opening(const StoredRanking& ranking) {
   if (ranking.partial) lines.push_back({"PARTIAL: " + partial_text(ranking), true});
   const std::string note = inexact_note(ranking);
   if (!note.empty()) lines.push_back({"Note: " + note, true});
+  for (const std::string& line : notes(ranking.report)) lines.push_back({"Note: " + line, true});
   lines.push_back({order_text(ranking.report.options.order, ranking.report.options.score)});
   return lines;
 }
@@ -93,6 +94,7 @@ std::string stored_ranking_json(const StoredRanking& ranking) {
   Json json{{"exact", ranking.gaps.empty()},
             {"inexact_because", gap_texts(ranking)},
             {"partial", ranking.partial},
+            {"notes", notes(ranking.report)},
             {"total", result.total},
             {"generated", result.generated},
             {"evaluated", result.evaluated},

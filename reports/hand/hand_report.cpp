@@ -83,6 +83,10 @@ void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
 
 void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
   const MotorDemand& demand = hand.demand;
+  if (!demand.can_move()) {
+    lines.push_back({"No stroke: the carriage is blocked, and no finger can close", true});
+    return;
+  }
   lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
                                hand.motor.close_s, demand.speed_mm_s)});
   if (demand.closure < 1) {
@@ -105,7 +109,7 @@ void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
 void add_limit_line(const char* what, const char* unit, double asked,
                     const std::optional<double>& limit, const char* where_enough,
                     std::vector<SheetLine>& lines) {
-  // That no force is enough is said already.
+  // That no force is enough, or that there is no stroke, is said already.
   if (!limit || !std::isfinite(asked)) return;
   const bool enough = asked <= *limit;
   lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
@@ -204,27 +208,32 @@ Json enough(double asked, const std::optional<double>& limit) {
 
 Json motor_json(const ShownHand& hand) {
   const MotorDemand& demand = hand.demand;
-  return {{"force_N", number(demand.force_N)},
-          {"frictionless_N", number(demand.frictionless_N)},
-          {"friction_cost", number(demand.friction_cost())},
-          {"weakest",
-           {{"finger", demand.weakest},
-            {"joint", demand.joint + 1},
-            {"held", held_fingers(demand.grasp)}}},
-          {"stroke_mm", demand.stroke_mm},
-          {"closure", demand.closure},
-          {"speed_mm_s", demand.speed_mm_s},
-          {"power_W", number(demand.power_W)},
-          {"work_J", number(demand.work_J)},
-          {"springs_J", number(demand.springs_J)},
-          {"friction_J", number(demand.friction_J)},
-          {"fingers_J", number(demand.fingers_J)},
-          {"torque_Nm", value_or_null(demand.torque_Nm, number)},
-          {"spool_rpm", value_or_null(demand.spool_rpm, number)},
-          {"force_is_enough", enough(demand.force_N, hand.motor.force_N)},
-          {"stroke_is_enough", enough(demand.stroke_mm, hand.motor.stroke_mm)},
-          {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
-          {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
+  const auto of_motion = [&](double value) {
+    return demand.can_move() ? number(value) : Json(nullptr);
+  };
+  return {
+      {"force_N", number(demand.force_N)},
+      {"frictionless_N", number(demand.frictionless_N)},
+      {"friction_cost", number(demand.friction_cost())},
+      {"weakest",
+       {{"finger", demand.weakest},
+        {"joint", demand.joint + 1},
+        {"held", held_fingers(demand.grasp)}}},
+      {"stroke_mm", of_motion(demand.stroke_mm)},
+      {"closure", demand.closure},
+      {"speed_mm_s", of_motion(demand.speed_mm_s)},
+      {"power_W", number(demand.power_W)},
+      {"work_J", number(demand.work_J)},
+      {"springs_J", number(demand.springs_J)},
+      {"friction_J", number(demand.friction_J)},
+      {"fingers_J", number(demand.fingers_J)},
+      {"torque_Nm", value_or_null(demand.torque_Nm, number)},
+      {"spool_rpm", demand.can_move() ? value_or_null(demand.spool_rpm, number) : Json(nullptr)},
+      {"force_is_enough", enough(demand.force_N, hand.motor.force_N)},
+      {"stroke_is_enough",
+       demand.can_move() ? enough(demand.stroke_mm, hand.motor.stroke_mm) : Json(nullptr)},
+      {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
+      {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
 }
 
 }  // namespace
@@ -234,9 +243,11 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_force_lines(hand.demand, lines);
   add_motion_lines(hand, lines);
   add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, "enough", lines);
-  add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm,
-                 hand.demand.closure < 1 ? "enough for as far as the hand closes" : "enough",
-                 lines);
+  if (hand.demand.can_move()) {
+    add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm,
+                   hand.demand.closure < 1 ? "enough for as far as the hand closes" : "enough",
+                   lines);
+  }
   add_reach_lines(hand, lines);
   return {
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"

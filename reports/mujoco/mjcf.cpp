@@ -6,6 +6,7 @@
 #include "core/notation.hpp"
 #include "core/version.hpp"
 #include "reports/mujoco/mjcf_rig.hpp"
+#include "reports/results/model_text.hpp"
 #include "reports/results/shared_carriage.hpp"
 
 namespace reeve::reports {
@@ -45,10 +46,19 @@ std::string trees_lines(const Network& network) {
          "their fingers ask; reeve's own figures have them take up alike.\n";
 }
 
-std::string explanation(const std::string& word, const MjcfRig& rig, const MjcfOrigin& origin) {
+std::string absent_lines(const Hardware& hardware, const Network& network) {
+  std::string lines;
+  for (const std::string& note : absent_finger_notes({hardware, {}, {}}, network.fingers)) {
+    lines += "Note: " + note + ".\n";
+  }
+  return lines;
+}
+
+std::string explanation(const std::string& word, const MjcfRig& rig, const Hardware& hardware,
+                        const MjcfOrigin& origin) {
   return fmt::format(
       " The routing {} without friction, by reeve {}.\n"
-      "{}"
+      "{}{}"
       "Metres, kilograms, newtons, radians.\n"
       "MuJoCo's tendons have no capstan friction: the friction exponents of the contacts stand below\n"
       "as data (contact_..., friction_exponents) that nothing acts on, and the tensions are those of\n"
@@ -58,6 +68,7 @@ std::string explanation(const std::string& word, const MjcfRig& rig, const MjcfO
       "Masses and damping are not the hardware's: they bring the rig to rest.\n"
       "Activate the constraints hold_... to hold a finger. ",
       title(word, origin), version().number, hardware_line(origin),
+      absent_lines(hardware, rig.network),
       has_joints(rig)
           ? "What a finger's joints give up, their arms times their angles, is what its runner "
             "travels."
@@ -132,7 +143,7 @@ std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOri
   const std::string word = to_word(routing);
   MjcfText out;
   out.open("mujoco", {{"model", word}});
-  out.comment(explanation(word, rig, origin));
+  out.comment(explanation(word, rig, hardware, origin));
   write_settings(out);
   out.open("custom");
   write_friction(rig, mechanics, out);

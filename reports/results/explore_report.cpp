@@ -218,8 +218,12 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const Hardware hardware = effective_hardware(options.model);
   const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
                      treats_fingers_alike(hardware, options.generator.fingers);
-  std::vector<std::string> notes;
-  if (report.uncertainty) notes = range_notes(hardware, report.uncertainty->ranges);
+  std::vector<std::string> notes = absent_finger_notes(options.model, options.generator.fingers);
+  if (report.uncertainty) {
+    for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
+      notes.push_back(std::move(note));
+    }
+  }
   if (alike || options.generator.identity == FingerIdentity::distinct) return notes;
   notes.insert(notes.begin(),
                "the grasps or the hardware tell the fingers apart, but routings were listed for "

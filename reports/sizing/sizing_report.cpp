@@ -81,7 +81,13 @@ std::string off_together(double way, const std::optional<double>& alone) {
   return alone ? short_number(way) : "≥ " + short_number(way);
 }
 
-std::string stands(const SizedVariable& variable) {
+// As far as it was looked at nothing depends on it, wherever it stands.
+bool is_free(const SizedDesign& design, const Sensitivity& of) {
+  return design.together && !of.less && !of.more && of.slope_less == 0 && of.slope_more == 0;
+}
+
+std::string stands(const SizedDesign& design, const SizedVariable& variable) {
+  if (is_free(design, variable.sensitivity)) return "free";
   switch (variable.at) {
     case AtBound::low:
       return "at its lower bound";
@@ -133,7 +139,7 @@ std::array<std::string, variable_columns.size()> variable_cells(const SizedDesig
           off(of.more),
           ways != nullptr ? off_together(ways->less, of.less) : "-",
           ways != nullptr ? off_together(ways->more, of.more) : "-",
-          stands(sized),
+          stands(design, sized),
           short_number(of.slope_less),
           short_number(of.slope_more)};
 }

@@ -130,7 +130,8 @@ double DecidingEvaluator::travel() const {
     for (const double way : state.closing) closing += way;
     jams |= state.jams;
   }
-  if (strands == 0 || outcome_.parts.blocks == 0) return strands / motor_sides;
+  if (strands == 0) return 0;
+  if (outcome_.parts.blocks + outcome_.parts.bars == 0 && !jams) return strands / motor_sides;
   return strands / (jams ? 0 : closing);
 }
 

@@ -35,6 +35,20 @@ bool may_not_converge(const Model& model) {
          reaches(model, Reach::conditions);
 }
 
+namespace {
+
+// Tendons without a strand, which give nothing up.
+bool blocks_the_carriage(const Network& network) {
+  const auto has_strand = [&](const TendonSpan& tendon) {
+    const auto* const first = network.segments.data() + tendon.first_segment;
+    return std::any_of(first, first + tendon.segments,
+                       [](const Segment& segment) { return segment.kind == SegmentKind::strand; });
+  };
+  return !std::all_of(network.tendons.begin(), network.tendons.end(), has_strand);
+}
+
+}  // namespace
+
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
     : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
 
@@ -75,7 +89,7 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   outcome.jams = pulled.jams;
   const FingerPulls pulls = finger_pulls(network_, pulled);
   outcome.pull = performance(network_, pulled, pulls);
-  if (extent.indicators) outcome.indicators = indicators(network_, pulled, pulls);
+  if (extent.indicators) outcome.indicators = indicators(network_, pulled, pulls, given_up_alike_);
   if (judges_hand(extent)) {
     outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
   }
@@ -86,7 +100,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent&
   return outcome;
 }
 
-// Without blocks a tendon gives to its strands what the carriage takes from it.
+// Without blocks a tendon gives to its strands what the carriage takes from it. One that has none
+// lets the carriage not move.
 double DesignEvaluator::travel() {
   const auto count = [&](SegmentKind kind) {
     return static_cast<double>(
@@ -94,7 +109,10 @@ double DesignEvaluator::travel() {
                       [kind](const Segment& segment) { return segment.kind == kind; }));
   };
   const double strands = count(SegmentKind::strand);
-  if (strands == 0 || network_.blocks.empty()) return strands / count(SegmentKind::motor_side);
+  if (strands == 0) return 0;
+  if (network_.blocks.empty() && !blocks_the_carriage(network_)) {
+    return strands / count(SegmentKind::motor_side);
+  }
   kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
   double closing = 0;
   for (const Segment& segment : network_.segments) {
@@ -132,6 +150,7 @@ void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent)
     model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
   }
   is_shared_ = shared_ && shared_->set_routing(routing);
+  if (extent.indicators) given_up_alike_ = closing_alike_.given_up(network_);
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
   outcome_.parts = parts(network_);

@@ -90,6 +90,8 @@ class DesignEvaluator {
   Mechanics mechanics_;
   TensionSolver solver_;
   Kinematics kinematics_;  // of travel and stroke alone
+  ClosingAlike closing_alike_;
+  double given_up_alike_ = 0;  // of the routing at hand, if indicators are asked for
   Motion motion_;
   TensionState state_;
   DesignOutcome outcome_;

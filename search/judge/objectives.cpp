@@ -121,8 +121,7 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
-     },
-     0, 10},
+     }},
     {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
      "weighted mean of objectives; unless others are asked for, of the five before it", nullptr,
      std::nullopt},

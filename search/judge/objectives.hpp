@@ -76,8 +76,8 @@ struct DesignOutcome {
   std::vector<GraspOutcome> grasps;
   PartCount parts;
   // Carriage travel per unit that a strand gives up, on average over the strands, when all fingers
-  // close: without blocks, strands / motor-side segments. 0 without strands, infinite where blocks
-  // keep all of them from moving.
+  // close: without blocks, strands / motor-side segments. 0 without strands, infinite where the
+  // carriage is blocked all the same.
   double travel = 0;
   // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
   // equal themselves.)

@@ -95,26 +95,29 @@ class Search {
     return {at, problem_.nominal_loss(at)};
   }
 
-  // The goal is no worse for it.
+  // The goal is no worse for it, but by rounding: what only that would gain stays as it is.
   Minimum tidied(Minimum best) const {
     for (std::size_t i = 0; i < best.at.size(); ++i) {
       const Interval& bounds = problem_.box()[i];
       const double near = all_but * (bounds.high - bounds.low);
-      const double spare = hardly_a_loss * std::abs(best.value);
-      if (best.at[i] - bounds.low < near) best = put(best, i, bounds.low, spare);
-      if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, spare);
+      const double most = best.value + hardly_a_loss * std::abs(best.value);
+      if (best.at[i] - bounds.low < near) best = put(best, i, bounds.low, most);
+      if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, most);
     }
     const Point nominal = problem_.nearest_to_nominal();
-    const double spare = no_loss * std::max(std::abs(best.value), no_loss);
-    for (std::size_t i = 0; i < best.at.size(); ++i) best = put(best, i, nominal[i], spare);
+    const double most =
+        best.value + std::max(no_loss * std::abs(best.value), goal_rounding(options_.goal));
+    const Minimum untouched = with_loss(nominal);
+    if (untouched.value <= most) return untouched;
+    for (std::size_t i = 0; i < best.at.size(); ++i) best = put(best, i, nominal[i], most);
     for (const FlatDirection& flat : flat_directions(problem_, options_.goal, best.at)) {
-      best = back_along(flat, best, spare);
+      best = back_along(flat, best, most);
     }
     return best;
   }
 
   // As near to the hardware as it is as the direction leads, the box's sides alike.
-  Minimum back_along(const FlatDirection& flat, const Minimum& best, double spare) const {
+  Minimum back_along(const FlatDirection& flat, const Minimum& best, double most) const {
     const Point nominal = problem_.nearest_to_nominal();
     double way = 0;
     double squares = 0;
@@ -130,14 +133,14 @@ class Search {
       there[i] = std::clamp(there[i] + way / squares * flat.moves[i], bounds.low, bounds.high);
     }
     const Minimum back = with_loss(there);
-    return back.value <= best.value + spare ? back : best;
+    return back.value <= most ? back : best;
   }
 
-  Minimum put(const Minimum& best, std::size_t variable, double value, double spare) const {
+  Minimum put(const Minimum& best, std::size_t variable, double value, double most) const {
     Point there = best.at;
     there[variable] = value;
     const Minimum put = with_loss(there);
-    return put.value <= best.value + spare ? put : best;
+    return put.value <= most ? put : best;
   }
 
   const SizingProblem& problem_;

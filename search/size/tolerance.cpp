@@ -49,7 +49,8 @@ class Surroundings {
       : problem_(problem),
         point_(point),
         loss_(problem.loss(point)),
-        tolerated_(tolerated(problem, goal, point)) {}
+        tolerated_(tolerated(problem, goal, point)),
+        rounding_(goal.is_target() ? goal_rounding(goal) : 0) {}
 
   Sensitivity of(std::size_t variable) const {
     const Interval& bounds = problem_.space().variables[variable].bounds;
@@ -75,7 +76,7 @@ class Surroundings {
     const Point at = beside(variable, move);
     if (!problem_.is_hardware(at)) return 0;
     const double change = problem_.as_loss(problem_.loss(at) - loss_);
-    return change / std::abs(move);
+    return std::abs(change) <= rounding_ ? 0 : change / std::abs(move);
   }
 
   std::optional<double> off(std::size_t variable, int sign) const {
@@ -91,6 +92,7 @@ class Surroundings {
   const Point& point_;
   double loss_;
   double tolerated_;
+  double rounding_;  // objectives are rounded already
 };
 
 // The loss about the point along some of the variables, in parts of their bounds.
@@ -193,6 +195,8 @@ AtBound at_bound(const Interval& bounds, double value) {
 double tolerated(const SizingProblem& problem, const Goal& goal, const Point& point) {
   return tolerated_loss * (goal.is_target() ? 1 : std::abs(problem.goal(point)));
 }
+
+double goal_rounding(const Goal& goal) { return goal.is_target() ? 1e-12 : 1e-9; }
 
 double room_beyond(const SizingProblem& problem, const Point& point, std::size_t variable,
                    int sign) {

@@ -16,6 +16,10 @@ inline constexpr double tolerated_loss = 0.01;
 // That part, in the unit of the loss.
 double tolerated(const SizingProblem& problem, const Goal& goal, const SizingProblem::Point& point);
 
+// A goal that changes by no more has not changed: shares are of the order of 1 and carry the
+// rounding of the tensions, objectives are rounded to 1e-10, and factors of a product are up to 10.
+double goal_rounding(const Goal& goal);
+
 // What the variable may be in any hardware.
 Interval possible(const SizingProblem& problem, std::size_t variable);
 

@@ -16,11 +16,17 @@ Interval widened(const MuRange& range, double nominal) {
   return {std::min(range.low, nominal), std::max(range.high, nominal)};
 }
 
+// What the interval of the bearings is about. Those without friction would not vary, and with them
+// no block that has some.
+double bearing_reference(const Hardware& nominal) {
+  return nominal.bearing.mu == 0 && nominal.block ? nominal.block->mu : nominal.bearing.mu;
+}
+
 }  // namespace
 
 CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges& ranges) {
   return {widened(ranges.tube_mu, nominal.tube.mu), widened(ranges.sheath_mu, nominal.sheath.mu),
-          around(nominal.bearing.mu, ranges.bearing_mu_relative),
+          around(bearing_reference(nominal), ranges.bearing_mu_relative),
           around(nominal.sheath.angle_rad, ranges.sheath_angle_relative)};
 }
 
@@ -34,14 +40,20 @@ std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, s
 }
 
 std::vector<double> point_of(const Hardware& hardware) {
-  return {hardware.tube.mu, hardware.sheath.mu, hardware.bearing.mu, hardware.sheath.angle_rad};
+  return {hardware.tube.mu, hardware.sheath.mu, bearing_reference(hardware),
+          hardware.sheath.angle_rad};
 }
 
 Hardware at_point(const Hardware& nominal, const std::vector<double>& point) {
   Hardware hardware = nominal;
   hardware.tube.mu = point[0];
   hardware.sheath.mu = point[1];
-  hardware.bearing.mu = point[2];
+  const double reference = bearing_reference(nominal);
+  const auto with_bearings = [&](double mu) {
+    return reference > 0 ? point[2] * (mu / reference) : point[2];
+  };
+  hardware.bearing.mu = with_bearings(nominal.bearing.mu);
+  if (hardware.block) hardware.block->mu = with_bearings(nominal.block->mu);
   hardware.sheath.angle_rad = point[3];
   return hardware;
 }

@@ -1,7 +1,8 @@
 // The coefficients that are uncertain, as a box: mu of tubes, sheaths and bearings, angle of
 // sheaths. A point of it holds for all parts of a kind at once (one spool of liner, one sort of
-// bearing); what the hardware file sets for single fingers or contacts stays as it is. The ranges
-// of mu are widened to hold the nominal values, if need be.
+// bearing); what the hardware file sets for single fingers or contacts stays as it is. A block
+// turns on a bearing: where it has a mu of its own, that varies with theirs, in proportion. The
+// ranges of mu are widened to hold the nominal values, if need be.
 //
 // Of a model it is the hardware that varies, and the effects act on what comes out: they were found
 // on a rig and are taken as known. So a coefficient that an effect replaces (tube_friction) does

@@ -82,7 +82,11 @@ Model at_coefficient(Model model, Coefficient coefficient, double value) {
   Hardware& hardware = model.hardware;
   if (sets_tubes(coefficient)) hardware.tube.mu = value;
   if (sets_sheaths(coefficient)) hardware.sheath.mu = value;
-  if (coefficient == Coefficient::bearing_mu) hardware.bearing.mu = value;
+  if (coefficient == Coefficient::bearing_mu) {
+    // Of blocks of which the file gives the wrap alone.
+    if (hardware.block && hardware.block->mu == hardware.bearing.mu) hardware.block->mu = value;
+    hardware.bearing.mu = value;
+  }
   if (coefficient == Coefficient::sheath_angle) hardware.sheath.angle_rad = value;
   std::erase_if(model.effects,
                 [&](const Effect& effect) { return would_replace(effect, coefficient); });

@@ -68,6 +68,9 @@ struct MotorDemand {
   std::optional<double> torque_Nm{};
   std::optional<double> spool_rpm{};
 
+  // Otherwise the carriage is blocked from the open hand on: there is no stroke, nor what follows
+  // from one.
+  bool can_move() const { return stroke_mm > 0; }
   double friction_cost() const { return force_N > 0 ? 1 - frictionless_N / force_N : 0; }
 };
 

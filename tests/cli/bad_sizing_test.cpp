@@ -1,6 +1,7 @@
 // `reeve size` with what it must refuse.
 #include <gtest/gtest.h>
 
+#include "search/size/dimension.hpp"
 #include "tests/cli/bad_line.hpp"
 
 namespace reeve::testing {
@@ -164,6 +165,16 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line({"TR1", "--save-hardware", "explored"},
            "--save-hardware 'explored': expected the name of a file, not a folder"),
   });
+}
+
+TEST(SizeHelp, NamesAllThatCanBeSizedOrStayEqual) {
+  const std::string help = reeve({"size", "--help"}).out;
+  for (const QuantityRow& row : quantity_table()) {
+    EXPECT_NE(help.find(row.name), std::string::npos) << row.name;
+    EXPECT_NE(help.find(*row.plural == '\0' ? "" : std::string(" ") + row.plural + ","),
+              std::string::npos)
+        << row.plural;
+  }
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ TEST(Indicators, OfFingersWithOneStrandCountStrands) {
   EXPECT_NEAR(found.torsional_balance, 10, 1e-12);
   EXPECT_NEAR(found.reliability, 10 * (1 - (1 - s) / s), 1e-11);
   EXPECT_NEAR(found.transmission, 10 * s / 2, 1e-12);
-  EXPECT_NEAR(found.authors_efficiency, found.transmission, 1e-12);
+  // The block goes with the carriage, and both strands give up as much.
+  EXPECT_NEAR(found.authors_efficiency, 10 * s, 1e-12);
   // A bar's arms pull as hard as they must; that is no friction.
   EXPECT_NEAR(indicators_of("M-W1+1x-W1/1:9-2x", {}, with_friction(0, 0)).reliability, 10, 1e-11);
 }
@@ -89,6 +90,33 @@ TEST(Indicators, OfPartsWithoutFrictionAreTenWhereAllStrandsCloseAlike) {
     EXPECT_NEAR(found.reliability, 10, 1e-12) << word;
     EXPECT_NEAR(found.authors_efficiency, 10, 1e-12) << word;
   }
+}
+
+// Without friction the strands do all the work of the motor, whatever ties them together.
+TEST(Indicators, OfBlocksAndBarsWithoutFrictionAreTenWhereAllStrandsCloseAlike) {
+  Hardware smooth = with_friction(0, 0);
+  smooth.bearing.mu = 0;
+  Hardware uneven = smooth;
+  uneven.fingers.push_back({1, {}, {}, {}, {}, {}, 3});
+  for (const char* word :
+       {"M-Y1+1x-Y1-2x", "M-W1+1x-W1-2x", "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x", "1x-Y1+M-Y1-2b-F",
+        "M-Y1+F-1b-Y1-2b-F", "M-B-Y1-B-Y1k+Y1-1x", "M-1-Y1+2-Y1-3-T-2", "M-W1+1x-W1/1:3-2x",
+        "M-Y1+1x-Y1-2x+M-Y2+3x-Y2-4x"}) {
+    EXPECT_NEAR(indicators_of(word, {}, smooth).authors_efficiency, 10, 1e-10) << word;
+    EXPECT_NEAR(indicators_of(word, hold({1}), smooth).authors_efficiency, 10, 1e-10) << word;
+    // As if all closed alike: not as the hardware lets them close.
+    EXPECT_NEAR(indicators_of(word, {}, uneven).authors_efficiency, 10, 1e-10) << word;
+  }
+}
+
+// Behind each block friction takes what it takes of the only sheath.
+TEST(Indicators, OfATreeOfBlocksAreWhatTheSheathLetsThrough) {
+  Hardware hardware;
+  hardware.bearing.mu = 0;
+  const double s = std::exp(-0.36 * std::numbers::pi);
+  EXPECT_NEAR(
+      indicators_of("M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x", hold({1}), hardware).authors_efficiency,
+      10 * s, 1e-10);
 }
 
 // Three fingers in a row: pulls 1 + r, r² + r³, r⁴ + r⁵.

@@ -74,7 +74,7 @@ TEST(KeysOfAStoreRankedAgain, AreThePromisedOnes) {
   reeve({"explore", "--store", store, "--top", "10", "--out", folder.path().string()});
   const Json json = json_of({"rank", "--store", store, "--objectives", "travel"});
   EXPECT_EQ(keys(json),
-            "exact inexact_because partial total generated evaluated kept failed_constraints "
+            "exact inexact_because partial notes total generated evaluated kept failed_constraints "
             "front_equals_left_out front top ladder settings version");
   EXPECT_EQ(json["inexact_because"].size(), 1U);
   EXPECT_EQ(keys(json["top"][0]), keys(summary()["top"][0]));

@@ -39,6 +39,17 @@ TEST(Export, SaysAtItsHeadWhatItIsOf) {
             std::string::npos);
 }
 
+TEST(Export, SaysAtItsHeadWhatOfTheHardwareItLeavesOut) {
+  const TemporaryFolder folder;
+  folder.write("hand.toml", "[finger.7]\nclosing = 2\n");
+  const std::string file = (folder.path() / "hand.toml").string();
+  const std::string said = head({"export", "TR1", "--hardware", file});
+  EXPECT_NE(said.find("\nNote: [finger.7] of the hardware changes nothing: no routing here has a "
+                      "finger 7.\n"),
+            std::string::npos)
+      << said;
+}
+
 // The name of a file may hold what would end a comment.
 TEST(Export, IsXmlWhateverTheHardwareIsCalled) {
   const TemporaryFolder folder;

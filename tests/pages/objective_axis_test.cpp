@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/notation.hpp"
 #include "pages/exploration/exploration_designs.hpp"
+#include "search/judge/evaluation.hpp"
 
 namespace reeve {
 namespace {
@@ -15,10 +17,23 @@ TEST(ObjectiveAxis, OfAShareEndsAtNothingAndAtTheWhole) {
 }
 
 TEST(ObjectiveAxis, OfAnIndicatorReachesTen) {
-  for (const Objective objective :
-       {Objective::adaptability, Objective::torsional_balance, Objective::transmission}) {
+  for (const Objective objective : {Objective::adaptability, Objective::torsional_balance}) {
     EXPECT_EQ(objective_axis(objective).least, 0);
     EXPECT_EQ(objective_axis(objective).greatest, 10);
+  }
+}
+
+// A tackle of three parts pulls three times as hard as the motor.
+TEST(ObjectiveAxis, OfARatioOfForcesHasNoEnd) {
+  Hardware smooth;
+  smooth.sheath.mu = 0;
+  smooth.bearing.mu = 0;
+  const ObjectiveValues values = DesignEvaluator(smooth, parse_grasps("none", 1))
+                                     .evaluate(parse_routing("M-B-Y1-B-Y1k+Y1-1x"));
+  EXPECT_NEAR(value(values, Objective::transmission), 30, 1e-9);
+  for (const Objective objective : {Objective::transmission, Objective::force_transmission}) {
+    EXPECT_EQ(objective_axis(objective).least, 0);
+    EXPECT_EQ(objective_axis(objective).greatest, std::nullopt);
   }
 }
 

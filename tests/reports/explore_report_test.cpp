@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/exploration/stored_ranking_report.hpp"
 #include "reports/sheet/sheet_text.hpp"
 
 namespace reeve {
@@ -76,7 +77,9 @@ TEST(ExploreNotes, SayThatFingersDifferWhereTheyDo) {
   };
   const auto tip_mu = &FingerHardware::tip_mu;
   EXPECT_EQ(notes_of({}), 0U);
-  EXPECT_EQ(notes_of({finger_with(5, tip_mu, 0.5)}), 0U);
+  ASSERT_EQ(notes_of({finger_with(5, tip_mu, 0.5)}), 1U);
+  EXPECT_EQ(notes(report).front(),
+            "[finger.5] of the hardware changes nothing: no routing here has a finger 5");
   EXPECT_EQ(notes_of({finger_with(1, &FingerHardware::closing, 1)}), 0U);
   EXPECT_EQ(notes_of({finger_with(1, &FingerHardware::strand_mm, hardware.strand_mm)}), 0U);
   EXPECT_EQ(notes_of({finger_with(1, tip_mu, 0.5), finger_with(2, tip_mu, 0.5)}), 0U);
@@ -88,6 +91,21 @@ TEST(ExploreNotes, SayThatFingersDifferWhereTheyDo) {
   EXPECT_EQ(notes_of({jointed(1)}), 1U);
   hardware.contacts = {{"a", "T1", 0.1, {}}};
   EXPECT_EQ(notes_of({}), 1U);
+}
+
+TEST(StoredRankingSheet, HasTheNotesOfItsExploration) {
+  StoredRanking ranking;
+  ranking.report.options.generator.fingers = 2;
+  ranking.report.options.grasps = single_grasps(2);
+  const auto tip_mu = &FingerHardware::tip_mu;
+  ranking.report.options.model.hardware.fingers = {finger_with(1, tip_mu, 0.5),
+                                                   finger_with(7, tip_mu, 0.5)};
+  const std::string said = text(stored_ranking_sheet(ranking, {}));
+  EXPECT_NE(said.find("Note: the grasps or the hardware tell the fingers apart"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("Note: [finger.7] of the hardware changes nothing"), std::string::npos)
+      << said;
+  EXPECT_EQ(Json::parse(stored_ranking_json(ranking))["notes"].size(), 2U);
 }
 
 // What statics say of one tendon, and what they do not say of two.

@@ -16,19 +16,29 @@ namespace {
 using testing::hand_of;
 using testing::simple_finger;
 
-std::string said_of(const std::string& word, double stroke_mm, int fingers) {
+ShownHand shown_of(const std::string& word, double stroke_mm, int fingers) {
   std::vector<FingerParts> parts;
   for (int f = 1; f <= fingers; ++f) parts.push_back(simple_finger(7 + f, 90, 60, 5));
   Hardware hardware = hand_of(parts);
   hardware.motor.force_N = 80;
   hardware.motor.stroke_mm = stroke_mm;
+  hardware.motor.spool_radius_mm = 8;
   const Network network = expand(parse_routing(word));
+  return *studies::shown_hand(network, word, Model{hardware}, single_grasps(fingers));
+}
+
+std::string said_of(const std::string& word, double stroke_mm, int fingers) {
   Sheet sheet;
-  for (const Section& section : reports::hand_sections(
-           *studies::shown_hand(network, word, Model{hardware}, single_grasps(fingers)))) {
+  for (const Section& section : reports::hand_sections(shown_of(word, stroke_mm, fingers))) {
     sheet.add(section);
   }
   return text(sheet);
+}
+
+Json motor_of(const std::string& word, double stroke_mm, int fingers) {
+  Json json;
+  reports::add_hand(json, shown_of(word, stroke_mm, fingers));
+  return json["motor"];
 }
 
 TEST(HandSections, GiveNoNumbersOfAMotorForceThatThereIsNot) {
@@ -37,6 +47,22 @@ TEST(HandSections, GiveNoNumbersOfAMotorForceThatThereIsNot) {
   EXPECT_NE(said.find("wanted (N)  at 80 N\n"), std::string::npos) << said;
   EXPECT_EQ(said.find("at - N"), std::string::npos) << said;
   EXPECT_EQ(said.find("- of it"), std::string::npos) << said;
+}
+
+// The tendon without a finger is tied at both ends.
+TEST(HandSections, GiveNoStrokeOfACarriageThatCannotMove) {
+  const std::string said = said_of("M-F+M-1-F+M-2-M", 30, 2);
+  EXPECT_NE(said.find("No stroke: the carriage is blocked, and no finger can close\n"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("Stroke 0"), std::string::npos) << said;
+  EXPECT_EQ(said.find("stroke of 30 mm"), std::string::npos) << said;
+  const Json motor = motor_of("M-F+M-1-F+M-2-M", 30, 2);
+  for (const char* key : {"stroke_mm", "speed_mm_s", "stroke_is_enough", "spool_rpm"}) {
+    EXPECT_TRUE(motor[key].is_null()) << key;
+  }
+  EXPECT_EQ(motor["closure"], 0);
+  EXPECT_TRUE(motor_of("M-1-T-2-F", 60, 2)["stroke_is_enough"].get<bool>());
 }
 
 TEST(HandSections, NameTheFingersThatCloseLeastWhereOthersCloseMore) {

@@ -78,6 +78,28 @@ TEST(DrawHardware, OtherSeedsAndNumbersDrawOtherHardware) {
   EXPECT_EQ(tubes.size(), 20U);
 }
 
+TEST(DrawHardware, OfBlocksOfTheirOwnIsAsThatOfTheBearingsInProportion) {
+  UncertaintyOptions plain = options_for(1);
+  plain.nominal.hardware.bearing.mu = 0.05;
+  UncertaintyOptions own = plain;
+  own.nominal.hardware.block = {0.05, 2};
+  UncertaintyOptions other = plain;
+  other.nominal.hardware.block = {0.02, 2};
+  UncertaintyOptions smooth = other;
+  smooth.nominal.hardware.bearing.mu = 0;
+  for (std::uint64_t draw = 0; draw < 50; ++draw) {
+    const double bearing = draw_model(plain, draw).hardware.bearing.mu;
+    EXPECT_FALSE(draw_model(plain, draw).hardware.block);
+    EXPECT_EQ(drawn(draw_model(own, draw).hardware), drawn(draw_model(plain, draw).hardware));
+    EXPECT_EQ(draw_model(own, draw).hardware.block->mu, bearing);
+    EXPECT_EQ(draw_model(own, draw).hardware.block->angle_rad, 2);
+    EXPECT_NEAR(draw_model(other, draw).hardware.block->mu, bearing * 0.4, 1e-15);
+    // Also where the bearings have no friction that could vary.
+    EXPECT_EQ(draw_model(smooth, draw).hardware.bearing.mu, 0);
+    EXPECT_NEAR(draw_model(smooth, draw).hardware.block->mu, bearing * 0.4, 1e-15);
+  }
+}
+
 TEST(DrawHardware, LeavesEverythingElseAsItIs) {
   UncertaintyOptions options = options_for(1);
   options.nominal.hardware.tube.angle_rad = 3;

@@ -146,6 +146,9 @@ TEST(Evaluation, TravelWithBlocksFollowsFromTheirMotion) {
   EXPECT_NEAR(value(evaluate("1x-P-2x"), Objective::travel), 1, 1e-10);
   EXPECT_EQ(value(evaluate("M-Y1+F-Y1-F"), Objective::travel), 0);
   EXPECT_TRUE(std::isinf(value(evaluate("M-Y1+F-Y1-F+M-1-F"), Objective::travel)));
+  // A tendon that is tied at both ends lets the carriage not move either.
+  EXPECT_TRUE(std::isinf(value(evaluate("M-F+M-1-F+M-2-M"), Objective::travel)));
+  EXPECT_EQ(value(evaluate("M-F"), Objective::travel), 0);
   EXPECT_EQ(value(evaluate("M-Y1+1x-Y1-2x"), Objective::blocks), 1);
 }
 

@@ -103,6 +103,19 @@ TEST(Margin, IsTheNominalLeadWhereNothingIsUncertain) {
   EXPECT_EQ(margin.least_lead, margin.nominal_lead);
 }
 
+// What a block's coefficient is, nominally, it is as uncertain as the bearings'.
+TEST(Margin, TakesBlocksOfTheirOwnForBearings) {
+  const std::vector<Routing> routings = parsed({"1x-P-2x", "M-Y1+1x-Y1-2x"});
+  MarginOptions plain = options({});
+  plain.nominal.hardware.bearing.mu = 0.05;
+  MarginOptions own = plain;
+  own.nominal.hardware.block = plain.nominal.hardware.bearing;
+  const Margin expected = margins(routings, plain).value().at(0);
+  const Margin found = margins(routings, own).value().at(0);
+  EXPECT_EQ(found.nominal_lead, expected.nominal_lead);
+  EXPECT_EQ(found.least_lead, expected.least_lead);
+}
+
 TEST(MarginThreads, DoNotChangeTheResult) {
   const std::vector<Routing> routings = parsed({"1-P-2-P-1", "F-1-P-2-F", "M-1-T-2-M"});
   MarginOptions one = options({});

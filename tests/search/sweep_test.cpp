@@ -85,6 +85,23 @@ TEST(Sweep, GoesFromEndToEndThroughWhatTheDesignsAreThere) {
   }
 }
 
+// With finger 1 held the tendon slides round the block: T1/T3 is e^(-phi) of it.
+TEST(Sweep, OfBearingsTakesBlocksAlongUnlessTheyHaveAnotherCoefficient) {
+  const auto require = [](std::optional<ContactLaw> block, double per_mu, double constant) {
+    SweepOptions options = sweeping("bearing_mu=0..0.1", paper_grasps());
+    options.uncertainty.nominal.hardware.bearing.mu = 0.05;
+    options.uncertainty.nominal.hardware.block = block;
+    const Sweep result = swept({"M-Y1+1x-Y1-2x"}, options);
+    for (std::size_t k = 0; k < result.at.size(); ++k) {
+      EXPECT_NEAR(result.designs[0][0].values[k], std::exp(-per_mu * result.at[k] - constant),
+                  2e-10);
+    }
+  };
+  require(std::nullopt, pi, 0);
+  require(ContactLaw{0.05, 2}, 2, 0);
+  require(ContactLaw{0.02, 2}, 0, 0.04);
+}
+
 // TR1's uniformity is e^(-3 pi mu_t), whatever the sheaths do.
 TEST(SweepBands, AreOfWhatElseIsUncertain) {
   SweepOptions options = sweeping("sheath_mu=0.02..0.3");

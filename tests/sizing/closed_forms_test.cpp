@@ -129,5 +129,58 @@ TEST(Sizing, LeavesWhatDoesNotMatterAsItIsAndSaysSo) {
   EXPECT_EQ(design.flat[0].loss, 0);
 }
 
+Hardware gripper(double sheath_angle) {
+  Hardware hardware;
+  hardware.bearing.mu = 0.01;
+  hardware.tube.mu = 0.1;
+  hardware.sheath = {0.08, sheath_angle};
+  return hardware;
+}
+
+// A bar parts the pull as its arms say, whatever is before it: what a miss of 1e-16 changes by
+// there is rounding.
+TEST(Sizing, TakesRoundingForNoGain) {
+  const std::vector<std::string> dimensions{"sheath_angle=0.5..3", "sheath_angle=1..3",
+                                            "motor_side_mm=100..400", "strand_mm=50..300"};
+  for (const double angle : {1.0, 1.3, 1.7, 2.2}) {
+    for (const bool robust : {false, true}) {
+      SizingOptions options = aiming("1=2,2=1", dimensions);
+      for (const std::string& dimension : dimensions) {
+        options.varied = {parse_varied(dimension)};
+        options.nominal.hardware = gripper(angle);
+        options.robust = robust;
+        options.draws = 5;
+        options.starts = 2;
+        options.evaluations = 100;
+        const SizedDesign design = sized("M-W1+1x-W1/2:1-2x", options);
+        EXPECT_EQ(design.after.goal, design.before.goal) << dimension;
+        for (const SizedVariable& variable : design.variables) {
+          EXPECT_EQ(variable.value, variable.variable.nominal) << dimension << ' ' << angle;
+          EXPECT_EQ(variable.sensitivity.slope_less, 0) << dimension;
+          EXPECT_EQ(variable.sensitivity.slope_more, 0) << dimension;
+        }
+      }
+    }
+  }
+}
+
+// Of the sheath between carriage and block none of the shares depends.
+TEST(Sizing, KeepsWhatDoesNotMatterBesideWhatDoes) {
+  SizingOptions options = aiming("1=3,2=1,3=2", {"strand_mm=50..200", "sheath_angle=1..4"}, 3);
+  options.nominal.hardware = gripper(2.2);
+  options.nominal.hardware.block = {0.01, 3};
+  const SizedDesign design = sized("M-Y1+1x-Y1-W1+2x-W1/1:2-3x", options);
+  ASSERT_EQ(design.variables.size(), 4U);
+  EXPECT_EQ(design.variables.back().variable.name, "contact_angle[a-h1]");
+  EXPECT_EQ(design.variables.back().value, 2.2);
+}
+
+// Bounds that the hardware is outside of hold all the same.
+TEST(Sizing, GoesToTheNearestBoundWithWhatDoesNotMatter) {
+  SizingOptions options = aiming("1=2,2=1", {"sheath_angle=2..3"});
+  options.nominal.hardware = gripper(1);
+  EXPECT_EQ(values_of(sized("M-W1+1x-W1/2:1-2x", options)), std::vector<double>{2});
+}
+
 }  // namespace
 }  // namespace reeve::testing

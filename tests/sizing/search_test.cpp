@@ -85,6 +85,17 @@ TEST(RobustGoal, IsTheQuantileOverTheDrawsOfTheUncertainty) {
   EXPECT_NEAR(problem.goal(), quantile(plain, 0.05), 1e-9);
 }
 
+TEST(RobustGoal, VariesTheBlocksAsTheBearings) {
+  SizingOptions plain = sizing("uniformity_worst", {"sheath_angle=3..9"});
+  plain.nominal.hardware.bearing.mu = 0.05;
+  plain.robust = true;
+  plain.draws = 50;
+  SizingOptions own = plain;
+  own.nominal.hardware.block = plain.nominal.hardware.bearing;
+  const Routing routing = parse_routing("M-Y1+F-1b-Y1-2b-F");
+  EXPECT_EQ(SizingProblem(routing, own).goal(), SizingProblem(routing, plain).goal());
+}
+
 TEST(Sizing, IsAtLeastAsGoodAsADenseGrid) {
   SizingOptions options = aiming("1=0.6,2=0.4", {"sheath_angle=2..11"});
   options.robust = true;

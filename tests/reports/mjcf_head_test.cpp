@@ -1,0 +1,27 @@
+// What the first lines of an exported file say; the rest of it: tests/mujoco.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/notation.hpp"
+#include "reports/mujoco/mjcf.hpp"
+
+namespace reeve {
+namespace {
+
+TEST(MjcfHead, SaysWhatOfTheHardwareIsAboutNoFingerOfTheRouting) {
+  const auto head_with = [](int finger) {
+    Hardware hardware;
+    hardware.fingers.push_back({finger, {}, {}, {}, {}, {}, 2});
+    const std::string text = reports::mjcf(parse_routing("M-1-T-2-F"), hardware);
+    return text.substr(0, text.find("-->"));
+  };
+  EXPECT_NE(head_with(7).find("\nNote: [finger.7] of the hardware changes nothing: no routing here "
+                              "has a finger 7.\n"),
+            std::string::npos)
+      << head_with(7);
+  EXPECT_EQ(head_with(2).find("Note"), std::string::npos) << head_with(2);
+}
+
+}  // namespace
+}  // namespace reeve
