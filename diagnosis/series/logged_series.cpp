@@ -11,10 +11,11 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/intake/beginning.hpp"
 #include "diagnosis/data/intake/row_cells.hpp"
+#include "diagnosis/data/intake/tare.hpp"
 #include "diagnosis/data/intake/words.hpp"
 #include "diagnosis/series/coarse_clock.hpp"
-#include "diagnosis/series/log_columns.hpp"
 #include "diagnosis/series/log_words.hpp"
+#include "diagnosis/series/log_columns.hpp"
 #include "diagnosis/series/recordings.hpp"
 
 namespace reeve::diagnosis {
@@ -36,6 +37,7 @@ class LogReader {
         columns_(columns),
         faults_(faults),
         cells_(csv, columns, faults),
+        tare_(columns.size()),
         values_(columns.size()) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       values_[c].is_text = is_label(columns[c].role);
@@ -44,7 +46,35 @@ class LogReader {
 
   void read(const CsvRow& row) {
     if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
-    const RowCells::Numbers numbers = cells_.numbers(row);
+    read_cells(row);
+  }
+
+  LoggedSeries finish() {
+    series_.file = csv_.name();
+    set_labels();
+    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
+    if (!cells_.lines_without_name().empty()) {
+      series_.notes.push_back({NoteKind::passed_over,
+                               "cells in columns without a name are not read",
+                               cells_.lines_without_name()});
+    }
+    for (DataNote& note : tare_.notes()) series_.notes.push_back(std::move(note));
+    return std::move(series_);
+  }
+
+ private:
+  struct Values {
+    bool is_text = false;
+    bool is_decided = false;      // of covariates
+    std::vector<double> numbers;  // of none, if it is text
+    LogWords words;
+  };
+
+  void read_cells(const CsvRow& row) {
+    RowCells::Numbers numbers = cells_.numbers(row);
+    if (is_tare(cells_, row)) return add_zeros(row, numbers);
+    tare_.close();
+    take_zeros(tare_, columns_, numbers);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const DataRole role = columns_[i].role;
       if (role == DataRole::time) require_time(row, i);
@@ -59,25 +89,13 @@ class LogReader {
     series_.lines.push_back(row.line);
   }
 
-  LoggedSeries finish() {
-    series_.file = csv_.name();
-    set_labels();
-    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
-    if (!cells_.lines_without_name().empty()) {
-      series_.notes.push_back({NoteKind::passed_over,
-                               "cells in columns without a name are not read",
-                               cells_.lines_without_name()});
+  void add_zeros(const CsvRow& row, const RowCells::Numbers& zeros) {
+    const std::size_t next = series_.lines.size();
+    if (series_.zeroed_at.empty() || series_.zeroed_at.back() != next) {
+      series_.zeroed_at.push_back(next);
     }
-    return std::move(series_);
+    tare_.add(row.line, zeros);
   }
-
- private:
-  struct Values {
-    bool is_text = false;
-    bool is_decided = false;      // of covariates
-    std::vector<double> numbers;  // of none, if it is text
-    LogWords words;
-  };
 
   void require_time(const CsvRow& row, std::size_t column) {
     cells_.at(row, column, [](std::string_view text) {
@@ -217,6 +235,7 @@ class LogReader {
   const std::vector<DataColumn>& columns_;
   FaultList& faults_;
   RowCells cells_;
+  Tare tare_;
   std::vector<Values> values_;  // by column
   LoggedSeries series_;
 };
@@ -236,10 +255,7 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
   faults.throw_any(csv.name());
   LoggedSeries series = rows.finish();
-  if (series.lines.empty()) {
-    throw InputError({.where = fmt::format("{}:{}", series.file, csv.header().line),
-                      .expected = "rows below the header, and there are none"});
-  }
+  require_rows(csv, series.lines.size(), series.notes);
   series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
   take_comments(csv, series);
   if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));

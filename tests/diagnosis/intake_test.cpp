@@ -118,6 +118,12 @@ TEST(ARowOfZeros, IsTakenOffTheReadingsBelow) {
   EXPECT_EQ(data.runs, std::vector<std::string>{"A"});
 }
 
+TEST(RowsOfZeros, MayBeAllThatAFileHas) {
+  EXPECT_EQ(
+      data_error("run,routing,T1_N\nTare,TR5,1\n"),
+      "d.csv:1: expected readings below the header, and there are rows of zeros (tare) alone");
+}
+
 TEST(SamplesOfARow, GiveTheErrorOfItsMean) {
   const MeasuredData data = read_data(
       "run,routing,readings,T1_N,T1_sd_N,T2_N,at_T1_N,at_T1_sd\n"

@@ -57,4 +57,14 @@ void each_row(CsvReader& csv, const Beginning& beginning, FaultList& faults,
   }
 }
 
+void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<DataNote>& notes) {
+  if (rows > 0) return;
+  const bool zeros = std::any_of(notes.begin(), notes.end(),
+                                 [](const DataNote& note) { return note.kind == NoteKind::tare; });
+  throw InputError({.where = fmt::format("{}:{}", csv.name(), csv.header().line),
+                    .expected = zeros ? "readings below the header, and there are rows of zeros "
+                                        "(tare) alone"
+                                      : "rows below the header, and there are none"});
+}
+
 }  // namespace reeve::diagnosis
