@@ -109,7 +109,7 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   add_units(data, notes);
   for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
   for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
-  for (DataNote& note : notes_inverted(data)) notes.push_back(std::move(note));
+  if (auto inverted = note_inverted(data)) notes.push_back(std::move(*inverted));
   add_covariates(data, notes);
   if (!comments_below_the_header.empty()) {
     DataNote note{NoteKind::comment,
