@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -13,8 +14,10 @@
 #include "diagnosis/data/intake/row_cells.hpp"
 #include "diagnosis/data/intake/tare.hpp"
 #include "diagnosis/data/intake/words.hpp"
+#include "diagnosis/series/checks/fast_clock.hpp"
 #include "diagnosis/series/coarse_clock.hpp"
-#include "diagnosis/series/log_words.hpp"
+#include "diagnosis/series/intake/log_words.hpp"
+#include "diagnosis/series/intake/wall_clock.hpp"
 #include "diagnosis/series/log_columns.hpp"
 #include "diagnosis/series/recordings.hpp"
 
@@ -37,6 +40,7 @@ class LogReader {
         columns_(columns),
         faults_(faults),
         cells_(csv, columns, faults),
+        clock_(find_column(columns, DataRole::time)),
         tare_(columns.size()),
         values_(columns.size()) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -46,6 +50,12 @@ class LogReader {
 
   void read(const CsvRow& row) {
     if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
+    if (clock_ && is_date_or_time(trimmed(row.fields[*clock_]))) {
+      refuse_date(row);
+      CsvRow rest = row;  // all else that is wrong there is told, too
+      rest.fields[*clock_] = "0";
+      return read_cells(rest);
+    }
     read_cells(row);
   }
 
@@ -69,6 +79,17 @@ class LogReader {
     std::vector<double> numbers;  // of none, if it is text
     LogWords words;
   };
+
+  // Once, since the column has them throughout.
+  void refuse_date(const CsvRow& row) {
+    if (has_dates_) return;
+    has_dates_ = true;
+    const InputError refused(
+        {.expected = "the time of each sample as a number, such as its seconds: dates and times of "
+                     "day are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in "
+                     "column A)"});
+    faults_.add(row.line, in_column(columns_[*clock_]), cells_.fault(row, *clock_, refused));
+  }
 
   void read_cells(const CsvRow& row) {
     RowCells::Numbers numbers = cells_.numbers(row);
@@ -235,6 +256,8 @@ class LogReader {
   const std::vector<DataColumn>& columns_;
   FaultList& faults_;
   RowCells cells_;
+  std::optional<std::size_t> clock_;
+  bool has_dates_ = false;
   Tare tare_;
   std::vector<Values> values_;  // by column
   LoggedSeries series_;
@@ -263,6 +286,9 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   if (clock.unit_is_assumed) {
     auto doubt = doubt_of_seconds(series, clock.name, options.map_option);
     if (doubt) series.notes.push_back(std::move(*doubt));
+  }
+  if (auto doubt = doubt_of_fast_clock(series, clock, options)) {
+    series.notes.push_back(std::move(*doubt));
   }
   return series;
 }
