@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
+#include "core/input/utf8.hpp"
 #include "core/text.hpp"
 #include "diagnosis/data/intake/words.hpp"
 
@@ -29,6 +31,17 @@ std::string read_file(const std::filesystem::path& path, const std::string& name
   std::string text = read_input(path, max_csv_size, "a CSV file");
   if (text.size() > max_csv_size) fail_too_large(name);
   return text;
+}
+
+// "the byte FC ('ü' in Latin-1)". Below A0 the encodings differ.
+std::string byte_words(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  std::string words = fmt::format("the byte {:02X}", byte);
+  if (byte < 0xA0) return words;
+  const std::array character{static_cast<char>(0xC0 | byte >> 6),
+                             static_cast<char>(0x80 | (byte & 0x3F))};
+  return words +
+         fmt::format(" ('{}' in Latin-1)", std::string_view(character.data(), character.size()));
 }
 
 bool is_blank(const std::string& field) { return trimmed(field).empty(); }
@@ -108,23 +121,35 @@ void CsvReader::fail(Place place, std::string what, std::string expected) const 
   throw InputError(fault(place, std::move(what), std::move(expected)));
 }
 
-// Not what a spreadsheet keeps for itself, nor UTF-16.
-void CsvReader::require_text() {
-  const bool is_zip = text_.starts_with("PK\x03\x04");
-  if (is_zip || text_.starts_with("\xD0\xCF\x11\xE0")) {
-    throw InputError({.where = name_,
-                      .what = fmt::format("is a workbook of a spreadsheet ({}), not text",
-                                          is_zip ? ".xlsx, .ods or another zip archive" : ".xls"),
-                      .expected = "its sheet saved as CSV"});
-  }
-  const std::size_t nul = text_.find('\0');
-  if (nul == std::string::npos) return;
-  const std::string_view before = std::string_view(text_).substr(line_begin_, nul - line_begin_);
+// Before any row is read.
+CsvReader::Place CsvReader::place_of(std::size_t at) const {
+  const std::string_view before = std::string_view(text_).substr(line_begin_, at - line_begin_);
   const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
   const std::size_t last = before.rfind('\n');
-  const std::size_t column =
-      last == std::string_view::npos ? nul + 1 - line_begin_ : before.size() - last;
-  fail({lines + 1, column}, "a NUL byte", "text in UTF-8 (UTF-16 must be converted)");
+  return {lines + 1, last == std::string_view::npos ? at + 1 - line_begin_ : before.size() - last};
+}
+
+// What a spreadsheet keeps for itself.
+void CsvReader::require_no_workbook() const {
+  const bool is_zip = text_.starts_with("PK\x03\x04");
+  if (!is_zip && !text_.starts_with("\xD0\xCF\x11\xE0")) return;
+  throw InputError({.where = name_,
+                    .what = fmt::format("is a workbook of a spreadsheet ({}), not text",
+                                        is_zip ? ".xlsx, .ods or another zip archive" : ".xls"),
+                    .expected = "its sheet saved as CSV"});
+}
+
+void CsvReader::require_text() const {
+  require_no_workbook();
+  const std::size_t nul = text_.find('\0');
+  if (nul != std::string::npos) {
+    fail(place_of(nul), "a NUL byte", "text in UTF-8 (UTF-16 must be converted)");
+  }
+  if (const auto bad = first_not_utf8(text_)) {
+    fail(place_of(*bad), byte_words(text_[*bad]),
+         "text in UTF-8. The file looks like Latin-1 or Windows-1252, as spreadsheets on Windows "
+         "write: save it as 'CSV UTF-8', or convert it by iconv -f WINDOWS-1252 -t UTF-8");
+  }
 }
 
 char CsvReader::find_separator() const {

@@ -11,7 +11,7 @@
 //     lines that are empty or have nothing but separators are passed over.
 //   - The separator is what the header has outside quotes: commas, semicolons, or else tabs. A
 //     header with commas and semicolons is refused.
-//   - A spreadsheet's own file is refused by name.
+//   - A spreadsheet's own file is refused by name, and so is what is no UTF-8.
 //
 // Time is linear in the size. Errors are "file:line:column: …", columns counted in bytes from 1.
 #pragma once
@@ -70,7 +70,9 @@ class CsvReader {
   [[noreturn]] void fail(Place place, std::string what, std::string expected) const;
 
   std::string as_many_as_the_header() const;
-  void require_text();
+  Place place_of(std::size_t at) const;
+  void require_no_workbook() const;
+  void require_text() const;
   char find_separator() const;
   bool at_row();
   void read_header();

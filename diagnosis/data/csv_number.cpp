@@ -19,7 +19,8 @@ bool is_missing(std::string_view text) {
   return std::any_of(words.begin(), words.end(), [&](const char* word) { return small == word; });
 }
 
-double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high) {
+double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high,
+                             bool may_be_empty) {
   std::string number(text);
   // Words may have both marks, and say nothing of either.
   if (with_commas_ && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) {
@@ -36,8 +37,8 @@ double CsvNumberReader::read(std::string_view text, std::size_t line, double low
   if (std::isinf(high) && std::isinf(low)) {
     throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
   }
-  throw InputError(
-      {.expected = fmt::format("a number from {} to {}, or an empty cell", low, high)});
+  throw InputError({.expected = fmt::format("a number from {} to {}{}", low, high,
+                                            may_be_empty ? ", or an empty cell" : "")});
 }
 
 void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) {

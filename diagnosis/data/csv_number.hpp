@@ -16,9 +16,10 @@ class CsvNumberReader {
  public:
   explicit CsvNumberReader(char separator) : with_commas_(separator != ',') {}
 
-  // A finite number from low to high. Throws InputError that says what was expected; the place is
-  // the caller's to name.
-  double read(std::string_view text, std::size_t line, double low, double high);
+  // A finite number from low to high. Throws InputError that says what was expected, and whether
+  // the cell might be empty instead; the place is the caller's to name.
+  double read(std::string_view text, std::size_t line, double low, double high,
+              bool may_be_empty = true);
 
  private:
   void require_one_mark(std::string_view text, std::size_t line);

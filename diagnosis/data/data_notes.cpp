@@ -11,6 +11,7 @@
 #include "diagnosis/data/checks/directions.hpp"
 #include "diagnosis/data/checks/inverted.hpp"
 #include "diagnosis/data/intake/column_name.hpp"
+#include "diagnosis/data/taken_order.hpp"
 #include "diagnosis/series/recognise_series.hpp"
 #include "numerics/robust.hpp"
 
@@ -76,6 +77,19 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   }
 }
 
+// The clock gives rows their order, and is no news to whoever logged it.
+void add_covariates(const MeasuredData& data, std::vector<DataNote>& notes) {
+  const std::optional<std::size_t> clock = clock_of(data);
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    if (c == clock) continue;
+    notes.push_back(
+        {NoteKind::covariate,
+         fmt::format("column '{}' is read as a covariate, which the model does not know",
+                     for_message(data.covariates[c])),
+         {}});
+  }
+}
+
 }  // namespace
 
 std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
@@ -95,14 +109,8 @@ std::vector<DataNote> data_notes(const MeasuredData& data,
   add_units(data, notes);
   for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
   for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
-  for (DataNote& note : notes_inverted(data)) notes.push_back(std::move(note));
-  for (const std::string& covariate : data.covariates) {
-    notes.push_back(
-        {NoteKind::covariate,
-         fmt::format("column '{}' is read as a covariate, which the model does not know",
-                     for_message(covariate)),
-         {}});
-  }
+  if (auto inverted = note_inverted(data)) notes.push_back(std::move(*inverted));
+  add_covariates(data, notes);
   if (!comments_below_the_header.empty()) {
     DataNote note{NoteKind::comment,
                   "lines below the header begin with # and are taken as comments, not as readings",

@@ -63,10 +63,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
   MeasuredData data = rows.finish();
   faults.throw_any(csv.name());
-  if (data.readings.empty()) {
-    throw InputError({.where = fmt::format("{}:{}", data.file, csv.header().line),
-                      .expected = "rows below the header, and there are none"});
-  }
+  require_rows(csv, data.readings.size(), data.notes);
   add_notes(std::move(columns.notes), data);
   add_notes(part_runs_by_group(data), data);
   if (options.group) add_notes(notes_on_groups(data), data);

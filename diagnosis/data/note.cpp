@@ -60,6 +60,10 @@ const char* note_kind_name(NoteKind kind) {
       return "not_following";
     case NoteKind::reversed:
       return "reversed";
+    case NoteKind::against_motion:
+      return "against_motion";
+    case NoteKind::sparse:
+      return "sparse";
   }
   return "";
 }

@@ -39,6 +39,8 @@ enum class NoteKind : std::uint8_t {
   far_forecast,            // held-out readings that the model is far from (far_forecasts.hpp)
   not_following,           // of a time series: a tension stays where the load changes
   reversed,                // of a time series: pulling looks like releasing
+  against_motion,          // of a time series: its column direction says otherwise than it moves
+  sparse,                  // of a time series: tensions that too few samples have
 };
 const char* note_kind_name(NoteKind kind);
 

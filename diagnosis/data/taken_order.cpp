@@ -18,17 +18,6 @@ std::vector<std::size_t> as_they_stand(std::size_t count) {
   return places;
 }
 
-// The covariate that is a clock, which every row has.
-std::optional<std::size_t> clock_of(const MeasuredData& data) {
-  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
-    const bool everywhere =
-        std::all_of(data.readings.begin(), data.readings.end(),
-                    [&](const Reading& reading) { return reading.covariates[c].has_value(); });
-    if (everywhere && clock_unit(data.covariates[c])) return c;
-  }
-  return std::nullopt;
-}
-
 struct TimeSpan {
   double first = std::numeric_limits<double>::infinity();
   double last = -std::numeric_limits<double>::infinity();
@@ -55,6 +44,16 @@ std::vector<std::size_t> places_of_runs(const MeasuredData& data, std::size_t cl
 }
 
 }  // namespace
+
+std::optional<std::size_t> clock_of(const MeasuredData& data) {
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    const bool everywhere =
+        std::all_of(data.readings.begin(), data.readings.end(),
+                    [&](const Reading& reading) { return reading.covariates[c].has_value(); });
+    if (everywhere && clock_unit(data.covariates[c])) return c;
+  }
+  return std::nullopt;
+}
 
 void set_taken(MeasuredData& data) {
   std::vector<std::size_t> order = as_they_stand(data.readings.size());

@@ -2,9 +2,15 @@
 // them. A clock may begin again with each run; runs then follow one another as in the file.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "diagnosis/data/measured_data.hpp"
 
 namespace reeve::diagnosis {
+
+// The covariate that is a clock, which every row has.
+std::optional<std::size_t> clock_of(const MeasuredData& data);
 
 // Reading::taken of each.
 void set_taken(MeasuredData& data);

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "diagnosis/data/intake/header_columns.hpp"
-#include "diagnosis/series/motion_names.hpp"
+#include "diagnosis/series/intake/motion_names.hpp"
+#include "diagnosis/series/intake/tension_names.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -146,6 +147,30 @@ void require_no_missed_motion(HeaderColumns& header, HeaderFaults& faults) {
   }
 }
 
+// Without the motor tension other samples are steady than with it, and what is left are shares. Of
+// another tension it is enough to say that readings will not have it.
+void require_no_missed_tension(HeaderColumns& header, HeaderFaults& faults) {
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    const std::string& name = header.columns[i].name;
+    if (header.columns[i].role != DataRole::covariate) continue;
+    const auto meant = tension_in_no_unit_of_force(name);
+    if (!meant) continue;
+    const std::string units = unit_names(Dimension::force);
+    if (meant->role == DataRole::motor_tension && !has(header.columns, DataRole::motor_tension)) {
+      faults.add_column(i, fmt::format("the motor tension with a unit of force ({}), or another "
+                                       "name if it is none",
+                                       units));
+      continue;
+    }
+    header.notes.push_back(
+        {NoteKind::covariate,
+         fmt::format("column '{}' has the name of a tension and no unit of force ({}): it is "
+                     "averaged as it is, and readings do not have it as {}",
+                     for_message(name), units, plain_name(*meant)),
+         {}});
+  }
+}
+
 void refuse_columns_of_means(Columns& columns, HeaderFaults& faults) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!is_of_means(columns[i].role)) continue;
@@ -176,6 +201,7 @@ DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& 
   // It may be the one that cannot be read.
   if (!header.has_bad_column) require_comparable(header.columns, at_header);
   require_no_missed_motion(header, at_header);
+  require_no_missed_tension(header, at_header);
   return {std::move(header.columns), header_notes(header, units)};
 }
 

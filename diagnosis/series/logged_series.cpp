@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -11,10 +12,13 @@
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/intake/beginning.hpp"
 #include "diagnosis/data/intake/row_cells.hpp"
+#include "diagnosis/data/intake/tare.hpp"
 #include "diagnosis/data/intake/words.hpp"
+#include "diagnosis/series/checks/fast_clock.hpp"
 #include "diagnosis/series/coarse_clock.hpp"
+#include "diagnosis/series/intake/log_words.hpp"
+#include "diagnosis/series/intake/wall_clock.hpp"
 #include "diagnosis/series/log_columns.hpp"
-#include "diagnosis/series/log_words.hpp"
 #include "diagnosis/series/recordings.hpp"
 
 namespace reeve::diagnosis {
@@ -36,6 +40,8 @@ class LogReader {
         columns_(columns),
         faults_(faults),
         cells_(csv, columns, faults),
+        clock_(find_column(columns, DataRole::time)),
+        tare_(columns.size()),
         values_(columns.size()) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       values_[c].is_text = is_label(columns[c].role);
@@ -44,7 +50,52 @@ class LogReader {
 
   void read(const CsvRow& row) {
     if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
-    const RowCells::Numbers numbers = cells_.numbers(row);
+    if (clock_ && is_date_or_time(trimmed(row.fields[*clock_]))) {
+      refuse_date(row);
+      CsvRow rest = row;  // all else that is wrong there is told, too
+      rest.fields[*clock_] = "0";
+      return read_cells(rest);
+    }
+    read_cells(row);
+  }
+
+  LoggedSeries finish() {
+    series_.file = csv_.name();
+    set_labels();
+    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
+    if (!cells_.lines_without_name().empty()) {
+      series_.notes.push_back({NoteKind::passed_over,
+                               "cells in columns without a name are not read",
+                               cells_.lines_without_name()});
+    }
+    for (DataNote& note : tare_.notes()) series_.notes.push_back(std::move(note));
+    return std::move(series_);
+  }
+
+ private:
+  struct Values {
+    bool is_text = false;
+    bool is_decided = false;      // of covariates
+    std::vector<double> numbers;  // of none, if it is text
+    LogWords words;
+  };
+
+  // Once, since the column has them throughout.
+  void refuse_date(const CsvRow& row) {
+    if (has_dates_) return;
+    has_dates_ = true;
+    const InputError refused(
+        {.expected = "the time of each sample as a number, such as its seconds: dates and times of "
+                     "day are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in "
+                     "column A)"});
+    faults_.add(row.line, in_column(columns_[*clock_]), cells_.fault(row, *clock_, refused));
+  }
+
+  void read_cells(const CsvRow& row) {
+    RowCells::Numbers numbers = cells_.numbers(row);
+    if (is_tare(cells_, row)) return add_zeros(row, numbers);
+    tare_.close();
+    take_zeros(tare_, columns_, numbers);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const DataRole role = columns_[i].role;
       if (role == DataRole::time) require_time(row, i);
@@ -59,25 +110,13 @@ class LogReader {
     series_.lines.push_back(row.line);
   }
 
-  LoggedSeries finish() {
-    series_.file = csv_.name();
-    set_labels();
-    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
-    if (!cells_.lines_without_name().empty()) {
-      series_.notes.push_back({NoteKind::passed_over,
-                               "cells in columns without a name are not read",
-                               cells_.lines_without_name()});
+  void add_zeros(const CsvRow& row, const RowCells::Numbers& zeros) {
+    const std::size_t next = series_.lines.size();
+    if (series_.zeroed_at.empty() || series_.zeroed_at.back() != next) {
+      series_.zeroed_at.push_back(next);
     }
-    return std::move(series_);
+    tare_.add(row.line, zeros);
   }
-
- private:
-  struct Values {
-    bool is_text = false;
-    bool is_decided = false;      // of covariates
-    std::vector<double> numbers;  // of none, if it is text
-    LogWords words;
-  };
 
   void require_time(const CsvRow& row, std::size_t column) {
     cells_.at(row, column, [](std::string_view text) {
@@ -217,6 +256,9 @@ class LogReader {
   const std::vector<DataColumn>& columns_;
   FaultList& faults_;
   RowCells cells_;
+  std::optional<std::size_t> clock_;
+  bool has_dates_ = false;
+  Tare tare_;
   std::vector<Values> values_;  // by column
   LoggedSeries series_;
 };
@@ -236,10 +278,7 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
   faults.throw_any(csv.name());
   LoggedSeries series = rows.finish();
-  if (series.lines.empty()) {
-    throw InputError({.where = fmt::format("{}:{}", series.file, csv.header().line),
-                      .expected = "rows below the header, and there are none"});
-  }
+  require_rows(csv, series.lines.size(), series.notes);
   series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
   take_comments(csv, series);
   if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));
@@ -247,6 +286,9 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   if (clock.unit_is_assumed) {
     auto doubt = doubt_of_seconds(series, clock.name, options.map_option);
     if (doubt) series.notes.push_back(std::move(*doubt));
+  }
+  if (auto doubt = doubt_of_fast_clock(series, clock, options)) {
+    series.notes.push_back(std::move(*doubt));
   }
   return series;
 }

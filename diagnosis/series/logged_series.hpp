@@ -3,7 +3,8 @@
 // makes readings of them.
 //
 // A cell that is empty or says so (csv_number.hpp) is a missing value, and NaN here. Samples that
-// cannot be read are errors that name line and column, all of them; nothing is dropped.
+// cannot be read are errors that name line and column, all of them; nothing is dropped. Rows of
+// zeros (intake/tare.hpp) are no samples: they are taken off those below, and cut the log.
 #pragma once
 
 #include <cstddef>
@@ -48,8 +49,9 @@ struct LoggedSeries {
   bool has_runs = false;  // columns of labels
   bool has_routings = false;
   bool has_held = false;
-  std::vector<LogLabels> labels;   // two may be alike: columns of other words part them
-  std::vector<std::size_t> label;  // of each sample, in labels
+  std::vector<LogLabels> labels;       // two may be alike: columns of other words part them
+  std::vector<std::size_t> label;      // of each sample, in labels
+  std::vector<std::size_t> zeroed_at;  // samples above which new zeros stand, ascending
   std::vector<DataNote> notes;
 
   std::size_t size() const { return time_s.size(); }

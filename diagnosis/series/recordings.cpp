@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "core/text.hpp"
+#include "diagnosis/data/csv.hpp"
 #include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
@@ -29,10 +29,13 @@ double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
 
 Recordings recordings(const LoggedSeries& series) {
   Recordings result;
+  std::size_t zeros = 0;  // passed
   for (std::size_t i = 0; i < series.size(); ++i) {
     const bool back = i > 0 && series.time_s[i] < series.time_s[i - 1];
     if (back) result.clock_set_back.push_back(series.lines[i]);
-    if (i == 0 || back || series.label[i] != series.label[i - 1]) {
+    const bool zeroed = zeros < series.zeroed_at.size() && series.zeroed_at[zeros] == i;
+    zeros += zeroed ? 1 : 0;
+    if (i == 0 || back || zeroed || series.label[i] != series.label[i - 1]) {
       result.parts.push_back({i, i, series.label[i]});
     }
     result.parts.back().end = i + 1;

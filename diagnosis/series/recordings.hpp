@@ -1,6 +1,7 @@
-// A log falls into recordings: stretches of samples over which the clock runs forward and the
-// labels stay. A logger that is started anew sets its clock back, and a new mounting changes the
-// run; no reading reaches over either.
+// A log falls into recordings: stretches of samples over which the clock runs forward, and labels
+// and zeros stay. A logger that is started anew sets its clock back, a new mounting changes the
+// run, and new zeros make other tensions of what a sensor reads; no reading reaches over any of
+// these.
 //
 // A clock that goes back all the time is no clock: where it does so more than once in twenty
 // samples, that is an InputError which names the first line.

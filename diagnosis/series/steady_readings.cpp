@@ -7,7 +7,10 @@
 #include <map>
 
 #include "diagnosis/data/intake/text_cells.hpp"
+#include "diagnosis/series/checks/inverted_signals.hpp"
 #include "diagnosis/series/checks/reversed_motion.hpp"
+#include "diagnosis/series/checks/said_directions.hpp"
+#include "diagnosis/series/checks/sparse_channels.hpp"
 #include "diagnosis/series/levels.hpp"
 #include "diagnosis/series/recordings.hpp"
 #include "diagnosis/series/series_blocks.hpp"
@@ -106,10 +109,13 @@ class SteadySearch {
     return (middle_of(std::move(last)) - before) / std::abs(before);
   }
 
+  std::optional<Direction> said_direction(std::size_t part) const {
+    return read_direction(series_.labels[parts_.parts[part].label].direction);
+  }
+
   // By the log's own column, the motion, the load where that has no sign, or what the caller says.
   std::optional<Direction> direction(std::size_t part, const BlockStretch& stretch) const {
-    const std::string& label = series_.labels[parts_.parts[part].label].direction;
-    if (const auto said = read_direction(label)) return said;
+    if (const auto said = said_direction(part)) return said;
     if (stretch.direction) return stretch.direction;
     if (result_.motion == MotionSource::speed) {
       const double change = change_of_load(blocks_[part], stretch);
@@ -136,6 +142,9 @@ class SteadySearch {
       }
       return;
     }
+    const SeriesBlock& first_block = blocks_[part][stretch.begin];
+    said_.add(series_.labels[parts_.parts[part].label].run, said_direction(part), stretch.direction,
+              series_.lines[first_block.begin]);
     const std::size_t pieces = readings_of(part, stretch);
     const std::size_t blocks = stretch.end - stretch.begin;
     for (std::size_t piece = 0; piece < pieces; ++piece) {
@@ -149,6 +158,10 @@ class SteadySearch {
       averaged->reading.direction = *way;
       averaged_.push_back(std::move(*averaged));
     }
+  }
+
+  void add_note(std::optional<DataNote> note) {
+    if (note) result_.notes.push_back(std::move(*note));
   }
 
   void add_notes() {
@@ -167,8 +180,10 @@ class SteadySearch {
     }
     note_missing_direction();
     note_staying_tensions();
-    auto reversed = reversed_motion(result_.readings, options_.tolerance);
-    if (reversed) result_.notes.push_back(std::move(*reversed));
+    add_note(inverted_signals(series_));
+    add_note(reversed_motion(result_.readings, options_.tolerance));
+    add_note(said_.note());
+    for (DataNote& note : sparse_channels(series_, result_.readings)) add_note(std::move(note));
   }
 
   void note_missing_direction() {
@@ -203,6 +218,7 @@ class SteadySearch {
   std::vector<std::vector<SeriesBlock>> blocks_;  // of each recording
   double width_s_ = 0;
   std::map<std::size_t, std::vector<std::size_t>> staying_at_;  // tension → first lines
+  SaidDirections said_;
   std::vector<AveragedStretch> averaged_;
   SteadyReadings result_;
 };

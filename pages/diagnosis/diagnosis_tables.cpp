@@ -8,6 +8,7 @@
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/shell/html_table.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
+#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/results/data_text.hpp"
 
@@ -75,6 +76,20 @@ std::string sizes_table(const DiagnosisResult& result) {
     }
   }
   return written({"named-causes", "Sizes, with 95 % intervals", std::move(table)});
+}
+
+std::string calibration_table(const DiagnosisResult& result) {
+  Table table{{text_column("contacts"), text_column("parameter"), number_column("calibrated"),
+               number_column("95 % interval"), text_column("beside the hardware")},
+              {}};
+  for (const CalibratedCoefficient& coefficient : result.calibration) {
+    const EstimatedParameter& parameter = coefficient.parameter;
+    const char* bound = parameter.at_bound ? ", a bound of what is searched" : "";
+    table.add({coefficient.name, parameter.name, estimate(parameter, parameter.value),
+               interval_of(parameter), capitalised(beside_hardware(coefficient)) + bound});
+  }
+  return written({"calibrated", "Friction coefficients by these readings, with 95 % intervals",
+                  std::move(table)});
 }
 
 std::string groups_table(const DiagnosisReport& report) {

@@ -8,6 +8,8 @@
 namespace reeve::pages {
 
 std::string sizes_table(const DiagnosisResult& result);
+// What the free friction coefficients came to, whether or not they are causes.
+std::string calibration_table(const DiagnosisResult& result);
 std::string groups_table(const DiagnosisReport& report);
 // Every model that was weighed, the named one marked in words and by its sign.
 std::string weighed_table(const DiagnosisResult& result);

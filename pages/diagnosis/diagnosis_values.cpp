@@ -78,6 +78,7 @@ Json cause_values(const DiagnosisReport& report) {
           {"has_named", !result.causes.empty()},
           {"too_few", result.verdict == Verdict::too_few},
           {"sizes", sizes_table(result)},
+          {"calibrated", calibration_table(result)},
           {"by_group", groups_table(report)},
           {"gains", gains_table(result)},
           {"weighed", weighed_table(result)},

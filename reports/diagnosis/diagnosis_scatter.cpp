@@ -195,8 +195,6 @@ std::vector<std::string> not_named_sentences(const DiagnosisResult& result) {
   return sentences;
 }
 
-namespace {
-
 // An interval may leave the hardware's value out, and the coefficient be no named cause all the
 // same: that is asked at a stricter level, over all coefficients together.
 std::string beside_hardware(const CalibratedCoefficient& coefficient) {
@@ -209,8 +207,6 @@ std::string beside_hardware(const CalibratedCoefficient& coefficient) {
       "perhaps another than the hardware says ({}), too little to name it (p = {:.2g})", hardware,
       coefficient.p_value);
 }
-
-}  // namespace
 
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;

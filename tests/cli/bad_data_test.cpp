@@ -46,6 +46,18 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
   });
 }
 
+// Pages and tables of it would be no UTF-8 either.
+TEST(BadData, ThatAreInLatin1AreRefusedByEveryCommand) {
+  const std::string message =
+      "latin1.csv:2:2: the byte FC ('ü' in Latin-1): expected text in UTF-8.";
+  expect_all_bad({
+      {{"compare", "latin1.csv", "--out", "out"}, message, {}},
+      {{"diagnose", "latin1.csv", "--out", "out"}, message, {}},
+      {{"import", "latin1.csv", "--routing", "TR1", "-o", "x.csv"}, message, {}},
+      {{"compare", "ok.csv", "--hardware", "latin1.toml"}, "latin1.toml:1:", {}},
+  });
+}
+
 TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
   const auto diagnose = [](Arguments arguments, const std::string& message) {
     arguments.insert(arguments.begin(), {"diagnose", "--out", "out", "--save-model", "model.toml"});

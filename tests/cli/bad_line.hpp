@@ -71,6 +71,8 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("name.csv", "run,routing,T1_N\nA,TR9,1\n");
   folder.write("ragged.csv", "run,routing,T1_N\nA,TR1\n");
   folder.write("alone.csv", "run,routing,T1_N\nA,TR1,1\n");
+  folder.write("latin1.csv", "run,routing,motor_tension_N,T1_N\nF\xFChrung,TR1,20,6\n");
+  folder.write("latin1.toml", "# F\xFChrung\n[tube]\nmu = 0.1\n");
   std::filesystem::create_directory(folder.path() / "no_catalogue");
   std::filesystem::create_directory(folder.path() / "explored");
   folder.write("explored/designs.csv", "rank,front,routing,name\n1,1,M-1-T-2-F,TR1\n2,1,M-1-Q,\n");

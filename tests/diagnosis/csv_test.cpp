@@ -122,6 +122,19 @@ TEST(BadCsv, NamesBytesThatAreNoText) {
             "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
 }
 
+TEST(BadCsv, NamesTheFirstByteThatIsNoUtf8AndWhatTheFileLooksLike) {
+  const std::string looks =
+      "text in UTF-8. The file looks like Latin-1 or Windows-1252, as spreadsheets on Windows "
+      "write: save it as 'CSV UTF-8', or convert it by iconv -f WINDOWS-1252 -t UTF-8";
+  EXPECT_EQ(error_in("a,b\nF\xFC"
+                     "hr1,2\nF\xFC"
+                     "hr2,2\n"),
+            "d.csv:2:2: the byte FC ('ü' in Latin-1): expected " + looks);
+  EXPECT_EQ(error_in("\xEF\xBB\xBF# 5 \x80\na,b\n1,2\n"),
+            "d.csv:1:5: the byte 80: expected " + looks);
+  EXPECT_EQ(error_in("a,b\nFühr1,2\n"), "no such error was thrown");
+}
+
 TEST(BadCsv, MayHaveNoHeader) {
   for (const char* text : {"", "\n\n", "# only this", "\xEF\xBB\xBF"}) {
     EXPECT_EQ(error_in(text), "d.csv: is empty: expected a header and rows below it");

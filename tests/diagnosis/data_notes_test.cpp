@@ -56,5 +56,16 @@ TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
   EXPECT_EQ(noted_lines(data.notes, NoteKind::comment), Lines{4});
 }
 
+// It gives rows their order, and `import` itself writes it.
+TEST(AClockOfReadings, IsNoNews) {
+  const std::string header = "run,routing,humidity,time_s,T1_N\n";
+  const MeasuredData data = read_data(header + "A,TR5,1,0.5,4\nA,TR5,1,1.5,5\n");
+  EXPECT_EQ(count_notes(data.notes, NoteKind::covariate), 1U);
+  EXPECT_EQ(data.covariates.size(), 2U);
+  // It has no time of one row, and orders none.
+  const MeasuredData part = read_data(header + "A,TR5,1,0.5,4\nA,TR5,1,,5\n");
+  EXPECT_EQ(count_notes(part.notes, NoteKind::covariate), 2U);
+}
+
 }  // namespace
 }  // namespace reeve

@@ -118,6 +118,26 @@ TEST(ARowOfZeros, IsTakenOffTheReadingsBelow) {
   EXPECT_EQ(data.runs, std::vector<std::string>{"A"});
 }
 
+TEST(RowsOfZeros, MayBeAllThatAFileHas) {
+  EXPECT_EQ(
+      data_error("run,routing,T1_N\nTare,TR5,1\n"),
+      "d.csv:1: expected readings below the header, and there are rows of zeros (tare) alone");
+}
+
+// Files that were put together as they stand.
+TEST(AHeaderThatIsRepeated, IsToldOnce) {
+  const std::string expected =
+      ": expected one header at the beginning: where files were put together, take out that of each "
+      "but the first, and see that runs of different files have names of their own";
+  const std::string header = "run,routing,held,T1_N\n";
+  EXPECT_EQ(data_error(header + "A,TR5,,1\n" + header + "B,TR5,,1\n"),
+            "d.csv:3: line 3 repeats the header" + expected);
+  EXPECT_EQ(data_error(header + header + "A,TR5,,1\n" + header + header),
+            "d.csv:2: line 2 repeats the header, and so do 2 more" + expected);
+  EXPECT_EQ(input_error([] { parse_logged_series("t,T1_N,T2_N\n0,1,2\nt,T1_N,T2_N\n", "l.csv"); }),
+            "l.csv:3: line 3 repeats the header" + expected);
+}
+
 TEST(SamplesOfARow, GiveTheErrorOfItsMean) {
   const MeasuredData data = read_data(
       "run,routing,readings,T1_N,T1_sd_N,T2_N,at_T1_N,at_T1_sd\n"

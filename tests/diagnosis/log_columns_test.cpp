@@ -1,6 +1,7 @@
 // Headers of logs as people and loggers write them.
 #include "diagnosis/series/log_columns.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -97,6 +98,49 @@ TEST(LogColumns, NoteAClockThatIsHardlyInSeconds) {
   EXPECT_EQ(spread.find("has no unit"), std::string::npos) << spread;
   options.map = {{"t", "time_ms"}};
   EXPECT_EQ(doubt("t", "0", "10"), "");
+}
+
+std::string doubt_of_speed(const std::string& clock, double step) {
+  ReadingOptions options;
+  options.unit_option = "--unit";
+  const std::string text =
+      fmt::format("{},T1_N,T2_N\n0,1,2\n{},1,2\n{},1,2\n", clock, step, 2 * step);
+  return note_text(parse_logged_series(text, "log.csv", options).notes, NoteKind::clock);
+}
+
+// Seconds in a column of milliseconds, and days.
+TEST(LogColumns, NoteAClockThatIsTooFastForACarriage) {
+  EXPECT_EQ(doubt_of_speed("t_ms", 0.01),
+            "by the clock 't_ms', in ms, samples are mostly 1e-05 s apart and the log lasts 2e-05 "
+            "s, which is fast for a carriage. If it counts seconds, it is time_s, and --unit "
+            "'t_ms=s' says so");
+  EXPECT_EQ(doubt_of_speed("time_s", 1e-7),
+            "by the clock 'time_s', in s, samples are mostly 1e-07 s apart and the log lasts 2e-07 "
+            "s, which is fast for a carriage. If it counts days, as spreadsheets do, multiply it "
+            "by 86400, which makes seconds");
+  EXPECT_EQ(doubt_of_speed("t_ms", 0.5), "");
+  EXPECT_EQ(doubt_of_speed("time_s", 0.0005), "");
+}
+
+// Else readings would lack it, and nobody would know.
+TEST(LogColumns, ThatWouldBeTensionsInAnotherUnitAreNotPassedOverInSilence) {
+  const std::string units = "(N, mN, cN, daN, kN, gf, kgf, lbf, ozf)";
+  EXPECT_EQ(note_text(sample("t,T1_N,T2_N,T3 [V]", "0,1,2,3").notes, NoteKind::covariate),
+            "column 'T3 [V]' has the name of a tension and no unit of force " + units +
+                ": it is averaged as it is, and readings do not have it as T3_N");
+  EXPECT_EQ(log_error("t,Motor Tension [Nm],T1_N,T2_N\n0,1,2,3\n"),
+            "log.csv:1: column 2 'Motor Tension [Nm]': expected the motor tension with a unit of "
+            "force " +
+                units + ", or another name if it is none");
+  const LoggedSeries both = sample("t,motor_tension_N,Motor Tension (V),T1_N", "0,1,2,3");
+  EXPECT_EQ(both.motor_tension_N.values, Values{1});
+  EXPECT_EQ(count_notes(both.notes, NoteKind::covariate), 1U);
+  for (const char* name : {"T3 [°C]", "Ta [K]", "temperature [V]", "[V]", "U3 [V]"}) {
+    EXPECT_EQ(count_notes(sample(std::string("t,T1_N,T2_N,") + name, "0,1,2,3").notes,
+                          NoteKind::covariate),
+              0U)
+        << name;
+  }
 }
 
 TEST(LogColumns, MayHaveARowOfUnits) {

@@ -108,9 +108,27 @@ TEST(BadLog, IsNamedWithLineColumnAndWhatWasExpected) {
       {"t,T1_N,T2_N\n0,1,2\n1,1e300,2\n", "log.csv:3: column 'T1_N' = '1e300': …"},
       {"t,T1_N,T2_N\n,1,2\n",
        "log.csv:2: column 't' = '': expected the time of the sample, a number"},
-      {"t,T1_N,T2_N\n12:00:01,1,2\n", "log.csv:2: column 't' = '12:00:01': …"},
+      {"t,T1_N,T2_N\n0,1,2\nx,1,2\n",
+       "log.csv:3: column 't' = 'x': expected a number from -1000000000000000 to 1000000000000000"},
       {"t,T1_N,T2_N,c\n0,1,2,3\n1,1,2,x\n", "log.csv:3: column 'c' = 'x': …"},
   });
+}
+
+// Not once for each of a thousand rows.
+TEST(BadLog, IsToldOnceThatItsClockShowsDatesOrTimesOfDay) {
+  const std::string expected =
+      "expected the time of each sample as a number, such as its seconds: dates and times of day "
+      "are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in column A)";
+  for (const char* time : {"12:00:01.5", "2024-03-01T12:00:00.01Z", "3/1/2024 1:02:03 PM",
+                           "2024-03-01", "1.3.2024", "03/01/24"}) {
+    const std::string row = std::string(time) + ",1,2\n";
+    EXPECT_EQ(log_error("t,T1_N,T2_N\n" + row + row + row),
+              fmt::format("log.csv:2: column 't' = '{}': {}", time, expected));
+  }
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n12:00:01,1,2\n12:00:02,x,2\n"),
+            "log.csv: 2 faults:\n  log.csv:2: column 't' = '12:00:01': " + expected +
+                "\n  log.csv:3: column 'T1_N' = 'x': expected a number from -1000000000 to "
+                "1000000000, or an empty cell");
 }
 
 TEST(Recordings, EndWhereTheClockIsSetBackOrALabelChanges) {

@@ -74,6 +74,26 @@ TEST(DiagnosisPage, SaysWhereTheNoiseIsEstimatedTooHigh) {
   EXPECT_TRUE(contains(diagnosis_html(report), "the noise is estimated too high"));
 }
 
+// As the printed text has them, whether or not one of them is a cause.
+TEST(DiagnosisPage, HasTheCalibratedFrictionWithItsIntervals) {
+  DiagnosisReport report = plain_report();
+  EXPECT_FALSE(contains(diagnosis_html(report), "id=\"calibrated\""));
+  report.result.calibration = {
+      {"tube_friction", {"mu", "1", 0.09, 0.08, 0.1, 0.18, Range{0.05, 0.2}}, 0.001, true},
+      {"sheath_friction", {"mu", "1", 0.178, 0.17, 0.186, 0.18, Range{0.05, 0.2}}, 0.6, false}};
+  const std::string page = body(diagnosis_html(report));
+  const std::size_t begin = page.find("id=\"calibrated\"");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_GT(begin, page.find("id=\"causes\""));
+  EXPECT_LT(begin, page.find("id=\"gain\""));
+  const std::string table = page.substr(begin, page.find("</table>", begin) - begin);
+  for (const char* cell :
+       {"sheath_friction", "0.080 to 0.100", "0.170 to 0.186", "0.178",
+        "Another than the hardware says (0.180)", "As the hardware says (0.180)"}) {
+    EXPECT_TRUE(contains(table, cell)) << cell << "\n" << table;
+  }
+}
+
 TEST(DiagnosisPage, TakesAnyNameOfTheUsers) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);

@@ -1,20 +1,18 @@
 #include "diagnosis/data/checks/inverted.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <string>
+#include <ranges>
 #include <tuple>
+
+#include "diagnosis/data/checks/load_sign.hpp"
 
 namespace reeve::diagnosis {
 namespace {
-
-constexpr std::size_t enough_to_tell_a_sign = 5;
-constexpr double nearly_all_below = 0.8;
-// With the load; noise and friction leave far more, a drifting zero far less.
-constexpr double falls_with_load = -0.5;
 
 // What pulls: the motor, or all that is read beside the channel.
 double load_N(const Reading& reading, std::size_t channel) {
@@ -26,75 +24,42 @@ double load_N(const Reading& reading, std::size_t channel) {
   return sum;
 }
 
-// Of rows alike but for the load, about their own means: what arrives of a load depends on all
-// else.
-struct Alike {
-  double rows = 0;
-  double mean_load = 0, mean_reading = 0;
-  double square_load = 0, square_reading = 0;
-  double product = 0;
-
-  void add(double load, double reading) {
-    ++rows;
-    const double load_off = load - mean_load;
-    const double reading_off = reading - mean_reading;
-    mean_load += load_off / rows;
-    mean_reading += reading_off / rows;
-    square_load += load_off * (load - mean_load);
-    square_reading += reading_off * (reading - mean_reading);
-    product += load_off * (reading - mean_reading);
-  }
-};
-
-using AlikeRows = std::map<std::tuple<std::size_t, std::uint64_t, Direction>, Alike>;
-
-// The mean over the groups, of which each has a size of its own; of two rows it would be ±1.
-double correlation(const AlikeRows& groups) {
-  double sum = 0;
-  double weights = 0;
-  for (const auto& [key, alike] : groups) {
-    const double scale = std::sqrt(alike.square_load * alike.square_reading);
-    if (alike.rows < 3 || !(scale > 0)) continue;
-    sum += (alike.rows - 1) * alike.product / scale;
-    weights += alike.rows - 1;
-  }
-  return weights > 0 ? sum / weights : 0;
-}
+// By routing, grasp and direction.
+using RowsAlike = std::tuple<std::size_t, std::uint64_t, Direction>;
 
 bool is_inverted(const MeasuredData& data, std::size_t channel) {
-  AlikeRows rows;
-  std::size_t given = 0;
-  std::size_t below = 0;
+  std::map<RowsAlike, LoadedRows> rows;
+  SignCount signs;
   for (const Reading& reading : data.readings) {
     const auto& tension = reading.tension_N[channel];
     if (!tension) continue;
-    ++given;
-    below += *tension < 0 ? 1 : 0;
+    signs.add(*tension);
     rows[{reading.routing, reading.grasp.held, reading.direction}].add(load_N(reading, channel),
                                                                        *tension);
   }
-  return given >= enough_to_tell_a_sign &&
-         static_cast<double>(below) >= nearly_all_below * static_cast<double>(given) &&
-         correlation(rows) < falls_with_load;
+  return signs.nearly_all_below() && falls_with_load(std::views::values(rows));
 }
 
 }  // namespace
 
-std::vector<DataNote> notes_inverted(const MeasuredData& data) {
-  std::string names;
-  std::size_t count = 0;
+std::optional<DataNote> note_on_inverted(const std::vector<std::string>& channels) {
+  if (channels.empty()) return std::nullopt;
+  const bool one = channels.size() == 1;
+  return DataNote{
+      NoteKind::inverted,
+      fmt::format("{} {} below zero, the more so the more is pulled, which no tendon does: "
+                  "exchange the sign in the file if {} mounted or wired the other way round",
+                  fmt::join(channels, ", "), one ? "reads" : "read",
+                  one ? "the sensor is" : "the sensors are"),
+      {}};
+}
+
+std::optional<DataNote> note_inverted(const MeasuredData& data) {
+  std::vector<std::string> names;
   for (std::size_t c = 0; c < data.channels.size(); ++c) {
-    if (!is_inverted(data, c)) continue;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", data.channels[c].name);
-    ++count;
+    if (is_inverted(data, c)) names.push_back(data.channels[c].name);
   }
-  if (count == 0) return {};
-  return {{NoteKind::inverted,
-           fmt::format("{} {} below zero, the more so the more is pulled, which no tendon does: "
-                       "exchange the sign in the file if {} mounted or wired the other way round",
-                       names, count == 1 ? "reads" : "read",
-                       count == 1 ? "the sensor is" : "the sensors are"),
-           {}}};
+  return note_on_inverted(names);
 }
 
 }  // namespace reeve::diagnosis

@@ -3,6 +3,8 @@
 // follow the load.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "diagnosis/data/measured_data.hpp"
@@ -10,7 +12,9 @@
 namespace reeve::diagnosis {
 
 // One note that names those channels. Nothing is changed: what else is exchanged with the sign, the
-// file does not say. Empty if there are none.
-std::vector<DataNote> notes_inverted(const MeasuredData& data);
+// file does not say.
+std::optional<DataNote> note_inverted(const MeasuredData& data);
+// The same of channels that are known; nothing of none.
+std::optional<DataNote> note_on_inverted(const std::vector<std::string>& channels);
 
 }  // namespace reeve::diagnosis

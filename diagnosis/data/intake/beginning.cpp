@@ -29,6 +29,31 @@ void require_header_first(const CsvReader& csv, const CsvRow& row, const Reading
        .expected = "the header first: take this line out, or begin it with #"});
 }
 
+// Of files that were put together as they stand.
+class RepeatedHeaders {
+ public:
+  void add(std::size_t line) {
+    if (count_++ == 0) first_ = line;
+  }
+
+  // One fault, however many there are.
+  void tell(const CsvReader& csv, FaultList& faults) const {
+    if (count_ == 0) return;
+    std::string what = fmt::format("line {} repeats the header", first_);
+    if (count_ > 1) what += fmt::format(", and so do {} more", count_ - 1);
+    faults.add(first_, "where the header is repeated",
+               {.where = fmt::format("{}:{}", csv.name(), first_),
+                .what = what,
+                .expected = "one header at the beginning: where files were put together, take out "
+                            "that of each but the first, and see that runs of different files "
+                            "have names of their own"});
+  }
+
+ private:
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults) {
@@ -48,13 +73,32 @@ Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultLis
 void each_row(CsvReader& csv, const Beginning& beginning, FaultList& faults,
               const std::function<void(const CsvRow&)>& read) {
   if (beginning.is_broken) return;
+  RepeatedHeaders repeated;
+  const auto take = [&](const CsvRow& row) {
+    if (row.fields == csv.header().fields) {
+      repeated.add(row.line);
+    } else {
+      read(row);
+    }
+  };
   CsvRow row;
-  if (beginning.first) read(*beginning.first);
+  if (beginning.first) take(*beginning.first);
   try {
-    while (csv.next(row)) read(row);
+    while (csv.next(row)) take(row);
   } catch (const InputError& error) {
     faults.add(row.line + 1, "where the rest cannot be read", error.fault());
   }
+  repeated.tell(csv, faults);
+}
+
+void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<DataNote>& notes) {
+  if (rows > 0) return;
+  const bool zeros = std::any_of(notes.begin(), notes.end(),
+                                 [](const DataNote& note) { return note.kind == NoteKind::tare; });
+  throw InputError({.where = fmt::format("{}:{}", csv.name(), csv.header().line),
+                    .expected = zeros ? "readings below the header, and there are rows of zeros "
+                                        "(tare) alone"
+                                      : "rows below the header, and there are none"});
 }
 
 }  // namespace reeve::diagnosis

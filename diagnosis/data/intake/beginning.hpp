@@ -2,12 +2,15 @@
 // Throws InputError if it is the header, below a line of other names such as a logger's channels.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "diagnosis/data/csv.hpp"
 #include "diagnosis/data/intake/fault_list.hpp"
 #include "diagnosis/data/intake/reading_options.hpp"
+#include "diagnosis/data/note.hpp"
 
 namespace reeve::diagnosis {
 
@@ -22,5 +25,8 @@ Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultLis
 // From the first one up to the end, or to where the file breaks off, which is a fault.
 void each_row(CsvReader& csv, const Beginning& beginning, FaultList& faults,
               const std::function<void(const CsvRow&)>& read);
+
+// Of samples or readings. Throws InputError if there are none, and says whether there are zeros.
+void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<DataNote>& notes);
 
 }  // namespace reeve::diagnosis

@@ -27,7 +27,9 @@ struct ReadingOptions {
   std::vector<ColumnUnit> units;
   std::optional<std::string> group;  // the column whose text groups rows: a winch, an operator
   std::vector<ColumnNoise> noise{};
-  std::string map_option{};  // what messages advise: how whoever reads the file calls `map`
+  // What messages advise: how whoever reads the file calls `map`, and `units`.
+  std::string map_option{};
+  std::string unit_option{};
 };
 
 // "Kraft Motor=motor_tension_N". Throws InputError.

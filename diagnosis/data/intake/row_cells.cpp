@@ -55,7 +55,8 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
             [&](std::string_view text) -> std::optional<double> {
               if (is_missing(text)) return std::nullopt;
               const double value = of.unit.converted(
-                  numbers_.read(text, row.line, of.unit.back(of.low), of.unit.back(of.high)));
+                  numbers_.read(text, row.line, of.unit.back(of.low), of.unit.back(of.high),
+                                of.role != DataRole::time));
               const bool is_tension =
                   of.role == DataRole::tension || of.role == DataRole::motor_tension;
               if (is_tension) require_measurable(value);

@@ -59,12 +59,12 @@ void RowReader::read(const CsvRow& row) {
   if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
   const std::size_t faults_before = faults_.count();
   RowCells::Numbers numbers = cells_.numbers(row);
-  if (is_tare(row)) {
+  if (is_tare(cells_, row)) {
     if (faults_.count() == faults_before) tare_.add(row.line, numbers);
     return;
   }
   tare_.close();
-  take_zeros(numbers);
+  take_zeros(tare_, columns_, numbers);
   Reading reading;
   reading.line = row.line;
   read_words(row, reading);
@@ -86,19 +86,6 @@ MeasuredData RowReader::finish() {
   covariates_.finish(data_, faults_);
   for (DataNote& note : tare_.notes()) data_.notes.push_back(std::move(note));
   return std::move(data_);
-}
-
-bool RowReader::is_tare(const CsvRow& row) const {
-  return says_tare(cells_.cell(row, DataRole::run)) ||
-         says_tare(cells_.cell(row, DataRole::routing));
-}
-
-void RowReader::take_zeros(RowCells::Numbers& numbers) const {
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (numbers[column] && is_of_sensor(columns_[column].role)) {
-      *numbers[column] -= tare_.zero(column);
-    }
-  }
 }
 
 void RowReader::read_words(const CsvRow& row, Reading& reading) {

@@ -29,9 +29,6 @@ class RowReader {
   MeasuredData finish();
 
  private:
-  bool is_tare(const CsvRow& row) const;
-  void take_zeros(RowCells::Numbers& numbers) const;
-
   std::optional<std::size_t> run(const CsvRow& row);
   std::optional<std::size_t> group(const CsvRow& row);
   std::optional<std::size_t> routing(const CsvRow& row);

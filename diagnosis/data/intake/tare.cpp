@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "diagnosis/data/intake/text_cells.hpp"
+
 namespace reeve::diagnosis {
 
 void Tare::add(std::size_t line, const std::vector<std::optional<double>>& zeros) {
@@ -25,6 +27,19 @@ std::vector<DataNote> Tare::notes() const {
            "these rows have the zeros of the sensors, which are taken off the readings below each "
            "of them",
            lines_}};
+}
+
+bool is_tare(const RowCells& cells, const CsvRow& row) {
+  return says_tare(cells.cell(row, DataRole::run)) || says_tare(cells.cell(row, DataRole::routing));
+}
+
+void take_zeros(const Tare& tare, const std::vector<DataColumn>& columns,
+                RowCells::Numbers& numbers) {
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    if (numbers[column] && is_of_sensor(columns[column].role)) {
+      *numbers[column] -= tare.zero(column);
+    }
+  }
 }
 
 }  // namespace reeve::diagnosis

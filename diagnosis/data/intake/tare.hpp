@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnosis/data/intake/row_cells.hpp"
 #include "diagnosis/data/note.hpp"
 
 namespace reeve::diagnosis {
@@ -35,5 +36,11 @@ class Tare {
   std::vector<double> counts_;
   std::vector<std::size_t> lines_;
 };
+
+// Whether its run or its routing says so.
+bool is_tare(const RowCells& cells, const CsvRow& row);
+// Off each sensor.
+void take_zeros(const Tare& tare, const std::vector<DataColumn>& columns,
+                RowCells::Numbers& numbers);
 
 }  // namespace reeve::diagnosis

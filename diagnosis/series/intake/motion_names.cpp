@@ -1,4 +1,4 @@
-#include "diagnosis/series/motion_names.hpp"
+#include "diagnosis/series/intake/motion_names.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,18 +1,10 @@
-#include "diagnosis/series/log_words.hpp"
+#include "diagnosis/series/intake/log_words.hpp"
 
 #include <algorithm>
 
+#include "diagnosis/series/intake/wall_clock.hpp"
+
 namespace reeve::diagnosis {
-namespace {
-
-// "12:00:00.01", "2024-05-01T12:00:00Z"
-bool is_time_of_day(std::string_view word) {
-  return word.find(':') != std::string_view::npos &&
-         word.find_first_not_of("0123456789:.,-/+ TZ") == std::string_view::npos;
-}
-
-}  // namespace
-
 void LogWords::add(std::string_view word, std::size_t samples) {
   auto found = known_.find(word);
   if (found == known_.end()) {
