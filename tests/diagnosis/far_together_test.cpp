@@ -57,7 +57,7 @@ void expect_followed(const MeasuredData& data, const std::string& channel, std::
   EXPECT_EQ(result.verdict, Verdict::unexplained);
   ASSERT_EQ(count_notes(result.notes, NoteKind::far_together), 1U);
   const std::string text = note_text(result.notes, NoteKind::far_together);
-  EXPECT_NE(text.find("readings of " + channel + " in runs "), std::string::npos) << text;
+  EXPECT_NE(text.find("readings of " + channel + " in "), std::string::npos) << text;
   EXPECT_NE(text.find("Noise chooses no channel"), std::string::npos) << text;
   std::set<std::string> runs(data.runs.begin() + static_cast<std::ptrdiff_t>(first_run),
                              data.runs.end());

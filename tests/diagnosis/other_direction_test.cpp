@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/verdict/doubts/run_words.hpp"
 #include "tests/diagnosis/read_data.hpp"
 #include "tests/support/planting.hpp"
 
@@ -48,7 +49,7 @@ TEST(TheOtherDirection, IsSeenInARunWhereAllOrSomeAreExchanged) {
       const auto note = odd_directions(wrong);
       ASSERT_TRUE(note) << data.runs[run];
       expect_most_of(lines, *note);
-      EXPECT_NE(note->text.find("of run " + data.runs[run] + " read"), std::string::npos)
+      EXPECT_NE(note->text.find(" of " + runs_text({run}, data) + " read"), std::string::npos)
           << note->text;
     }
   }
