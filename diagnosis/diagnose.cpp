@@ -15,6 +15,10 @@
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/doubts/channel_units.hpp"
+#include "diagnosis/verdict/doubts/far_together.hpp"
+#include "diagnosis/verdict/doubts/far_words.hpp"
+#include "diagnosis/verdict/doubts/other_direction.hpp"
 #include "diagnosis/verdict/far_forecasts.hpp"
 #include "diagnosis/verdict/what_is_left.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
@@ -44,6 +48,7 @@ class Diagnosis {
     nominal_.hardware = hardware;
     result_.model = nominal_;
     take_over_counts();
+    note_what_the_model_doubts();
   }
 
   std::optional<DiagnosisResult> run() {
@@ -63,6 +68,7 @@ class Diagnosis {
       if (!weigh_rivals()) return std::nullopt;
       confirm();
       if (!stopped("checking what is left")) check_what_is_left();
+      if (!stopped("looking for readings far off")) check_far_readings();
       if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
@@ -102,6 +108,24 @@ class Diagnosis {
     result_.dropped_duplicates = sample_.dropped_duplicates;
     result_.thinned_rows = sample_.thinned_rows;
     result_.notes = sample_.notes;
+  }
+
+  bool is_noted(NoteKind kind) const {
+    return std::any_of(result_.notes.begin(), result_.notes.end(),
+                       [&](const DataNote& note) { return note.kind == kind; });
+  }
+
+  // Before anything is fitted, and where the tensions alone have not said it.
+  void note_what_the_model_doubts() {
+    if (!is_noted(NoteKind::units)) {
+      for (DataNote& note : notes_on_channel_units(dataset(data_, readings_used()), nominal_)) {
+        result_.notes.push_back(std::move(note));
+      }
+    }
+    if (is_noted(NoteKind::not_as_pulled)) return;
+    if (auto note = note_on_other_direction(data_, readings_used(), nominal_)) {
+      result_.notes.push_back(std::move(*note));
+    }
   }
 
   void note_too_few() {
@@ -196,6 +220,29 @@ class Diagnosis {
     if (!stop_ && left.structure.p_value < structure_share_of_alpha * options_.alpha) {
       result_.unexplained = {left.structure.findings.front().about, left.structure.where,
                              left.structure.p_value};
+    }
+  }
+
+  void check_far_readings() {
+    std::optional<Problem> unseen;
+    if (!sample_.held_out.cells.empty()) {
+      unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
+    }
+    const FarReadings far =
+        far_readings_together({found_.problem,
+                               unseen ? &*unseen : nullptr,
+                               result_.model,
+                               result_.noise,
+                               result_.mounting,
+                               options_.alpha,
+                               {streams::seed_of_what_is_left(options_.seed), options_.replicates}},
+                              workers_, [this] { return stopped("looking for readings far off"); });
+    if (stop_) return;
+    for (const FarTogether& together : far.together) {
+      result_.notes.push_back(note_on(together, far, data_, options_.alpha));
+      if (result_.unexplained || !follow_something(together, options_.alpha)) continue;
+      result_.unexplained = {"channel and run", where_text(together, data_),
+                             resolved(together.p_value)};
     }
   }
 

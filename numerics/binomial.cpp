@@ -12,4 +12,11 @@ ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials, 
           successes == trials ? 1 : boost::math::ibetac_inv(k + 1, n - k, tail)};
 }
 
+double at_least_so_many(std::size_t successes, std::size_t trials, double probability) {
+  if (successes == 0) return 1;
+  if (successes > trials) return 0;
+  const auto k = static_cast<double>(successes);
+  return boost::math::ibeta(k, static_cast<double>(trials) - k + 1, probability);
+}
+
 }  // namespace reeve::numerics

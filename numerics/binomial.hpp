@@ -1,4 +1,4 @@
-// What a share of successes says about the probability behind it.
+// What a share of successes says about the probability behind it, and how rare it is.
 #pragma once
 
 #include <cstddef>
@@ -16,5 +16,8 @@ struct ConfidenceInterval {
 // probability with at least this confidence; 0 to 1 without trials.
 ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials,
                                      double confidence = 0.95);
+
+// That at least so many of the trials succeed, each with this probability by itself.
+double at_least_so_many(std::size_t successes, std::size_t trials, double probability);
 
 }  // namespace reeve::numerics

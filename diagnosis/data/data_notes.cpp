@@ -49,6 +49,11 @@ void add_units(const std::string& what, double median, double low, double high,
        {}});
 }
 
+// A third below zero: what is above it is noise about nothing, too, and has no unit.
+bool reads_nothing(std::size_t above_zero, std::size_t below_zero) {
+  return below_zero > 0 && 2 * below_zero >= above_zero;
+}
+
 // Zeros are left out: a slack strand says nothing about units.
 void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   const auto add_tension = [&](const std::string& what, const std::vector<double>& tensions) {
@@ -64,13 +69,16 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
     const std::string column =
         plain_name({DataRole::tension, {data.channels[i].segment, false}, {}, false});
     std::vector<double> tensions, ratios;
+    std::size_t below_zero = 0;
     for (const Reading& reading : data.readings) {
       const double tension = reading.tension_N[i].value_or(0);
+      below_zero += tension < 0 ? 1 : 0;
       if (tension > 0) tensions.push_back(tension);
       if (tension > 0 && reading.motor_tension_N.value_or(0) > 0) {
         ratios.push_back(tension / *reading.motor_tension_N);
       }
     }
+    if (reads_nothing(tensions.size(), below_zero)) continue;
     add_tension(column, tensions);
     add_units(column + " over motor_tension_N", middle_of(ratios), least_plausible_ratio,
               greatest_plausible_ratio, "", notes);

@@ -56,6 +56,10 @@ const char* note_kind_name(NoteKind kind) {
       return "inverted";
     case NoteKind::far_forecast:
       return "far_forecast";
+    case NoteKind::other_direction:
+      return "other_direction";
+    case NoteKind::far_together:
+      return "far_together";
     case NoteKind::not_following:
       return "not_following";
     case NoteKind::reversed:

@@ -47,6 +47,15 @@ double own_error(const Dataset& dataset, const Cell& cell) {
   return cell.channel < errors.size() ? errors[cell.channel].value_or(0) : 0;
 }
 
+// `least` for channels whose noise is known.
+double deviation_if_near(const Dataset& dataset, const Noise& noise, const Cell& cell,
+                         double expected_N, double least) {
+  if (const auto known = known_noise(*dataset.data, cell.channel)) {
+    return std::max(known->deviation(expected_N), least);
+  }
+  return noise.scale_of(dataset.data->readings[cell.reading]) * noise.deviation(expected_N);
+}
+
 }  // namespace
 
 const char* noise_source_name(NoiseSource source) {
@@ -81,22 +90,31 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
   Eigen::VectorXd result(expected_N.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
-    if (const auto known = known_noise(*dataset.data, cell.channel)) {
-      result[i] = std::max({known->deviation(expected_N[i]), least, own_error(dataset, cell)});
-      continue;
-    }
+    const double near = deviation_if_near(dataset, noise, cell, expected_N[i], least);
     const double measured = cell.measured_N;
-    const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
-    const double at_expected = scale * noise.deviation(expected_N[i]);
-    const double z = (measured - expected_N[i]) / at_expected;
-    if (noise.tail_degrees > 0) {
+    const double z = (measured - expected_N[i]) / near;
+    if (known_noise(*dataset.data, cell.channel)) {
+      result[i] = near;
+    } else if (noise.tail_degrees > 0) {
       const double tail = noise.tail_degrees;
-      result[i] = at_expected * std::sqrt((tail + z * z) / (tail + 1));
+      result[i] = near * std::sqrt((tail + z * z) / (tail + 1));
     } else {
-      result[i] =
-          std::abs(z) <= far ? at_expected : scale * noise.deviation(std::max(measured, 0.0));
+      const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
+      result[i] = std::abs(z) <= far ? near : scale * noise.deviation(std::max(measured, 0.0));
     }
     result[i] = std::max(result[i], own_error(dataset, cell));
+  }
+  return result;
+}
+
+Eigen::VectorXd deviations_if_near(const Dataset& dataset, const Noise& noise,
+                                   const Eigen::VectorXd& expected_N) {
+  const double least = least_absolute(dataset);
+  Eigen::VectorXd result(expected_N.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
+    result[i] = std::max(deviation_if_near(dataset, noise, cell, expected_N[i], least),
+                         own_error(dataset, cell));
   }
   return result;
 }

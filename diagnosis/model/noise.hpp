@@ -66,6 +66,10 @@ struct Noise {
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N);
 
+// The same as if none were far from what the model expects.
+Eigen::VectorXd deviations_if_near(const Dataset& dataset, const Noise& noise,
+                                   const Eigen::VectorXd& expected_N);
+
 // From repeats and smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);
 // From what is left of these readings; nothing if they tell too little.

@@ -66,6 +66,12 @@ double least_if_right(double expected_gain, double open_variance) {
   return expected_gain - end * std::sqrt(own) - of_most * std::sqrt(own + open_variance);
 }
 
+// Also where mountings are taken to differ by so much that no run tells anything by likelihood.
+bool surely_loses(const HeldOut& gain) {
+  constexpr double twice = -1;
+  return gain.high < twice && gain.log_likelihood_gain < 0;
+}
+
 bool names_a_coefficient(const Explanation& explanation) {
   return std::any_of(explanation.calibrations.begin(), explanation.calibrations.end(),
                      [](const Calibration& calibration) { return calibration.differs; });
@@ -123,9 +129,13 @@ class Withdrawing {
     const Problem unseen = problem(held_out_, explanation_.scatter, after, workers_);
     const Eigen::VectorXd apart =
         difference(unseen, forecast(held_out_, before), forecast(held_out_, after));
+    const HeldOut gain = held_out_gain(unseen, before, after, seed_);
+    if (surely_loses(gain)) {
+      result_.held_out = gain;
+      return true;
+    }
     const LeftOpen open(explanation_.problem, unseen, after);
     if (open.explains(apart)) return false;
-    const HeldOut gain = held_out_gain(unseen, before, after, seed_);
     const std::size_t more = parameter_count(after) - parameter_count(before);
     const double chance_low =
         std::min(-chance_loss(std::max<std::size_t>(more, 1)),

@@ -8,7 +8,8 @@
 // and so on: in the order of acceptance, since which of them loses is not for these runs to choose.
 // If what is left may still lose, or the coefficients that are said to differ lose beside the
 // causes that are left, they are no longer said to. Runs whose forecasts change by no more than
-// what training leaves open of the parameters say nothing.
+// what training leaves open of the parameters say nothing. Where residuals surely rise in newton
+// and nothing is gained in likelihood either, whatever is open, the names lose.
 #pragma once
 
 #include <cstdint>

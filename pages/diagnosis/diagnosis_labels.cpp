@@ -32,6 +32,13 @@ bool is_alike(const DiagnosisResult& result, const Causes& model) {
   return false;
 }
 
+// Rows that do not read as the file says, or a sensor that is not like the others.
+bool asks_for_a_look(const DiagnosisResult& result) {
+  return std::any_of(result.notes.begin(), result.notes.end(), [](const DataNote& note) {
+    return note.kind == NoteKind::other_direction || note.kind == NoteKind::far_together;
+  });
+}
+
 bool is_refuted(const DiagnosisResult& result, const Causes& model) {
   const Causes& refuted = result.not_confirmed;
   return model.size() == 1 &&
@@ -50,6 +57,9 @@ VerdictLabel verdict_label(const DiagnosisReport& report) {
     case Verdict::none:
       if (!beyond_belief_sentence(result).empty()) {
         return {"No cause is named, but the readings scatter beyond belief", "question"};
+      }
+      if (asks_for_a_look(result)) {
+        return {"No cause is named, but some readings are to be looked at first", "question"};
       }
       return {weak_structure_remains(report) ? "No cause is named, and weak structure remains"
                                              : "Nothing is wrong that the readings could show",

@@ -244,10 +244,13 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
   }
   const std::vector<DataNote>& notes = report.result.notes;
   const std::string mountings = beyond_belief_sentence(report.result);
-  return text.insert(text.find('\n') + 1, check_first(notes, NoteKind::units, "the units") +
-                                              check_first(notes, NoteKind::inverted, "this") +
-                                              check_first(notes, NoteKind::not_as_pulled, "this") +
-                                              (mountings.empty() ? "" : mountings + "\n"));
+  return text.insert(text.find('\n') + 1,
+                     check_first(notes, NoteKind::units, "the units") +
+                         check_first(notes, NoteKind::inverted, "this") +
+                         check_first(notes, NoteKind::not_as_pulled, "this") +
+                         check_first(notes, NoteKind::other_direction, "this") +
+                         check_first(notes, NoteKind::far_together, "this") +
+                         (mountings.empty() ? "" : mountings + "\n"));
 }
 
 }  // namespace reeve::reports

@@ -49,6 +49,13 @@ TEST(UnitsOffByAThousand, AreSuspected) {
       "in another unit than newton?");
 }
 
+// What is above zero is noise, too, of a sensor that reads nothing.
+TEST(UnitsOfASensorThatReadsNothing, AreNotAskedFor) {
+  EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\n"), 1U);
+  EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,-0.03\n"), 0U);
+  EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\nA,TR5,22,-0.03\n"), 1U);
+}
+
 TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
   const MeasuredData data =
       read_data("# source\n" + notes_header + "A,TR5,,20,4,10,1\n#A,TR5,,20,5,10,1\n");

@@ -56,6 +56,20 @@ TEST(Withdrawal, TakesTheCauseThatWasAcceptedLast) {
   EXPECT_EQ(effect_name(explanation.model.effects[0]), "on_T1");
 }
 
+// Readings that may scatter by much tell little by likelihood; that each comes out worse does.
+TEST(Withdrawal, IsOfWhatSurelyMakesResidualsExplode) {
+  const double size = 0.25;
+  const Bench training({size, size});
+  const auto names_if = [&](const Pattern& held_out) {
+    Explanation explanation = both(training);
+    for (Effect& effect : explanation.model.effects) effect.values = {size};
+    explanation.scatter.noise.absolute_N = 1;
+    return withdrawn(explanation, held_out).names;
+  };
+  EXPECT_EQ(names_if({size, size}), Names{});
+  EXPECT_EQ(names_if({0, 0}), (Names{"on_T2", "on_T1"}));
+}
+
 // The first loses, the last gains: it is not for these runs to choose.
 TEST(Withdrawal, GoesByTheOrderOfAcceptance) {
   const Bench training({1, 1});

@@ -44,5 +44,16 @@ TEST(BinomialInterval, WithoutTrialsIsEverything) {
   EXPECT_EQ(interval.high, 1);
 }
 
+TEST(SoManySuccesses, AreAsRareAsTheirTermsAddUpTo) {
+  for (const int n : {1, 7, 50}) {
+    for (int k = 0; k <= n; k += 3) {
+      const double chance =
+          at_least_so_many(static_cast<std::size_t>(k), static_cast<std::size_t>(n), 0.13);
+      EXPECT_NEAR(chance, at_least(k, n, 0.13), 1e-12) << k << " of " << n;
+    }
+  }
+  EXPECT_EQ(at_least_so_many(3, 2, 0.5), 0);
+}
+
 }  // namespace
 }  // namespace reeve

@@ -253,6 +253,11 @@ TEST(DiagnosisAnswer, AsksForTheUnitsRightBelowTheHeadline) {
       "below.");
   report.result.notes = {{NoteKind::not_as_pulled, "in 3 rows", {3, 5, 8}}};
   EXPECT_EQ(second_line(), "Check this first: in 3 rows");
+  report.result.notes = {{NoteKind::far_together, "T4 in runs a and b", {3}},
+                         {NoteKind::other_direction, "8 of 16 rows of run a", {3, 5, 8}}};
+  EXPECT_EQ(second_line(), "Check this first: 8 of 16 rows of run a");
+  report.result.notes.pop_back();
+  EXPECT_EQ(second_line(), "Check this first: T4 in runs a and b");
   report.result.notes.clear();
   EXPECT_FALSE(says(report, "first"));
 }

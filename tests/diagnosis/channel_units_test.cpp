@@ -1,0 +1,43 @@
+// One sensor of planted data in another unit.
+#include "diagnosis/verdict/doubts/channel_units.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+std::vector<DataNote> notes_with(double factor, std::size_t channels) {
+  MeasuredData data = read_data(plant({}, 81).csv);
+  for (Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (reading.tension_N[c]) *reading.tension_N[c] *= factor;
+    }
+  }
+  return notes_on_channel_units(all_of(data), {});
+}
+
+TEST(AChannelsUnit, IsSaidWhereItAloneIsOffByOne) {
+  for (const auto& [factor, unit] :
+       {std::pair(1 / 9.80665, "is it in kgf?"), std::pair(1 / 4.44822, "is it in lbf?"),
+        std::pair(1e-3, "is it in kN?"), std::pair(9.80665, "is it in newton, and taken for kgf?"),
+        std::pair(1e3, "is it in newton, and taken for kN?")}) {
+    const std::vector<DataNote> notes = notes_with(factor, 1);
+    ASSERT_EQ(notes.size(), 1U) << factor;
+    EXPECT_EQ(notes[0].kind, NoteKind::units);
+    EXPECT_NE(notes[0].text.find("T1_N reads "), std::string::npos) << notes[0].text;
+    EXPECT_NE(notes[0].text.find(unit), std::string::npos) << notes[0].text;
+  }
+}
+
+TEST(AChannelsUnit, IsNotSaidOfGainsAndOfAllChannels) {
+  for (const double factor : {1.0, 0.5, 2.0, 0.16, 6.0}) {
+    EXPECT_TRUE(notes_with(factor, 1).empty()) << factor;
+  }
+  EXPECT_TRUE(notes_with(1 / 9.80665, 3).empty());
+}
+
+}  // namespace
+}  // namespace reeve::testing

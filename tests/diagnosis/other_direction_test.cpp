@@ -1,0 +1,80 @@
+// Directions that are written down the other way in one run of planted data.
+#include "diagnosis/verdict/doubts/other_direction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnosis/verdict/doubts/run_words.hpp"
+#include "tests/diagnosis/read_data.hpp"
+#include "tests/support/planting.hpp"
+
+namespace reeve::testing {
+namespace {
+
+MeasuredData planted_directions(const PlantingPlan& plan, std::uint64_t seed) {
+  return read_data(plant(plan, seed).csv);
+}
+
+std::optional<DataNote> odd_directions(const MeasuredData& data) {
+  return note_on_other_direction(data, all_readings(data), {});
+}
+
+// Of so many of the rows of a run; their lines.
+std::vector<std::size_t> exchange(MeasuredData& data, std::size_t run, std::size_t one_in) {
+  std::vector<std::size_t> lines;
+  std::size_t row = 0;
+  for (Reading& reading : data.readings) {
+    if (reading.run != run || row++ % one_in != 0) continue;
+    reading.direction = reading.direction == Direction::pull ? Direction::release : Direction::pull;
+    lines.push_back(reading.line);
+  }
+  return lines;
+}
+
+void expect_most_of(const std::vector<std::size_t>& lines, const DataNote& note) {
+  EXPECT_GE(note.lines.size(), lines.size() * 2 / 3);
+  for (const std::size_t line : note.lines) {
+    EXPECT_NE(std::find(lines.begin(), lines.end(), line), lines.end()) << line;
+  }
+}
+
+TEST(TheOtherDirection, IsSeenInARunWhereAllOrSomeAreExchanged) {
+  const MeasuredData data = planted_directions({}, 81);
+  ASSERT_FALSE(odd_directions(data));
+  for (std::size_t run = 0; run < data.runs.size(); ++run) {
+    for (const std::size_t one_in : {1U, 2U}) {
+      MeasuredData wrong = data;
+      const auto lines = exchange(wrong, run, one_in);
+      const auto note = odd_directions(wrong);
+      ASSERT_TRUE(note) << data.runs[run];
+      expect_most_of(lines, *note);
+      EXPECT_NE(note->text.find(" of " + runs_text({run}, data) + " read"), std::string::npos)
+          << note->text;
+    }
+  }
+}
+
+TEST(TheOtherDirection, IsNotSeenInOneRowOfTen) {
+  MeasuredData data = planted_directions({}, 81);
+  exchange(data, 0, 10);
+  EXPECT_FALSE(odd_directions(data));
+}
+
+// Whatever else is wrong with the rig.
+TEST(TheOtherDirection, IsNotSeenWhereItIsRight) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (const EffectKind effect : library_effects()) {
+      PlantingPlan plan;
+      plan.effects = {effect};
+      plan.size = EffectSize::large;
+      plan.noise = seed % 2 == 0 ? high_noise : low_noise;
+      plan.noise.tail_degrees = seed % 3 == 0 ? 3 : 0;
+      const auto note = odd_directions(planted_directions(plan, seed));
+      EXPECT_FALSE(note) << planted_name(effect) << ' ' << seed << ' ' << note->text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
