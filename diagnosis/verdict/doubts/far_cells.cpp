@@ -3,6 +3,21 @@
 #include "numerics/random.hpp"
 
 namespace reeve::diagnosis {
+namespace {
+
+Eigen::VectorXd of_mountings_N(const Problem& problem) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(problem.deviation_N.size());
+  for (const SharedScatter& shared : problem.shared) {
+    for (std::size_t i = 0; i < shared.cells.size(); ++i) {
+      const Eigen::Index k = shared.cells[i];
+      result[k] = shared.loadings.row(static_cast<Eigen::Index>(i)).cwiseAbs().sum() *
+                  problem.deviation_N[k];
+    }
+  }
+  return result;
+}
+
+}  // namespace
 
 JudgedCells::JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
     : problem_(problem),
@@ -10,9 +25,7 @@ JudgedCells::JudgedCells(const Problem& problem, const Forecast& at, const Noise
       reading_N_(at.reading_N),
       off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
       noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)) {
-  const Eigen::ArrayXd shared_N2 =
-      total_deviations(problem).array().square() - problem.deviation_N.array().square();
-  deviation_N_ = (noise_N_.array().square() + shared_N2.max(0)).sqrt();
+  deviation_N_ = (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt();
 }
 
 std::vector<JudgedCell> JudgedCells::cells(const Eigen::VectorXd& off_N) const {

@@ -3,7 +3,9 @@
 //   z = (T − m) / √(sd² + s²)
 //
 // sd: of the noise, where Student's t would weigh a reading far out by a greater one, without that;
-// s: of what the reading shares with its mounting.
+// s: of what the reading shares with its mounting, all of whose contacts may be off to the same
+// side: Σ |s_k| over what a mounting changes, not the root of the sum of squares that independent
+// ones have.
 #pragma once
 
 #include <Eigen/Core>
