@@ -107,7 +107,7 @@ class Search {
     const Point nominal = problem_.nearest_to_nominal();
     const double most =
         best.value + std::max(no_loss * std::abs(best.value), goal_rounding(options_.goal));
-    const Minimum untouched = with_loss(nominal);
+    Minimum untouched = with_loss(nominal);
     if (untouched.value <= most) return untouched;
     for (std::size_t i = 0; i < best.at.size(); ++i) best = put(best, i, nominal[i], most);
     for (const FlatDirection& flat : flat_directions(problem_, options_.goal, best.at)) {

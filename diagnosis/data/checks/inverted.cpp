@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <ranges>
 #include <tuple>
+#include <vector>
 
 #include "diagnosis/data/checks/load_sign.hpp"
 
@@ -37,7 +37,10 @@ bool is_inverted(const MeasuredData& data, std::size_t channel) {
     rows[{reading.routing, reading.grasp.held, reading.direction}].add(load_N(reading, channel),
                                                                        *tension);
   }
-  return signs.nearly_all_below() && falls_with_load(std::views::values(rows));
+  if (!signs.nearly_all_below()) return false;
+  std::vector<LoadedRows> groups;
+  for (const auto& [alike, group] : rows) groups.push_back(group);
+  return falls_with_load(groups);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "numerics/floors.hpp"
 
@@ -47,8 +48,7 @@ struct LoadedRows {
 
 // By the mean correlation over the groups, of which each has a size of its own; of two rows it
 // would be ±1. Noise and friction leave far more than -0.5 of it, a drifting zero far less.
-template <typename Groups>
-bool falls_with_load(const Groups& groups) {
+inline bool falls_with_load(const std::vector<LoadedRows>& groups) {
   double sum = 0;
   double weights = 0;
   for (const LoadedRows& alike : groups) {
