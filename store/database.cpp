@@ -84,19 +84,14 @@ SQLite::Database opened_database(const fs::path& file, Access access) {
   if (access == Access::write) {
     return database_in(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   }
-  try {
-    SQLite::Database database = database_in(file, SQLite::OPEN_READONLY);
-    pragma(database, "application_id");
-    return database;
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_READONLY) throw;
-  }
-  try {
-    SQLite::Database database = database_in(file, SQLite::OPEN_READWRITE);
-    pragma(database, "application_id");
-    return database;
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_READONLY) throw;
+  for (const int flags : {SQLite::OPEN_READONLY, SQLite::OPEN_READWRITE}) {
+    try {
+      SQLite::Database database = database_in(file, flags);
+      pragma(database, "application_id");
+      return database;
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_READONLY) throw;
+    }
   }
   refuse(file, "a process that was killed has left it half written",
          "a place where that can be undone, by writing");
