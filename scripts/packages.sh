@@ -11,14 +11,13 @@ command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
 # fits everywhere.
 PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
   fonts-liberation fonts-dejavu-core)
-# For the Python module and its tests, which also install it with pip.
+# For the Python module and its tests, which also install it with pip. SciPy is for a notebook.
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
 PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy python3-matplotlib python3-pip python3-venv
-  python3-setuptools python3-wheel)
+  python3-setuptools python3-wheel python3-scipy)
 # For `mpirun reeve` and its tests; where they are not installed neither is built.
 PACKAGES_MPI=(libopenmpi-dev openmpi-bin)
-# SciPy for a notebook.
-PACKAGES_CI=(clang-format clang-tidy python3-scipy)
+PACKAGES_CI=(clang-format clang-tidy)
 # For scripts/fuzz.
 PACKAGES_FUZZ=(clang libclang-rt-14-dev)
 # For the programs under bench/ and their comparisons, and for bench/instructions; nothing here
