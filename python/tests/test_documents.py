@@ -30,6 +30,13 @@ def test_the_lines_of_the_introduction_run(root, tmp_path, monkeypatch):
     assert names["glove"].fingers[2]["tip_mu"] == 0.09
 
 
+def test_the_lines_of_the_readme_run(root, monkeypatch):
+    text = (root / "README.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    monkeypatch.chdir(root)
+    exec(block, {})  # noqa: S102
+
+
 def test_the_table_names_what_results_have(root):
     text = (root / "docs/python.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \| (.*) \|$", text, re.MULTILINE)
