@@ -31,6 +31,9 @@ std::string schematic_html(const std::string& id, const std::string& svg, const 
 
 namespace {
 
+// False in a program that was built with REEVE_PAGES=OFF.
+bool has_chart_library() { return asset_table().contains("vega.js"); }
+
 Json scripts(const std::string& names) {
   Json list = Json::array();
   std::istringstream in(names);
@@ -44,9 +47,11 @@ Json scripts(const std::string& names) {
 std::string page_html(const Page& page) {
   Json values{{"title", page.title},        {"body", page.body},
               {"style", asset("page.css")}, {"data", script_json(page.data)},
-              {"common", asset("page.js")}, {"scripts", scripts(page.script)},
-              {"version", version_json()},  {"live", false}};
-  if (page.live) {
+              {"common", asset("page.js")}, {"scripts", Json::array()},
+              {"version", version_json()},  {"live", false},
+              {"wide", page.live},          {"static_build", page.live && !has_chart_library()}};
+  if (!page.live || has_chart_library()) values["scripts"] = scripts(page.script);
+  if (page.live && has_chart_library()) {
     values["live"] = {{"theme", script_json(Json::parse(asset("theme.json")))},
                       {"license", asset("vega-license.txt")},
                       {"vega", asset("vega.js")},

@@ -2,7 +2,8 @@
 //
 // A page is readable without JavaScript: texts, tables, schematics and charts, which are pictures.
 // With JavaScript they can be saved (assets/page.js), and those of an exploration come alive
-// (assets/live_charts.js).
+// (assets/live_charts.js). A program that was built with REEVE_PAGES=OFF lacks the chart library:
+// its explorations stay pictures and tables, and say so.
 #pragma once
 
 #include <string>

@@ -44,5 +44,15 @@ TEST(Template, SaysWhichTemplateThereIsNot) {
   EXPECT_THROW(render("nothing.mustache", {}), std::out_of_range);
 }
 
+// The preset `plain` builds with REEVE_PAGES=OFF, the others with the chart library.
+TEST(Page, HasItsScriptsOrSaysThatThisBuildHasNone) {
+  const std::string page = page_html({"", "", "exploration.js", Json::object(), true});
+  const auto has = [&](std::string_view text) { return page.find(text) != std::string::npos; };
+  const bool interactive = asset_table().contains("vega.js");
+  EXPECT_EQ(has(asset("exploration.js")), interactive);
+  EXPECT_EQ(has(asset("live_charts.js")), interactive);
+  EXPECT_EQ(has("reeve was built with REEVE_PAGES=OFF"), !interactive);
+}
+
 }  // namespace
 }  // namespace reeve
