@@ -5,11 +5,14 @@ PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlop
   libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev libtinyxml2-dev zlib1g-dev
   libsqlitecpp-dev libsqlite3-dev)
-# npm comes with the node of some machines, as part of it.
-command -v npm >/dev/null || PACKAGES_BUILD+=(nodejs npm)
+# npm fetches the chart library of the pages. Debian's npm depends on some 330 packages node-*, which are
+# most of what is installed; the node of some machines has npm as part of it.
+PACKAGES_NPM=(nodejs npm)
+PACKAGES_PAGES=()
+command -v npm >/dev/null || PACKAGES_PAGES=("${PACKAGES_NPM[@]}")
 # sqlite3 for the lines of docs/store.md. Chromium alone brings no font, and a page without letters
 # fits everywhere.
-PACKAGES_TEST=(libgtest-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
+PACKAGES_TEST=(libgtest-dev libgmock-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
   fonts-liberation fonts-dejavu-core)
 # For the Python module and its tests, which also install it with pip. SciPy is for a notebook.
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
@@ -25,10 +28,18 @@ PACKAGES_FUZZ=(clang libclang-rt-14-dev)
 PACKAGES_BENCH=(libbenchmark-dev nauty python3 python3-numpy python3-scipy)
 PACKAGES_PROFILE=(valgrind)
 
-# install_packages <log> <package...>: installs those that are missing. One query to dpkg
-# when none is. Without apt-get it leaves the verdict to CMake.
+# tell <sentence>: on stderr, in place of a progress line that may stand there.
+tell() {
+  local wipe=
+  [[ ! -t 2 ]] || wipe=$'\r\e[K'
+  printf '%sreeve: %s\n' "$wipe" "$1" >&2
+}
+
+# install_packages <log> <package...>: installs those that are missing, and says before how many
+# packages and megabytes that is. One query to dpkg when none is missing. Without apt-get it leaves the
+# verdict to CMake.
 install_packages() {
-  local log=$1 installed package sudo=()
+  local log=$1 installed package plan sudo=()
   shift
   command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || return 0
   # dpkg-query fails when it has never heard of one of them; what it prints still counts.
@@ -40,21 +51,24 @@ install_packages() {
   done
   ((${#missing[@]})) || return 0
 
-  echo "reeve: installing ${missing[*]} …" >&2
   if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then
-      echo "reeve: not root and no sudo here; please install: ${missing[*]}" >&2
+      tell "not root and no sudo here; please install: ${missing[*]}"
       return 1
     fi
     sudo=(sudo)
   fi
-  if ! {
-    "${sudo[@]}" apt-get update &&
-      "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y \
-        --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
-  } >>"$log" 2>&1 </dev/null; then
-    tail -n 15 "$log" >&2
-    echo "reeve: apt-get could not install: ${missing[*]}" >&2
-    return 1
+  local install=(apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}")
+  if "${sudo[@]}" apt-get update >>"$log" 2>&1 </dev/null; then
+    # Printing the addresses of what it would fetch, apt-get installs nothing.
+    plan=$(LC_ALL=C "${install[@]}" --print-uris 2>>"$log" </dev/null | sed -nE "
+      s/^.* ([0-9]+) newly installed.*/\\1 packages/p
+      s/^Need to get (.*) of archives.*/, \\1 to fetch/p
+      s/^After this operation, (.*) of additional disk space.*/, \\1 on disk/p" | tr -d '\n') || true
+    tell "installing ${missing[*]}${plan:+ ($plan)} …"
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" >>"$log" 2>&1 </dev/null && return
   fi
+  tail -n 15 "$log" >&2
+  tell "apt-get could not install: ${missing[*]}"
+  return 1
 }
