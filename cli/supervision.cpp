@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <iostream>
 #include <utility>
 
@@ -21,6 +23,39 @@ void request_stop(int signal) {
   stop_requested.store(true);
 }
 
+// Nanoseconds of a clock that a signal handler may read.
+std::atomic<std::int64_t> first_hangup{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "set from a signal handler");
+
+// A terminal that is closed may hang up twice at once: its shell does, and so does the kernel.
+constexpr std::int64_t one_hangup = 1'000'000'000;
+
+void request_stop_at_hangup(int signal) {
+  timespec time = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  const std::int64_t now = time.tv_sec * 1'000'000'000 + time.tv_nsec;
+  std::int64_t none = 0;
+  const bool is_first = first_hangup.compare_exchange_strong(none, now);
+  if (!is_first && now - first_hangup.load() > one_hangup) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  request_stop(signal);
+}
+
+void handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal, &action, nullptr);
+}
+
+// As nohup has it.
+bool is_ignored(int signal) {
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 // In place of the line that stands there. One column stays free: a full line moves some terminals
 // on to the next.
 void show_line(const std::string& text, std::size_t width) {
@@ -32,12 +67,10 @@ void wipe_line() { std::cerr << "\r\x1b[K" << std::flush; }
 }  // namespace
 
 const std::atomic<bool>& stop_on_interrupt() {
-  struct sigaction action = {};
-  action.sa_handler = request_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGUSR1, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
+    handle(signal, request_stop, static_cast<int>(SA_RESETHAND));
+  }
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, request_stop_at_hangup, 0);
   return stop_requested;
 }
 
@@ -46,8 +79,7 @@ const std::atomic<bool>& stop_was_requested() { return stop_requested; }
 const std::atomic<bool>& was_terminated() { return terminated; }
 
 void leave_interrupts_to_others() {
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGUSR1, SIG_IGN);
+  for (const int signal : {SIGINT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
 }
 
 ProgressLine::ProgressLine(std::string what)

@@ -20,13 +20,13 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const std::string& what) : std::runtime_error("interrupted: " + what) {}
 };
 
-// From here on the first Ctrl-C (or SIGTERM, or SIGUSR1, which mpirun passes on) only sets the
-// flag; a second one ends the process.
+// From here on the first Ctrl-C (or SIGTERM, SIGHUP, or SIGUSR1, which mpirun passes on) only sets
+// the flag; a second one ends the process. A SIGHUP that is ignored, as by nohup, stays ignored.
 const std::atomic<bool>& stop_on_interrupt();
 const std::atomic<bool>& stop_was_requested();
 // Whether SIGTERM was among them.
 const std::atomic<bool>& was_terminated();
-// Ctrl-C and SIGUSR1 are for somebody else.
+// Ctrl-C, SIGHUP and SIGUSR1 are for somebody else.
 void leave_interrupts_to_others();
 
 // A bar, share done, rate and time left on stderr; silent where stderr is no terminal.

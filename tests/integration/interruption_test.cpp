@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,10 +59,68 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_EQ(words(explored.file("designs.csv")).size(), summary["top"].size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, StoppingSignal, ::testing::Values(SIGINT, SIGTERM),
+INSTANTIATE_TEST_SUITE_P(Signals, StoppingSignal, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& tested) {
-                           return std::string(tested.param == SIGINT ? "Interrupt" : "Terminate");
+                           return std::string(tested.param == SIGINT    ? "Interrupt"
+                                              : tested.param == SIGTERM ? "Terminate"
+                                                                        : "HangUp");
                          });
+
+// A first SIGHUP when the process catches it, and the disturbance's that much later.
+ProcessOptions hung_up_twice(std::chrono::milliseconds apart) {
+  const auto since = std::make_shared<std::optional<std::chrono::steady_clock::time_point>>();
+  return disturbed(SIGHUP, [=](const RunningProcess& process) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!*since && catches(process.id, SIGHUP)) {
+      ::kill(process.id, SIGHUP);
+      *since = now;
+    }
+    return *since && now - **since >= apart;
+  });
+}
+
+// The kernel and a shell each hang up when a terminal is closed.
+TEST(HangUp, TwiceAtOnceIsOne) {
+  const Explored explored(long_work, hung_up_twice(1ms));
+  EXPECT_EQ(explored.result.signal, 0);
+  EXPECT_EQ(explored.result.exit_code, 3);
+  EXPECT_TRUE(explored.summary()["partial"]);
+}
+
+// A pipe that nobody writes to holds it up.
+TEST(HangUp, AgainLaterEndsTheProcess) {
+  TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  ProcessOptions options = hung_up_twice(1500ms);
+  options.directory = folder.path();
+  EXPECT_EQ(reeve({"diagnose", "pipe"}, options).signal, SIGHUP);
+}
+
+TEST(HangUp, UnderNohupIsIgnored) {
+  TemporaryFolder folder;
+  ProcessOptions options = disturbed(SIGHUP, after_it_catches(SIGINT, 0ms));
+  options.directory = folder.path();
+  const ProcessResult result = run_process(
+      {"bash", "-c", "trap '' HUP; exec \"$0\" explore --fingers 5 --out out", REEVE_EXECUTABLE},
+      options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_FALSE(Json::parse(read_text(folder.path() / "out/summary.json"))["partial"]);
+}
+
+// Its output goes nowhere then, neither the progress line nor the table.
+TEST(HangUp, OfTheTerminalLeavesWholeFilesThatSayPartial) {
+  ProcessOptions options = disturbed(0, [](const RunningProcess& process) {
+    return process.err.find(" s left") != std::string::npos;
+  });
+  options.stderr_is_terminal = true;
+  options.stdout_terminal_width = 80;
+  options.environment["TERM"] = "xterm";
+  const Explored explored(long_work, options);
+  EXPECT_EQ(explored.result.signal, 0);
+  EXPECT_EQ(explored.result.exit_code, 3);
+  EXPECT_TRUE(explored.summary()["partial"]);
+  expect_whole_csv(explored.file("designs.csv"), "# partial: stopped after ");
+}
 
 TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
   const ProcessResult result = reeve({"rank", "--catalog", "--uncertainty", "--draws", "100000",
@@ -151,7 +211,8 @@ TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
   std::filesystem::remove(explored.out() / "index.html");
   ASSERT_EQ(::mkfifo((explored.out() / "index.html").c_str(), 0600), 0);
   explored.run({"--fingers", "3"}, disturbed(SIGKILL, [&](const RunningProcess&) {
-                 return explored.file("designs.csv") != designs;
+                 const std::string now = explored.file("designs.csv");
+                 return !now.empty() && now != designs;
                }));
   ASSERT_EQ(explored.result.signal, SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(explored.out() / "summary.json"));

@@ -5,6 +5,7 @@
 #include <linux/seccomp.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -93,6 +94,10 @@ void cannot_ignore_file_size_limit() {
     ::setrlimit(RLIMIT_CORE, &no_core);
   }
   if (options.dies_at_file_size_limit) cannot_ignore_file_size_limit();
+  if (options.disturbance && options.disturbance->signal == 0) {
+    ::setsid();
+    ::ioctl(STDERR_FILENO, TIOCSCTTY, 0);
+  }
   ::unsetenv("REEVE_CATALOG");
   for (const auto& [name, value] : options.environment) {
     ::setenv(name.c_str(), value.c_str(), 1);
@@ -111,6 +116,12 @@ bool read_some(int from, std::string& text) {
   if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
   // A terminal that nobody holds any more says EIO.
   return count > 0 || (count < 0 && errno == EINTR);
+}
+
+void close_if_terminal(Channel& channel) {
+  if (channel.ours < 0 || ::isatty(channel.ours) != 1) return;
+  ::close(channel.ours);
+  channel.ours = -1;
 }
 
 }  // namespace
@@ -137,7 +148,11 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
       channel->ours = -1;
     }
     if (!disturbed && options.disturbance->when({child, result.out, result.err})) {
-      ::kill(child, options.disturbance->signal);
+      if (options.disturbance->signal == 0) {
+        for (Channel* channel : {&out, &err}) close_if_terminal(*channel);
+      } else {
+        ::kill(child, options.disturbance->signal);
+      }
       disturbed = true;
     }
     if (!result.timed_out && Clock::now() > deadline) {

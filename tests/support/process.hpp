@@ -21,7 +21,8 @@ struct RunningProcess {
   const std::string& err;
 };
 
-// A signal, sent once as soon as `when` says so.
+// A signal, sent once as soon as `when` says so; 0: its terminals are closed. stderr's, if it is
+// one, is then that of its session, which the kernel tells of it.
 struct Disturbance {
   int signal = 0;
   std::function<bool(const RunningProcess&)> when;
