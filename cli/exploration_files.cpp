@@ -8,12 +8,12 @@
 #include "cli/command_line.hpp"
 #include "cli/supervision.hpp"
 #include "pages/exploration/exploration_page.hpp"
-#include "pages/shell/figure_files.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/decision/ladder_report.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/shard_file.hpp"
-#include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
+#include "reports/stamp.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
 #include "studies/shown_routing.hpp"
 
@@ -54,36 +54,24 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const std::filesystem::path& directory) {
   const std::string reason = partial_note(report);
   const std::string note = reason.empty() ? "" : "partial: " + reason;
-  const std::string id = exploration_id(report);
-  std::vector<std::pair<std::string, std::string>> tables{
-      {"designs.csv", stamped_csv(design_csv(report.top, note), id)},
-      {"pareto.csv", stamped_csv(design_csv(report.front, note), id)},
-      {"sample.csv", stamped_csv(sample_csv(report.result.sample, note), id)},
-      {"ladder.csv", stamped_csv(ladder_csv(report.ladder, note), id)}};
-  if (report.sweep) {
-    tables.emplace_back("sweep.csv", stamped_csv(sweep_csv(*report.sweep), id));
-  }
   StageLine stage;
   if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   PageFiles page = exploration_page(view(report, command, catalogue, details));
-  for (FigureFile& figure : page.figures) figure.svg = stamped_markup(figure.svg, id);
-  std::vector<std::pair<std::string, std::string>> others;
-  others.emplace_back("index.html", stamped_markup(page.html, id));
+  ResultFiles result;
+  result.tables = {
+      {"designs.csv", design_csv(report.top, note)},
+      {"pareto.csv", design_csv(report.front, note)},
+      {"sample.csv", sample_csv(report.result.sample, note)},
+      {"ladder.csv", ladder_csv(report.ladder, note)},
+      {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}};
+  result.figures = std::move(page.figures);
+  result.texts.push_back({"index.html", std::move(page.html)});
+  result.texts.push_back({"shard.json", std::nullopt});
   if (report.result.record) {
-    others.emplace_back("shard.json", shard_json(report, explore_arguments(command)));
+    result.texts.back().text = shard_json(report, explore_arguments(command));
   }
-  others.emplace_back("summary.json", explore_summary_json(report));
-  // All is made by now: what runs out of memory leaves no temporary file.
-  FileBatch files;
-  // From here to the end a folder without it is half done.
-  files.remove(directory / "summary.json");
-  for (const char* of_other_options : {"shard.json", "sweep.csv"}) {
-    files.remove(directory / of_other_options);
-  }
-  for (const auto& [name, content] : tables) files.add(directory / name, content);
-  add_figures(files, directory, page.figures);
-  for (const auto& [name, content] : others) files.add(directory / name, content);
-  files.commit();
+  result.texts.push_back({"summary.json", explore_summary_json(report)});
+  write_result(directory, std::move(result), {exploration_kind, exploration_id(report)});
 }
 
 }  // namespace reeve::cli

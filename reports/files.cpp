@@ -146,7 +146,7 @@ FileBatch::~FileBatch() {
 }
 
 void FileBatch::add(const fs::path& file, const std::string& content) {
-  Entry entry{file, destination(file), {}, {}};
+  Entry entry{file, destination(file), {}, {}, false};
   if (entry.there.error) fail_to_write(file, entry.there.error);
   if (entry.there.descriptor || entry.there.written_through) {
     entry.content = content;
@@ -163,22 +163,35 @@ void FileBatch::add(const fs::path& file, const std::string& content) {
 void FileBatch::remove(const fs::path& file) {
   Destination there = destination(file);
   const bool is_ours = !there.error && !there.descriptor && !there.written_through;
-  if (is_ours) removed_.push_back(std::move(there.file));
+  if (is_ours) entries_.push_back({file, std::move(there), {}, {}, true});
+}
+
+void FileBatch::take_old_away() const {
+  const bool is_alone = entries_.size() == 1;
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    if (!entry->is_regular() || (is_alone && !entry->is_removed)) continue;
+    if (::unlink(entry->there.file.c_str()) == 0 || errno == ENOENT) continue;
+    fail_to_write(entry->named, last_failure());
+  }
+}
+
+std::error_code FileBatch::appear(Entry& entry) {
+  if (entry.is_removed) return {};
+  if (entry.temporary.empty()) return write_through(entry.there, entry.content);
+  if (std::rename(entry.temporary.c_str(), entry.there.file.c_str()) != 0) return last_failure();
+  entry.temporary.clear();
+  return {};
 }
 
 void FileBatch::commit() {
+  // All that needs memory comes before the old files go.
   std::set<fs::path> folders;
-  for (const fs::path& file : removed_) ::unlink(file.c_str());
+  for (const Entry& entry : entries_) {
+    if (entry.is_regular()) folders.insert(entry.there.file.parent_path());
+  }
+  take_old_away();
   for (Entry& entry : entries_) {
-    std::error_code error;
-    if (entry.temporary.empty()) {
-      error = write_through(entry.there, entry.content);
-    } else if (std::rename(entry.temporary.c_str(), entry.there.file.c_str()) != 0) {
-      error = last_failure();
-    } else {
-      entry.temporary.clear();
-      folders.insert(entry.there.file.parent_path());
-    }
+    const std::error_code error = appear(entry);
     if (error) fail_to_write(entry.named, error);
   }
   entries_.clear();

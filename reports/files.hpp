@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "numerics/floors.hpp"
@@ -26,9 +27,11 @@ void end_waits_on(const std::atomic<bool>* stop);
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);
 
-// Files that belong together. Each is written under a temporary name beside its own; then, all at
-// once, those to be removed go, and the others appear in the order in which they were added. What
-// fails or runs out of memory before leaves what was there as it was.
+// Files that belong together. Each is written under a temporary name beside its own. Then the old
+// ones go, those to be replaced and those to be removed, the last of the batch first; and the new
+// ones appear in the order in which they were added. So a kill leaves old files or new ones, never
+// some of both, and where the last file is, all are. A single file is replaced in one step. What
+// fails or runs out of memory before that leaves what was there as it was.
 class FileBatch {
  public:
   FileBatch() = default;
@@ -49,9 +52,14 @@ class FileBatch {
     Destination there;
     std::filesystem::path temporary;  // empty once it has its name, or if it is written through
     std::string content;              // only of what is written through
+    bool is_removed = false;
+
+    bool is_regular() const { return is_removed || !temporary.empty(); }
   };
 
-  std::vector<std::filesystem::path> removed_;
+  void take_old_away() const;
+  static std::error_code appear(Entry& entry);
+
   std::vector<Entry> entries_;
 };
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/files.hpp"
 #include "reports/results/compare_report.hpp"
 #include "studies/comparison_study.hpp"
@@ -47,8 +49,11 @@ void write_files(const CompareReport& report, const CompareFlags& flags) {
   const std::filesystem::path folder = flags.out;
   require_no_input_in(folder, {"residuals.csv", "comparison.json"}, inputs(flags));
   prepare_directory(folder, "--out");
-  write_file(folder / "residuals.csv", residuals_csv(report));
-  write_file(folder / "comparison.json", compare_json(report));
+  const std::string json = compare_json(report);
+  write_result(
+      folder,
+      {{{"residuals.csv", residuals_csv(report)}}, std::nullopt, {{"comparison.json", json}}},
+      result_stamp(json));
 }
 
 void run(const CompareFlags& flags) {

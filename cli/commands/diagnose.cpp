@@ -20,7 +20,7 @@
 #include "core/text.hpp"
 #include "diagnosis/data/csv.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
-#include "pages/shell/figure_files.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/files.hpp"
 #include "reports/shell_word.hpp"
@@ -49,8 +49,6 @@ struct DiagnoseFlags {
   HardwareOption hardware;
   FormatOption format;
 
-  std::filesystem::path json_file() const { return std::filesystem::path(out) / "diagnosis.json"; }
-  std::filesystem::path csv_file() const { return std::filesystem::path(out) / "residuals.csv"; }
   std::filesystem::path page_file() const { return std::filesystem::path(out) / "index.html"; }
 };
 
@@ -145,10 +143,12 @@ void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
                       diagnosed_distributions(report.data, report.hardware, report.result,
                                               report.published, catalogue)});
   prepare_directory(flags.out, "--out");
-  write_file(flags.csv_file(), diagnosis_residuals_csv(report));
-  write_file(flags.json_file(), diagnosis_json(report));
-  write_figures(flags.out, page.figures);
-  write_file(flags.page_file(), page.html);
+  const std::string json = diagnosis_json(report);
+  write_result(flags.out,
+               {{{"residuals.csv", diagnosis_residuals_csv(report)}},
+                page.figures,
+                {{"index.html", page.html}, {"diagnosis.json", json}}},
+               result_stamp(json));
 }
 
 std::string model_toml(const DiagnosisReport& report, const DiagnoseFlags& flags) {

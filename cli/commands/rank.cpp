@@ -27,10 +27,9 @@
 #include "core/hand/hand.hpp"
 #include "core/notation.hpp"
 #include "pages/ranking/ranking_page.hpp"
-#include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/decision/ladder_report.hpp"
-#include "reports/files.hpp"
 #include "reports/results/design_list.hpp"
 #include "reports/results/rank_report.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
@@ -125,11 +124,14 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
                 const CLI::App& command) {
   const RankingPage page = ranking_page(
       report, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
-  write_figures(folder, page.figures);
-  write_file(folder / "ladder.csv", ladder_csv(report.ladder));
-  if (report.sweep) write_file(folder / "sweep.csv", sweep_csv(*report.sweep));
-  write_file(folder / "ranking.json", rank_json(report));
-  write_file(folder / "index.html", page.html);
+  const std::string json = rank_json(report);
+  write_result(
+      folder,
+      {{{"ladder.csv", ladder_csv(report.ladder)},
+        {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}},
+       page.figures,
+       {{"index.html", page.html}, {"ranking.json", json}}},
+      result_stamp(json));
 }
 
 RankRequest request(const RankFlags& flags, const RankInputs& inputs) {

@@ -12,9 +12,8 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "pages/routing/routing_page.hpp"
-#include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"
-#include "reports/files.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/results/show_report.hpp"
 #include "studies/shown_routing.hpp"
 
@@ -102,9 +101,9 @@ void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
 void write_page(const std::filesystem::path& folder, const ShownRouting& report,
                 const CLI::App& command) {
   const RoutingPage page = routing_page(report, command_line(command, {"--format", "--svg"}));
-  write_figures(folder, page.figures);
-  write_file(folder / "routing.json", show_json(report));
-  write_file(folder / "index.html", page.html);
+  const std::string json = show_json(report);
+  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"routing.json", json}}},
+               result_stamp(json));
 }
 
 void run(const ShowFlags& flags, const CLI::App& command) {

@@ -18,7 +18,7 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
-#include "pages/shell/figure_files.hpp"
+#include "pages/shell/result_files.hpp"
 #include "pages/sizing/sizing_page.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/files.hpp"
@@ -186,9 +186,9 @@ void print(const SizingReport& report, const SizeFlags& flags,
 void write_page(const SizingReport& report, const std::filesystem::path& folder,
                 const std::string& command) {
   const SizingPage page = sizing_page(report, command);
-  write_figures(folder, page.figures);
-  write_file(folder / "sizing.json", sizing_json(report));
-  write_file(folder / "index.html", page.html);
+  const std::string json = sizing_json(report);
+  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"sizing.json", json}}},
+               result_stamp(json));
 }
 
 std::vector<InputFile> inputs_of(const SizeFlags& flags) {

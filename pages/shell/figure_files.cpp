@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <set>
+#include <utility>
 
 namespace reeve::pages {
 namespace {
@@ -23,28 +24,24 @@ std::set<std::string> listed(const std::filesystem::path& folder) {
 }  // namespace
 
 void add_figures(FileBatch& batch, const std::filesystem::path& directory,
-                 const std::vector<FigureFile>& figures) {
+                 const std::vector<FigureFile>& figures, const Stamp& stamp) {
   const std::filesystem::path folder = directory / "figures";
   prepare_directory(folder, "--out");
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const FigureFile& figure : figures) {
+    const std::string drawing = figure.id + ".svg";
+    files.emplace_back(drawing, stamped(drawing, figure.svg, stamp));
+    if (!figure.caption.empty()) files.emplace_back(figure.id + ".txt", figure.caption);
+  }
   std::set<std::string> stale = listed(folder);
   std::string names;
-  const auto write = [&](const std::string& name, const std::string& content) {
-    batch.add(folder / name, content);
+  for (const auto& [name, text] : files) {
     stale.erase(name);
     names += name + "\n";
-  };
-  for (const FigureFile& figure : figures) {
-    write(figure.id + ".svg", figure.svg);
-    if (!figure.caption.empty()) write(figure.id + ".txt", figure.caption);
   }
-  for (const std::string& name : stale) batch.remove(folder / name);
   batch.add(folder / list_name, names);
-}
-
-void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures) {
-  FileBatch batch;
-  add_figures(batch, directory, figures);
-  batch.commit();
+  for (const auto& [name, text] : files) batch.add(folder / name, text);
+  for (const std::string& name : stale) batch.remove(folder / name);
 }
 
 }  // namespace reeve::pages

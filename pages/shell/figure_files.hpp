@@ -7,6 +7,7 @@
 
 #include "numerics/floors.hpp"
 #include "reports/files.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::pages {
 
@@ -16,13 +17,10 @@ struct FigureFile {
   std::string caption{};  // "": none is written
 };
 
-// As write_figures, together with other files.
+// Adds figures/ID.svg and figures/ID.txt to the batch, and removes what an earlier run wrote there
+// and this one did not: what lies in the folder then belongs to one result. Files of others stay;
+// which are ours stands in figures/.reeve, before them and after them. Throws InputError.
 void add_figures(FileBatch& batch, const std::filesystem::path& directory,
-                 const std::vector<FigureFile>& figures);
-
-// Writes figures/ID.svg and figures/ID.txt, and removes what an earlier run wrote there and this
-// one did not: what lies in the folder then belongs to one result. Files of others stay; which are
-// ours stands in figures/.reeve. Throws InputError.
-void write_figures(const std::filesystem::path& directory, const std::vector<FigureFile>& figures);
+                 const std::vector<FigureFile>& figures, const Stamp& stamp);
 
 }  // namespace reeve::pages

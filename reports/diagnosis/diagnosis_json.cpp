@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "reports/csv_field.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
@@ -7,6 +9,7 @@
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -277,7 +280,7 @@ std::string diagnosis_json(const DiagnosisReport& report) {
   json["seconds"] = report.seconds;
   json["settings"] = diagnosis_settings_json(report);
   json["version"] = version_json();
-  return print(json);
+  return print_stamped(std::move(json));
 }
 
 std::string diagnosis_residuals_csv(const DiagnosisReport& report) {

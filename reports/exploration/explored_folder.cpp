@@ -7,8 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/input/input_file.hpp"
-#include "reports/exploration/exploration_id.hpp"
-#include "reports/json.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -21,18 +20,6 @@ std::optional<std::string> text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::nullopt;
   return read_input(file, most_bytes, "a file of an exploration");
-}
-
-std::string stamp_of_json(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("exploration")) return "";
-  return json["exploration"].is_string() ? json["exploration"].get<std::string>() : "";
-}
-
-std::string stamp_of(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path kind = file.extension();
-  if (kind == ".json") return stamp_of_json(text);
-  return kind == ".csv" ? stamp_of_csv(text) : stamp_of_markup(text);
 }
 
 // A table without rows has none.
@@ -50,11 +37,12 @@ std::string summary_of_one_exploration(const std::filesystem::path& folder) {
                       .expected = whole_folder,
                       .form = InputForm::unknown});
   }
-  const std::string id = stamp_of_json(*summary);
+  const std::string id = id_in("summary.json", *summary, exploration_kind);
   for (const char* name :
        {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "shard.json", "index.html"}) {
     const std::optional<std::string> text = text_of(folder / name);
-    if (!text || stamp_of(name, *text) == id || may_lack_stamp(name, *text)) continue;
+    if (!text || id_in(name, *text, exploration_kind) == id) continue;
+    if (may_lack_stamp(name, *text)) continue;
     throw InputError({.where = folder.string(),
                       .what = fmt::format("{} and summary.json are of two explorations", name),
                       .expected = whole_folder,

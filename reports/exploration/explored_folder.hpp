@@ -1,8 +1,7 @@
 // Whether the files in a folder are those of one exploration that was written to its end.
 //
-// `explore` takes summary.json away before it writes and puts it there last, and each file says of
-// which exploration it is (exploration_id.hpp). So what a kill, a full disk or a copy leaves half
-// done is known.
+// summary.json is the last file of its batch (files.hpp), and each file says of which exploration
+// it is (stamp.hpp). So what a kill, a full disk or a copy leaves half done is known.
 #pragma once
 
 #include <filesystem>

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/results/explore_report.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "diagnosis/data/csv.hpp"
 #include "reports/csv_field.hpp"
 #include "reports/json.hpp"
 #include "reports/results/data_text.hpp"
 #include "reports/results/model_text.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -137,7 +139,7 @@ std::string compare_json(const CompareReport& report) {
   json["settings"] = {{"hardware", to_json(report.model.hardware)},
                       {"model", model_json(report.model, 0)}};
   json["version"] = version_json();
-  return print(json);
+  return print_stamped(std::move(json));
 }
 
 std::string residuals_csv(const CompareReport& report) {

@@ -9,6 +9,7 @@
 #include "reports/results/distribution_report.hpp"
 #include "reports/results/model_text.hpp"
 #include "reports/results/show_report.hpp"
+#include "reports/stamp.hpp"
 #include "reports/uncertainty/band_report.hpp"
 #include "reports/uncertainty/range_notes.hpp"
 #include "reports/uncertainty/sweep_report.hpp"
@@ -120,7 +121,7 @@ std::string rank_json(const RankReport& report) {
   if (report.details) add_details(json, *report.details);
   if (report.sweep) json["sweep"] = sweep_json(*report.sweep);
   json["version"] = version_json();
-  return print(json);
+  return print_stamped(std::move(json));
 }
 
 }  // namespace reeve::reports

@@ -8,6 +8,7 @@
 #include "reports/results/shared_carriage.hpp"
 #include "reports/schematic/schematic_svg.hpp"
 #include "reports/shown_value.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -226,7 +227,7 @@ Json to_json(const ShownRouting& report) {
   return json;
 }
 
-std::string show_json(const ShownRouting& report) { return print(to_json(report)); }
+std::string show_json(const ShownRouting& report) { return print_stamped(to_json(report)); }
 
 std::string show_svg(const ShownRouting& report, const ShownGrasp* shown) {
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;

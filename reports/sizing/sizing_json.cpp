@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "reports/json.hpp"
 #include "reports/results/show_report.hpp"
 #include "reports/sizing/sizing_report.hpp"
+#include "reports/stamp.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -150,7 +153,7 @@ std::string sizing_json(const SizingReport& report) {
   json["notes"] = report.notes;
   json["settings"] = settings(report);
   json["version"] = version_json();
-  return print(json);
+  return print_stamped(std::move(json));
 }
 
 }  // namespace reeve::reports

@@ -44,7 +44,7 @@ inline bool near(double a, double b, double tolerance = computed) {
 }
 
 inline void leave_out_what_varies(Json& json) {
-  for (const char* key : {"seconds", "designs_per_second", "exploration", "version"}) {
+  for (const char* key : {"seconds", "designs_per_second", "exploration", "result_id", "version"}) {
     if (json.contains(key)) json[key] = "varies";
   }
 }
@@ -123,7 +123,7 @@ inline void expect_csv(const std::string& text, const std::string& name,
   }
 }
 
-// The last column of an exploration's tables, which hangs on the version.
+// The last column of tables in a folder, which hangs on the version.
 inline std::string without_id(const std::string& csv) {
   return std::regex_replace(csv, std::regex(",[0-9a-f]{16}\n"), ",varies\n");
 }

@@ -13,8 +13,8 @@ namespace {
 
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
-  EXPECT_EQ(keys(json),
-            "routing name canonical direction motor_sides trees grasps" + objectives + " model");
+  EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
+                            " model result_id");
   EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
@@ -30,7 +30,7 @@ const std::string hand_objectives = "motor_force fingertip_force stroke closure 
 TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"show", "M-1-T-2-T-3-F", "--hardware", example_hand});
   EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
-                            " hand model");
+                            " hand model result_id");
   const Json& hand = json["hand"];
   EXPECT_EQ(keys(hand), hand_objectives + " fingers grasps motor");
   EXPECT_EQ(keys(hand["fingertip_force"]), "mean worst");
@@ -73,7 +73,7 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
 TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {
   const Json json = json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
   EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
-                            " model prices");
+                            " model prices result_id");
   EXPECT_EQ(json["prices"]["unit"], "EUR");
 }
 
@@ -89,7 +89,7 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 
 TEST(KeysOfRank, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--catalog"});
-  EXPECT_EQ(keys(json), "designs settings ladder version");
+  EXPECT_EQ(keys(json), "designs settings ladder version result_id");
   EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + alike);
   EXPECT_EQ(keys(json["settings"]), common_settings);
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
@@ -131,7 +131,7 @@ TEST(KeysOfRank, AddADistributionWithUncertainty) {
 
 TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
   const Json json = json_of({"rank", "TR3", "TR7", "--margin"});
-  EXPECT_EQ(keys(json), "designs settings ladder margins version");
+  EXPECT_EQ(keys(json), "designs settings ladder margins version result_id");
   ASSERT_EQ(json["margins"].size(), 1U);
   EXPECT_EQ(json["margins"][0]["over"], "F-1-P-2-F");
   EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
@@ -140,10 +140,11 @@ TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
 
 TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
-  EXPECT_EQ(keys(json),
-            "designs settings ladder best routings tension_distributions measured_data version");
+  EXPECT_EQ(
+      keys(json),
+      "designs settings ladder best routings tension_distributions measured_data version result_id");
   EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
-  EXPECT_EQ(keys(json["routings"][0]), keys(json_of({"show", "TR7"})));
+  EXPECT_EQ(keys(json["routings"][0]) + " result_id", keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
   EXPECT_EQ(
       keys(json["tension_distributions"][0]),
@@ -158,7 +159,7 @@ TEST(KeysOfRank, AddWhatThePageShows) {
 
 TEST(KeysOfSize, AreThePromisedOnes) {
   const Json json = json_of(sizing);
-  EXPECT_EQ(keys(json), "designs partial notes settings version");
+  EXPECT_EQ(keys(json), "designs partial notes settings version result_id");
   const Json& design = json["designs"][0];
   EXPECT_EQ(keys(design),
             "rank rank_before routing name target dimensions together flat before sized hardware");
@@ -183,7 +184,7 @@ TEST(KeysOfSize, AddWhatThePageShows) {
   arguments.insert(arguments.end(), {"--out", folder.path().string()});
   EXPECT_EQ(reeve(arguments).exit_code, 0);
   const Json json = Json::parse(read_text(folder.path() / "sizing.json"));
-  EXPECT_EQ(keys(json), "designs details partial notes settings version");
+  EXPECT_EQ(keys(json), "designs details partial notes settings version result_id");
   EXPECT_EQ(keys(json["details"]), "before sized profiles");
   EXPECT_EQ(keys(json["details"]["profiles"][0]), "dimension values goals");
 }

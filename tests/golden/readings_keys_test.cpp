@@ -11,7 +11,7 @@ namespace {
 
 TEST(KeysOfCompare, AreThePromisedOnes) {
   const Json json = json_of({"compare", readings});
-  EXPECT_EQ(keys(json), "data fitted tension share notes settings version");
+  EXPECT_EQ(keys(json), "data fitted tension share notes settings version result_id");
   EXPECT_EQ(keys(json["data"]), "file simulated readings runs routings channels covariates");
   EXPECT_EQ(keys(json["data"]["routings"][0]), "routing name");
   EXPECT_EQ(json["fitted"], false);
@@ -61,7 +61,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
       "held_out held_out_by_run noise_limit not_confirmed not_sure withdrawn withdrawn_held_out weighed structure share_errors left_out_runs "
       "losses without_apart published noise mountings row_scatter coefficients by_group ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
-      "version");
+      "version result_id");
   const Json& cause = json["causes"][0];
   EXPECT_EQ(keys(cause), "name meaning detail parameters held_out p_value runner_up");
   EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit at_bound literature");

@@ -1,7 +1,9 @@
-#include "pages/shell/figure_files.hpp"
-
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
+#include "pages/shell/result_files.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -9,6 +11,12 @@ namespace reeve::testing {
 namespace {
 
 namespace fs = std::filesystem;
+
+const Stamp stamp{"result_id", "0123456789abcdef"};
+
+void write_figures(const fs::path& folder, std::vector<FigureFile> figures) {
+  write_result(folder, {{}, std::move(figures), {}}, stamp);
+}
 
 TEST(FigureFiles, ReplaceThoseOfAnEarlierRunAndNoOthers) {
   const TemporaryFolder folder;
@@ -41,6 +49,25 @@ TEST(FigureFiles, RemoveNothingOutsideTheirFolder) {
   folder.write("figures/.reeve", "../outside.svg\n" + outside.string() + "\n.reeve\n");
   write_figures(folder.path(), {});
   EXPECT_TRUE(fs::exists(outside));
+}
+
+TEST(ResultFiles, HaveOneStampAndTakeAwayWhatThisResultHasNot) {
+  const TemporaryFolder folder;
+  const fs::path& out = folder.path();
+  write_result(out, {{{"a.csv", "x\n1\n"}, {"b.csv", "y\n"}}, std::nullopt, {}}, stamp);
+  EXPECT_TRUE(fs::exists(out / "b.csv"));
+  EXPECT_FALSE(fs::exists(out / "figures"));
+  write_result(out,
+               {{{"a.csv", "# note\nx\n1\n"}, {"b.csv", std::nullopt}},
+                {{{"f", "<svg/>\n", "A caption.\n"}}},
+                {{"index.html", "<p>\n"}, {"a.json", "{}\n"}}},
+               stamp);
+  EXPECT_FALSE(fs::exists(out / "b.csv"));
+  EXPECT_EQ(read_text(out / "a.csv"), "# note\nx,result_id\n1,0123456789abcdef\n");
+  EXPECT_EQ(read_text(out / "index.html"), "<p>\n<!-- result_id 0123456789abcdef -->\n");
+  EXPECT_EQ(read_text(out / "figures/f.svg"), "<svg/>\n<!-- result_id 0123456789abcdef -->\n");
+  EXPECT_EQ(read_text(out / "figures/f.txt"), "A caption.\n");
+  EXPECT_EQ(read_text(out / "a.json"), "{}\n");
 }
 
 }  // namespace

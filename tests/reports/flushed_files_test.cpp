@@ -1,5 +1,7 @@
-// What is on the disk when, should the power fail: no file has its name before its bytes are there.
+// What is on the disk when, should the power fail or the process be killed: no file has its name
+// before its bytes are there, and no new one appears before the old ones are gone.
 // The program's calls of the kernel go through the functions of these names here.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -7,6 +9,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "reports/files.hpp"
@@ -27,6 +31,12 @@ std::vector<KernelCall>& noted_calls() {
   return calls;
 }
 
+std::function<void()> before_each_change;
+
+void tell_of_a_change() {
+  if (before_each_change) before_each_change();
+}
+
 }  // namespace
 }  // namespace reeve::testing
 
@@ -38,7 +48,13 @@ extern "C" int fsync(int descriptor) {
   return static_cast<int>(::syscall(SYS_fsync, descriptor));
 }
 
+extern "C" int unlink(const char* file) noexcept {
+  reeve::testing::tell_of_a_change();
+  return static_cast<int>(::syscall(SYS_unlinkat, AT_FDCWD, file, 0));
+}
+
 extern "C" int rename(const char* from, const char* to) noexcept {
+  reeve::testing::tell_of_a_change();
   struct stat status = {};
   if (reeve::testing::are_noted && ::stat(from, &status) == 0) {
     reeve::testing::noted_calls().push_back({false, status.st_ino});
@@ -73,6 +89,50 @@ TEST(FileBatch, IsOnTheDiskBeforeItHasItsNamesAndItsFolderAfterwards) {
   ASSERT_FALSE(calls.empty());
   EXPECT_TRUE(calls.back().is_flush);
   EXPECT_EQ(calls.back().file, status.st_ino);
+}
+
+// What a kill before each change would leave.
+TEST(FileBatch, NeverHoldsOldAndNewFilesAndItsLastFileMeansAll) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b", "stale", "last"}) folder.write(name, "old");
+  const auto text = [&](const char* name) { return read_text(folder.path() / name); };
+  FileBatch batch;
+  batch.add(folder.path() / "a", "new");
+  batch.remove(folder.path() / "stale");
+  batch.add(folder.path() / "b", "new");
+  batch.add(folder.path() / "last", "new");
+  int states = 0;
+  before_each_change = [&] {
+    ++states;
+    const std::string all = text("a") + text("b") + text("stale") + text("last");
+    EXPECT_TRUE(all.find("old") == std::string::npos || all.find("new") == std::string::npos)
+        << all;
+    if (text("last") == "old") {
+      EXPECT_EQ(all, "oldoldoldold");
+    }
+    EXPECT_NE(text("last"), "new");
+  };
+  batch.commit();
+  before_each_change = nullptr;
+  EXPECT_EQ(states, 7);  // four go, three appear
+  EXPECT_EQ(text("a") + text("b") + text("stale") + text("last"), "newnewnew");
+}
+
+// A single file is there at any time.
+TEST(FileBatch, OfOneReplacesItInOneStep) {
+  const TemporaryFolder folder;
+  folder.write("a", "old");
+  FileBatch batch;
+  batch.add(folder.path() / "a", "new");
+  int states = 0;
+  before_each_change = [&] {
+    ++states;
+    EXPECT_EQ(read_text(folder.path() / "a"), "old");
+  };
+  batch.commit();
+  before_each_change = nullptr;
+  EXPECT_EQ(states, 1);
+  EXPECT_EQ(read_text(folder.path() / "a"), "new");
 }
 
 }  // namespace

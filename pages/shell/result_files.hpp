@@ -1,0 +1,29 @@
+// What a command leaves in the folder of --out: files of one result, of the earlier or of this one.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pages/shell/figure_files.hpp"
+#include "reports/stamp.hpp"
+
+namespace reeve::pages {
+
+struct ResultFile {
+  std::string name;
+  std::optional<std::string> text;  // none: that of an earlier run is removed
+};
+
+// In the order in which they appear.
+struct ResultFiles {
+  std::vector<ResultFile> tables;
+  std::optional<std::vector<FigureFile>> figures;  // none: the command draws none
+  std::vector<ResultFile> texts;                   // the last of them says that all are there
+};
+
+// Writes them as one batch (files.hpp), each with the stamp. Throws InputError.
+void write_result(const std::filesystem::path& folder, ResultFiles result, const Stamp& stamp);
+
+}  // namespace reeve::pages
