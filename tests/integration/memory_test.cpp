@@ -17,14 +17,6 @@ constexpr const char* no_memory = "reeve: not enough memory\n";
 constexpr const char* no_threads =
     "reeve: no more threads: not enough memory, or too many threads\n";
 
-bool has_sanitizer() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return true;
-#else
-  return false;
-#endif
-}
-
 std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (!fs::exists(folder)) return files;
