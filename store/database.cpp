@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <limits>
+#include <new>
 
 #include "core/error.hpp"
 #include "store/schema.hpp"
@@ -51,26 +52,9 @@ bool is_empty(const SQLite::Database& database) {
       {.where = file.string(), .what = what, .expected = expected, .form = InputForm::unknown});
 }
 
-// What SQLite would say less of, wait for without end (a pipe) or write to (a device).
-void require_place(const fs::path& file, Access access) {
-  if (file.empty()) refuse("''", "it is no name", "that of a file");
-  std::error_code error;
-  switch (fs::status(file, error).type()) {
-    case fs::file_type::regular:
-      return;
-    case fs::file_type::directory:
-      refuse(file, "it is a folder", "the file of a store");
-    case fs::file_type::none:
-      throw InputError({.where = file.string(), .what = "it cannot be opened: " + error.message()});
-    case fs::file_type::not_found:
-      break;
-    default:
-      refuse(file, "it is a device or a pipe", "the file of a store");
-  }
-  if (access == Access::read) refuse(file, "there is no such file", "what reeve explore stored");
-  const fs::path folder = file.parent_path();
-  if (folder.empty() || fs::is_directory(folder, error)) return;
-  refuse(file, fmt::format("there is no folder '{}'", folder.string()), "one that is there");
+// A read or a write for which SQLite has no memory is another error to it.
+bool is_of_memory(const SQLite::Exception& error) {
+  return error.getErrorCode() == SQLITE_NOMEM || error.getExtendedErrorCode() == SQLITE_IOERR_NOMEM;
 }
 
 // Names such as ":memory:" mean something to SQLite, absolute ones do not.
@@ -80,10 +64,7 @@ SQLite::Database database_in(const fs::path& file, int flags) {
 
 // What a process that was killed has left half written is undone by who opens it next, and takes
 // writing.
-SQLite::Database opened_database(const fs::path& file, Access access) {
-  if (access == Access::write) {
-    return database_in(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  }
+SQLite::Database readable_database(const fs::path& file) {
   for (const int flags : {SQLite::OPEN_READONLY, SQLite::OPEN_READWRITE}) {
     try {
       SQLite::Database database = database_in(file, flags);
@@ -97,22 +78,47 @@ SQLite::Database opened_database(const fs::path& file, Access access) {
          "a place where that can be undone, by writing");
 }
 
+// Whether there is a file. Refuses what SQLite would say less of, wait for without end (a pipe) or
+// write to (a device).
+bool is_there(const fs::path& file, Access access) {
+  if (file.empty()) refuse("''", "it is no name", "that of a file");
+  std::error_code error;
+  switch (fs::status(file, error).type()) {
+    case fs::file_type::regular:
+      return true;
+    case fs::file_type::directory:
+      refuse(file, "it is a folder", "the file of a store");
+    case fs::file_type::none:
+      throw InputError({.where = file.string(), .what = "it cannot be opened: " + error.message()});
+    case fs::file_type::not_found:
+      break;
+    default:
+      refuse(file, "it is a device or a pipe", "the file of a store");
+  }
+  if (access == Access::read) refuse(file, "there is no such file", "what reeve explore stored");
+  const fs::path folder = file.parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return false;
+  refuse(file, fmt::format("there is no folder '{}'", folder.string()), "one that is there");
+}
+
 }  // namespace
 
 void fail(const fs::path& file, const SQLite::Exception& error) {
+  if (is_of_memory(error)) throw std::bad_alloc();
   throw InputError(
       {.where = file.string(), .what = fmt::format("{} ({})", reason(error), error.getErrorStr())});
 }
 
-OpenedStore open_store(const fs::path& file, Access access) {
-  require_place(file, access);
-  return in_database(file, [&] {
-    OpenedStore opened{opened_database(file, access)};
-    const int application = pragma(opened.database, "application_id");
-    const int version = pragma(opened.database, "user_version");
-    opened.is_new = application == 0 && version == 0 && is_empty(opened.database);
-    if (opened.is_new && access == Access::write) return opened;
-    if (opened.is_new) refuse(file, "explore has saved nothing in it yet", "what it stored");
+std::optional<SQLite::Database> open_store(const fs::path& file, Access access) {
+  if (!is_there(file, access)) return std::nullopt;
+  return in_database(file, [&]() -> std::optional<SQLite::Database> {
+    SQLite::Database database = readable_database(file);
+    const int application = pragma(database, "application_id");
+    const int version = pragma(database, "user_version");
+    if (application == 0 && version == 0 && is_empty(database)) {
+      if (access == Access::write) return std::nullopt;
+      refuse(file, "explore has saved nothing in it yet", "what it stored");
+    }
     if (application != application_id) {
       refuse(file, "it is a database, but no store of an exploration", "what reeve explore stored");
     }
@@ -120,8 +126,22 @@ OpenedStore open_store(const fs::path& file, Access access) {
       refuse(file, fmt::format("it is a store of version {}", version),
              fmt::format("version {}, which this program reads", schema_version));
     }
-    return opened;
+    if (!has_tables(database)) {
+      refuse(file, "its tables are not those of a store: it is damaged, or was changed",
+             "what reeve explore stored");
+    }
+    return database;
   });
+}
+
+void require_sound(SQLite::Database& database) {
+  SQLite::Statement query(database, "PRAGMA quick_check(1)");
+  const std::string found = query.executeStep() ? query.getColumn(0).getString() : "";
+  if (found != "ok") throw SQLite::Exception(found, SQLITE_CORRUPT);
+}
+
+SQLite::Database open_to_write(const fs::path& file) {
+  return database_in(file, SQLite::OPEN_READWRITE);
 }
 
 std::int64_t whole_number(std::uint64_t number) {

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <optional>
 
 #include "numerics/floors.hpp"
 
@@ -18,10 +18,10 @@ inline constexpr int patience_ms = 1000;
 
 enum class Access : std::uint8_t { read, write };
 
-// Throws InputError that names the file and what SQLite said of it.
+// Throws InputError that names the file and what SQLite said of it, or std::bad_alloc.
 [[noreturn]] void fail(const std::filesystem::path& file, const SQLite::Exception& error);
 
-// Runs `action`; what SQLite throws becomes an InputError.
+// Runs `action`; what SQLite throws becomes an InputError, or std::bad_alloc.
 template <typename Action>
 auto in_database(const std::filesystem::path& file, Action action) {
   try {
@@ -31,13 +31,17 @@ auto in_database(const std::filesystem::path& file, Action action) {
   }
 }
 
-// The file, opened. Nothing of it changes here but that one for writing is made where there is
-// none. Throws InputError if it is no store of this version; `is_new` tells whether it is empty.
-struct OpenedStore {
-  SQLite::Database database;
-  bool is_new = false;
-};
-OpenedStore open_store(const std::filesystem::path& file, Access access);
+// The store in the file, opened to read: nothing of the file changes, but that a transaction which
+// a killed process left half written is undone. Nothing if one may be made there (Access::write).
+// Throws InputError if it is no store of this version.
+std::optional<SQLite::Database> open_store(const std::filesystem::path& file, Access access);
+
+// The file, which is there and may be empty.
+SQLite::Database open_to_write(const std::filesystem::path& file);
+
+// Throws SQLite::Exception if the file has faults that only who writes it would meet, such as in
+// its list of free pages.
+void require_sound(SQLite::Database& database);
 
 // SQLite's whole numbers have a sign. Throws InputError beyond 2^63.
 std::int64_t whole_number(std::uint64_t number);

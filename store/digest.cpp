@@ -79,7 +79,7 @@ std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard) {
                          "seconds, designs_digest FROM shards WHERE shard = ?",
                          shard),
            digest);
-  for (const char* table : {"constraints", "known", "archive", "ladder", "sample"}) {
+  for (const char* table : shard_tables) {
     // By number, or of the sample by place.
     add_rows(
         rows_of_shard(database, fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table),

@@ -33,38 +33,30 @@ void require_routings(const ShardRecord& record, const std::filesystem::path& fi
 
 }  // namespace
 
+// Writes until the end. Who begins or ends to read may keep it waiting for a moment.
 struct ExplorationStore::Connection {
   explicit Connection(const std::filesystem::path& file)
-      : opened(open_store(file, Access::write)) {}
+      : lock(file), database(open_to_write(file)) {
+    database.exec(durable_writing);
+    database.exec("BEGIN IMMEDIATE");
+  }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   // What was not saved goes, and one plain file is left, which can be read where nothing can be
   // written. Where that fails the next one who opens it finds the log.
   ~Connection() {
     insert.reset();
-    if (!is_writing) return;
-    database().tryExec("ROLLBACK");
-    database().tryExec("PRAGMA journal_mode = DELETE");
-  }
-
-  SQLite::Database& database() { return opened.database; }
-
-  // Until the end. Who begins or ends to read may keep it waiting for a moment.
-  void begin(const std::filesystem::path& file) {
-    lock.emplace(file);
-    database().exec(durable_writing);
-    database().exec("BEGIN IMMEDIATE");
-    is_writing = true;
+    database.tryExec("ROLLBACK");
+    database.tryExec("PRAGMA journal_mode = DELETE");
   }
 
   void commit() {
-    database().exec("COMMIT");
-    database().exec("BEGIN IMMEDIATE");
+    database.exec("COMMIT");
+    database.exec("BEGIN IMMEDIATE");
   }
 
-  std::optional<WriterLock> lock;
-  OpenedStore opened;
-  bool is_writing = false;
+  WriterLock lock;
+  SQLite::Database database;
   std::optional<SQLite::Statement> insert;
 };
 
@@ -72,26 +64,32 @@ ExplorationStore::ExplorationStore(std::filesystem::path file, Description asked
                                    std::optional<Keep> keep)
     : file_(std::move(file)), asked_(std::move(asked)), shard_(shard) {
   in_database(file_, [&] {
+    require_same_before_writing(keep);
     connection_ = std::make_unique<Connection>(file_);
-    // What is refused stays byte for byte as it is.
-    if (!connection_->opened.is_new) require_same(keep);
-    connection_->begin(file_);
-    // Another process may have made it meanwhile.
-    if (stored_version(connection_->database()) != 0) {
-      require_same(keep);
-      return;
-    }
+    SQLite::Database& database = connection_->database;
+    // Another process may have made it or written it meanwhile.
+    if (stored_version(database) != 0) return require_same(database, keep);
     keep_ = keep.value_or(Keep::best);
-    create_tables(connection_->database());
-    write_about(connection_->database(), asked_, keep_);
+    create_tables(database);
+    write_about(database, asked_, keep_);
     connection_->commit();
   });
 }
 
 ExplorationStore::~ExplorationStore() = default;
 
-void ExplorationStore::require_same(std::optional<Keep> keep) {
-  SQLite::Database& database = connection_->database();
+// What is refused stays byte for byte as it is: even a log that is set up and taken down again
+// changes the file's header.
+void ExplorationStore::require_same_before_writing(std::optional<Keep> keep) {
+  std::optional<SQLite::Database> database = open_store(file_, Access::write);
+  if (!database) return;
+  // All that is read is of one moment.
+  database->exec("BEGIN");
+  require_same(*database, keep);
+  require_sound(*database);
+}
+
+void ExplorationStore::require_same(SQLite::Database& database, std::optional<Keep> keep) {
   if (const auto differs = difference(read_description(database), asked_)) {
     throw InputError({.where = file_.string(),
                       .what = fmt::format("it is of an exploration with {}", *differs),
@@ -106,35 +104,38 @@ void ExplorationStore::require_same(std::optional<Keep> keep) {
                       .form = InputForm::unknown});
   }
   keep_ = read_keep(database);
-  if (keep.value_or(keep_) == keep_) return;
-  throw InputError({.where = file_.string(),
-                    .what = keep_ == Keep::all ? "it keeps all designs" : "it keeps the best alone",
-                    .expected = "to go on keeping these, or another file",
-                    .form = InputForm::unknown});
+  if (keep.value_or(keep_) != keep_) {
+    throw InputError(
+        {.where = file_.string(),
+         .what = keep_ == Keep::all ? "it keeps all designs" : "it keeps the best alone",
+         .expected = "to go on keeping these, or another file",
+         .form = InputForm::unknown});
+  }
+  require_record(read_record(database, shard_.index));
+  require_as_written(database, file_);
 }
 
-std::optional<ShardRecord> ExplorationStore::record() const {
-  std::optional<ShardRecord> record =
-      in_database(file_, [&] { return read_record(connection_->database(), shard_.index); });
-  if (!record) return record;
+void ExplorationStore::require_record(const std::optional<ShardRecord>& record) const {
+  if (!record) return;
   require_routings(*record, file_);
   const bool fits = record->references.size() == asked_.known.size() &&
                     record->constraint_failures.size() == asked_.limits.size() &&
                     record->generated <= record->total;
-  if (!fits) {
-    throw InputError({.where = file_.string(),
-                      .what = "its counts are not those of its settings",
-                      .form = InputForm::unknown});
-  }
-  in_database(file_, [&] { require_as_written(connection_->database(), shard_, file_); });
-  return record;
+  if (fits) return;
+  throw InputError({.where = file_.string(),
+                    .what = "its counts are not those of its settings",
+                    .form = InputForm::unknown});
+}
+
+std::optional<ShardRecord> ExplorationStore::record() const {
+  return in_database(file_, [&] { return read_record(connection_->database, shard_.index); });
 }
 
 void ExplorationStore::add(const EvaluatedDesign& design) {
   in_database(file_, [&] {
     std::optional<SQLite::Statement>& insert = connection_->insert;
     if (!insert) {
-      insert.emplace(connection_->database(),
+      insert.emplace(connection_->database,
                      fmt::format("INSERT INTO designs VALUES (?, ?{})", objective_marks()));
     }
     insert->reset();
@@ -151,7 +152,7 @@ void ExplorationStore::save(ExplorationPart& so_far) {
   in_database(file_, [&] {
     // It would hold a commit up.
     connection_->insert.reset();
-    write_record(connection_->database(), shard_, so_far, asked_, added_digest_);
+    write_record(connection_->database, shard_, so_far, asked_, added_digest_);
     connection_->commit();
   });
   require_there();
@@ -161,7 +162,7 @@ void ExplorationStore::save(ExplorationPart& so_far) {
 
 // What is saved in a file without a name is lost at the end.
 void ExplorationStore::require_there() const {
-  if (connection_->lock->is_on(file_)) return;
+  if (connection_->lock.is_on(file_)) return;
   throw InputError({.where = file_.string(),
                     .what = "somebody removed or replaced it while explore was writing it"});
 }

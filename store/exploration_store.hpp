@@ -14,6 +14,10 @@
 #include "search/explore.hpp"
 #include "store/description.hpp"
 
+namespace SQLite {
+class Database;
+}
+
 namespace reeve::store {
 
 enum class Keep : std::uint8_t { best, all };
@@ -21,7 +25,7 @@ enum class Keep : std::uint8_t { best, all };
 class ExplorationStore {
  public:
   // Made where there is none. Throws InputError if it is of another exploration, of other numbers
-  // of shards, or keeps otherwise than asked for.
+  // of shards, keeps otherwise than asked for, or is damaged.
   ExplorationStore(std::filesystem::path file, Description asked, Shard shard,
                    std::optional<Keep> keep);
   ~ExplorationStore();
@@ -41,7 +45,9 @@ class ExplorationStore {
  private:
   struct Connection;
 
-  void require_same(std::optional<Keep> keep);
+  void require_same_before_writing(std::optional<Keep> keep);
+  void require_same(SQLite::Database& database, std::optional<Keep> keep);
+  void require_record(const std::optional<ShardRecord>& record) const;
   void require_there() const;
 
   std::filesystem::path file_;

@@ -152,15 +152,48 @@ void read_designs(SQLite::Database& database, std::uint64_t shard, ShardRecord& 
   }
 }
 
+[[noreturn]] void refuse_as_changed(const std::filesystem::path& file, const std::string& what,
+                                    const std::string& expected) {
+  throw InputError({.where = file.string(),
+                    .what = what,
+                    .expected = expected + ": the file is damaged, or was changed"});
+}
+
+// The digest of a shard says nothing of rows that belong to none.
+void require_shards(SQLite::Database& database, const char* table,
+                    const std::filesystem::path& file) {
+  SQLite::Statement row(
+      database,
+      fmt::format("SELECT * FROM {} WHERE shard NOT IN (SELECT shard FROM shards)", table));
+  if (!row.executeStep()) return;
+  refuse_as_changed(
+      file,
+      fmt::format("the table {}, row shard = {}, {} = {}", table, row.getColumn(0).getString(),
+                  row.getColumn(1).getName(), row.getColumn(1).getString()),
+      "a shard of the table shards");
+}
+
+void require_designs(SQLite::Database& database, const std::filesystem::path& file) {
+  std::uint64_t written = 0;
+  SQLite::Statement digests(database, "SELECT designs_digest FROM shards");
+  while (digests.executeStep()) written += count_in(digests, 0);
+  std::uint64_t there = 0;
+  SQLite::Statement designs(database, "SELECT * FROM designs");
+  while (designs.executeStep()) there += digest_of_row(designs);
+  if (there != written) refuse_as_changed(file, "the table designs", "what explore saved there");
+}
+
 }  // namespace
 
 void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
                   const Description& description, std::uint64_t designs_digest) {
   const std::int64_t index = whole_number(shard.index);
   designs_digest += digest_in_shards(database, "designs_digest", index);
-  for (const char* table : {"shards", "constraints", "known", "archive", "ladder", "sample"}) {
+  const auto remove_from = [&](const char* table) {
     RowWriter(database, fmt::format("DELETE FROM {} WHERE shard = ?", table), index).row().write();
-  }
+  };
+  remove_from("shards");
+  for (const char* table : shard_tables) remove_from(table);
   RowWriter rows(database, "INSERT INTO shards VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0)", index);
   rows.row().add(whole_number(shard.count)).add(whole_number(part.total));
   rows.add(whole_number(part.generated)).add(whole_number(part.evaluated));
@@ -175,20 +208,16 @@ void write_record(SQLite::Database& database, const Shard& shard, ExplorationPar
   seal.exec();
 }
 
-void require_as_written(SQLite::Database& database, const Shard& shard,
-                        const std::filesystem::path& file) {
-  const std::int64_t index = whole_number(shard.index);
-  if (digest_in_shards(database, "digest", index) == digest_of_shard(database, index)) return;
-  throw InputError({.where = file.string(),
-                    .what = fmt::format("shard {} of {}", shard.index, shard.count),
-                    .expected = "what explore saved of it: the file is damaged, or was changed"});
-}
-
-std::uint64_t written_designs_digest(SQLite::Database& database) {
-  std::uint64_t sum = 0;
-  SQLite::Statement digests(database, "SELECT designs_digest FROM shards");
-  while (digests.executeStep()) sum += count_in(digests, 0);
-  return sum;
+void require_as_written(SQLite::Database& database, const std::filesystem::path& file) {
+  for (const Shard& shard : stored_shards(database)) {
+    const std::int64_t index = whole_number(shard.index);
+    if (digest_in_shards(database, "digest", index) != digest_of_shard(database, index)) {
+      refuse_as_changed(file, fmt::format("shard {} of {}", shard.index, shard.count),
+                        "what explore saved of it");
+    }
+  }
+  for (const char* table : shard_tables) require_shards(database, table, file);
+  require_designs(database, file);
 }
 
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard) {

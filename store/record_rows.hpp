@@ -20,12 +20,9 @@ namespace reeve::store {
 void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
                   const Description& description, std::uint64_t designs_digest);
 
-// Throws InputError that names the file if the shard's rows are not those that write_record() left.
-void require_as_written(SQLite::Database& database, const Shard& shard,
-                        const std::filesystem::path& file);
-
-// Of all rows of `designs`.
-std::uint64_t written_designs_digest(SQLite::Database& database);
+// Throws InputError that names the file if its rows are not those that write_record() and
+// ExplorationStore::add() left, or belong to a shard that has not begun.
+void require_as_written(SQLite::Database& database, const std::filesystem::path& file);
 
 // Nothing if the shard has not begun.
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard);

@@ -51,6 +51,20 @@ void create_tables(SQLite::Database& database) {
                             schema_version));
 }
 
+bool has_tables(SQLite::Database& database) {
+  SQLite::Database made(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  create_tables(made);
+  SQLite::Statement table(made, "SELECT name, sql FROM sqlite_master");
+  SQLite::Statement there(database, "SELECT 1 FROM sqlite_master WHERE name = ? AND sql = ?");
+  while (table.executeStep()) {
+    there.reset();
+    there.bind(1, table.getColumn(0).getString());
+    there.bind(2, table.getColumn(1).getString());
+    if (!there.executeStep()) return false;
+  }
+  return true;
+}
+
 std::string objective_columns() {
   std::string text;
   for (const ObjectiveRow& row : objective_table()) text += fmt::format(", {}", row.name);

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
+#include <array>
 #include <string>
 
 #include "search/judge/objectives.hpp"
@@ -13,7 +14,13 @@ namespace reeve::store {
 inline constexpr int application_id = 0x72656576;  // "reev"
 inline constexpr int schema_version = 3;
 
+// The tables of which each row belongs to a shard, by its first column.
+inline constexpr std::array shard_tables{"constraints", "known", "archive", "ladder", "sample"};
+
 void create_tables(SQLite::Database& database);
+
+// Whether the tables are there as create_tables() makes them.
+bool has_tables(SQLite::Database& database);
 
 // ", uniformity_mean, …": every objective, and as many question marks.
 std::string objective_columns();

@@ -8,21 +8,21 @@
 #include "core/error.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
-#include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
 
 namespace reeve::store {
 
 struct StoreReader::Connection {
-  OpenedStore opened;
+  SQLite::Database database;
 };
 
 StoreReader::StoreReader(std::filesystem::path file)
     : file_(std::move(file)),
-      connection_(std::make_unique<Connection>(Connection{open_store(file_, Access::read)})) {
+      connection_(
+          std::make_unique<Connection>(Connection{open_store(file_, Access::read).value()})) {
   in_database(file_, [&] {
-    SQLite::Database& database = connection_->opened.database;
+    SQLite::Database& database = connection_->database;
     // All that is read is of one moment.
     database.exec("BEGIN");
     description_ = read_description(database);
@@ -34,7 +34,7 @@ StoreReader::~StoreReader() = default;
 
 std::vector<StoredShard> StoreReader::shards() const {
   return in_database(file_, [&] {
-    SQLite::Database& database = connection_->opened.database;
+    SQLite::Database& database = connection_->database;
     std::vector<StoredShard> shards;
     for (const Shard& shard : stored_shards(database)) {
       std::optional<ShardRecord> record = read_record(database, shard.index);
@@ -45,39 +45,35 @@ std::vector<StoredShard> StoreReader::shards() const {
                           .what = fmt::format("shard {} of {}", shard.index, shard.count),
                           .expected = "counts of routings that can be"});
       }
-      require_as_written(database, shard, file_);
       shards.push_back({shard, std::move(*record)});
     }
-    if (!shards.empty()) return shards;
-    throw InputError({.where = file_.string(),
-                      .what = "explore has saved nothing in it yet",
-                      .expected = "a store after its first save",
-                      .form = InputForm::unknown});
+    if (shards.empty()) {
+      throw InputError({.where = file_.string(),
+                        .what = "explore has saved nothing in it yet",
+                        .expected = "a store after its first save",
+                        .form = InputForm::unknown});
+    }
+    require_as_written(database, file_);
+    return shards;
   });
 }
 
 void StoreReader::for_each_design(const std::function<void(const EvaluatedDesign&)>& visit) const {
   in_database(file_, [&] {
     SQLite::Statement query(
-        connection_->opened.database,
+        connection_->database,
         fmt::format("SELECT place, routing{} FROM designs ORDER BY place", objective_columns()));
-    std::uint64_t digest = 0;
     while (query.executeStep()) {
-      digest += digest_of_row(query);
       visit({static_cast<std::uint64_t>(query.getColumn(0).getInt64()),
              query.getColumn(1).getString(), objectives_of(query, 2)});
     }
-    if (digest == written_designs_digest(connection_->opened.database)) return;
-    throw InputError({.where = file_.string(),
-                      .what = "the table designs",
-                      .expected = "what explore saved there: the file is damaged, or was changed"});
   });
 }
 
 void StoreReader::for_each_archived(const std::function<void(const ArchivedDesign&)>& visit) const {
   in_database(file_, [&] {
     SQLite::Statement query(
-        connection_->opened.database,
+        connection_->database,
         fmt::format("SELECT routing, equals_left_out{} FROM archive ORDER BY shard, number",
                     objective_columns()));
     while (query.executeStep()) {
@@ -90,7 +86,7 @@ void StoreReader::for_each_archived(const std::function<void(const ArchivedDesig
 void StoreReader::for_each_rung(const std::function<void(const Design&)>& visit) const {
   in_database(file_, [&] {
     SQLite::Statement query(
-        connection_->opened.database,
+        connection_->database,
         fmt::format("SELECT routing{} FROM ladder ORDER BY shard, number", objective_columns()));
     while (query.executeStep()) {
       visit({query.getColumn(0).getString(), objectives_of(query, 1)});

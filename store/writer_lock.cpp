@@ -17,7 +17,7 @@ constexpr off_t locked_byte = off_t{1} << 62;
 }  // namespace
 
 WriterLock::WriterLock(const std::filesystem::path& file)
-    : descriptor_(::open(file.c_str(), O_RDWR | O_CLOEXEC)) {
+    : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (descriptor_ < 0) return;
   struct flock lock = {};
   lock.l_type = F_WRLCK;

@@ -12,8 +12,8 @@ namespace reeve::store {
 // file: when a file is closed, all that SQLite has locked of it in this process is let go.
 class WriterLock {
  public:
-  // Throws InputError if another process has it. Where the file system knows no such lock, or
-  // nothing can be written, there is none.
+  // Makes the file where there is none. Throws InputError if another process has it. Where the file
+  // system knows no such lock, or nothing can be written, there is none.
   explicit WriterLock(const std::filesystem::path& file);
   WriterLock(const WriterLock&) = delete;
   WriterLock& operator=(const WriterLock&) = delete;
