@@ -7,6 +7,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
@@ -112,6 +113,7 @@ int run_to_last_words(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain_of_memory();
   } catch (const std::filesystem::filesystem_error& error) {
+    if (error.code() == std::errc::not_enough_memory) return complain_of_memory();
     return complain(error.what(), bad_input);
   } catch (const std::exception& error) {
     return complain(std::string("internal error: ") + error.what(), interrupted);

@@ -142,6 +142,30 @@ INSTANTIATE_TEST_SUITE_P(Of, OutOfLargeMemory,
                                                     "out"}}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+// SQLite asks for a page and what goes with it, and says in its own way that there is no memory.
+TEST(OutOfMemoryInAStore, EndsWithAMessage) {
+  if (has_sanitizer()) GTEST_SKIP() << "sanitizers have an allocator of their own";
+  const TemporaryFolder folder;
+  ProcessOptions options;
+  options.directory = folder.path();
+  const Arguments explore{"explore", "--threads", "1", "--out", "out", "--store", "s.db"};
+  ASSERT_EQ(reeve(explore, options).exit_code, 0);
+  for (const Arguments& command : {explore, Arguments{"rank", "--store", "s.db"}}) {
+    int starved = 0;
+    for (int n = 1; n < 140; ++n) {
+      SCOPED_TRACE(command[0] + std::to_string(n));
+      options.environment = {{"LD_PRELOAD", REEVE_FAILING_MALLOC},
+                             {"FAIL_ABOVE", "4000"},
+                             {"FAIL_AT", std::to_string(n)}};
+      const ProcessResult result = reeve(command, options);
+      EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << result.exit_code;
+      EXPECT_EQ(result.err, result.exit_code == 0 ? "" : no_memory);
+      starved += result.exit_code == 3 ? 1 : 0;
+    }
+    EXPECT_GT(starved, 5);
+  }
+}
+
 // As `ulimit -v` has it.
 TEST(MemoryLimit, IsSaidToBeReached) {
   // Terabytes of address space, so that nothing would start; the release build runs this test.
