@@ -13,7 +13,7 @@ void require_known_fingers(const Hardware& hardware, int fingers) {
   if (unknown == 0) return;
   const char* lacking = known->finger(unknown).joints.empty() ? "joints" : "force_N";
   throw InputError(
-      {.where = "hardware",
+      {.where = hardware_place(hardware, fmt::format("finger.{}", unknown)),
        .what = fmt::format("finger {} has no {}", unknown, lacking),
        .expected = fmt::format("{} in [finger.{}], or in [hand] for all fingers", lacking, unknown),
        .form = InputForm::unknown});

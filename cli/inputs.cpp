@@ -39,6 +39,17 @@ InputError no_file(const std::string& option) {
   return InputError({.what = option, .value = "", .expected = "a TOML file"});
 }
 
+void require_in_range(const MechanicsBuilder& builder, const Network& network,
+                      const std::string& word) {
+  Mechanics mechanics;
+  builder.apply(network, mechanics);
+  try {
+    builder.require_in_range(network, mechanics);
+  } catch (const OutOfRange& error) {
+    throw error.at(fmt::format("routing '{}'", word));
+  }
+}
+
 }  // namespace
 
 Catalogue shipped_catalogue() { return read_catalogue(CatalogueFiles::shipped()); }
@@ -172,18 +183,19 @@ void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   if (option_->count() > 0) inputs.push_back({file_, "the model"});
 }
 
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings,
-                               const std::string& file) {
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
   const MechanicsBuilder builder(hardware);
   std::vector<std::string> unmatched = builder.unmatched_contacts({});
   for (const Routing& routing : routings) {
-    const std::vector<std::string> here = builder.unmatched_contacts(expand(routing));
+    const Network network = expand(routing);
+    require_in_range(builder, network, to_word(routing));
+    const std::vector<std::string> here = builder.unmatched_contacts(network);
     std::erase_if(unmatched, [&](const std::string& contact) {
       return std::find(here.begin(), here.end(), contact) == here.end();
     });
   }
   if (unmatched.empty()) return;
-  throw InputError({.where = file.empty() ? "hardware" : file + ": hardware",
+  throw InputError({.where = hardware_place(hardware, "contact." + unmatched.front()),
                     .what = "contact",
                     .value = unmatched.front(),
                     .expected = fmt::format(

@@ -26,32 +26,36 @@ constexpr Bounds closing_weights{1e-3, 1e3, ""};
 
 class FaultFinder {
  public:
-  const std::optional<InputFault>& first() const { return first_; }
+  explicit FaultFinder(const Hardware& hardware) : hardware_(hardware) {}
 
-  void look_at(const Hardware& hardware) {
-    law("tube", hardware.tube);
-    law("bearing", hardware.bearing);
-    law("sheath", hardware.sheath);
-    if (hardware.block) law("block", *hardware.block);
-    range("lengths", "strand_mm", hardware.strand_mm, lengths);
-    range("lengths", "motor_side_mm", hardware.motor_side_mm, lengths);
-    range("lengths", "hand_mm", hardware.hand_mm, lengths);
+  std::optional<InputFault> first() {
+    law("tube", hardware_.tube);
+    law("bearing", hardware_.bearing);
+    law("sheath", hardware_.sheath);
+    if (hardware_.block) law("block", *hardware_.block);
+    range("lengths", "strand_mm", hardware_.strand_mm, lengths);
+    range("lengths", "motor_side_mm", hardware_.motor_side_mm, lengths);
+    range("lengths", "hand_mm", hardware_.hand_mm, lengths);
+    look_at_fingers();
+    for (const ContactHardware& contact : hardware_.contacts) look_at(contact);
+    return first_ ? first_ : hand_fault(hardware_);
+  }
+
+ private:
+  void look_at_fingers() {
     std::uint64_t seen = 0;
-    for (const FingerHardware& finger : hardware.fingers) {
-      look_at(finger, hardware);
+    for (const FingerHardware& finger : hardware_.fingers) {
+      look_at(finger);
       if (first_) return;
       const std::uint64_t bit = std::uint64_t{1} << (finger.finger - 1);
       if ((seen & bit) != 0) {
-        first_ = {.where = "hardware",
+        first_ = {.where = hardware_place(hardware_, fmt::format("finger.{}", finger.finger)),
                   .what = fmt::format("finger {} is given twice", finger.finger)};
       }
       seen |= bit;
     }
-    for (const ContactHardware& contact : hardware.contacts) look_at(contact);
-    if (!first_) first_ = hand_fault(hardware);
   }
 
- private:
   static InputFault fault(std::string where, std::string what, double value, std::string expected) {
     return {.where = std::move(where),
             .what = std::move(what),
@@ -63,26 +67,28 @@ class FaultFinder {
   void range(std::string_view where, std::string_view what, const std::optional<double>& value,
              const Bounds& bounds) {
     if (first_ || !value || (*value >= bounds.low && *value <= bounds.high)) return;
-    first_ = fault("hardware", fmt::format("{}.{}", where, what), *value,
+    const std::string key = fmt::format("{}.{}", where, what);
+    first_ = fault(hardware_place(hardware_, key), key, *value,
                    fmt::format("a number from {} to {}{}{}", bounds.low, bounds.high,
                                *bounds.unit == 0 ? "" : " ", bounds.unit));
   }
 
-  void exponent(std::string_view where, double phi) {
+  // `part`: of what the table says something.
+  void exponent(const std::string& table, std::string_view part, double phi) {
     if (first_ || phi <= max_exponent) return;
-    first_ = fault(fmt::format("hardware: {}", where), "mu * angle", phi,
-                   fmt::format("at most {}", max_exponent));
+    first_ = fault(fmt::format("{}: {}{}", hardware_place(hardware_, table), table, part),
+                   "mu * angle", phi, fmt::format("at most {}", max_exponent));
   }
 
-  void law(std::string_view where, const ContactLaw& law) {
+  void law(const std::string& where, const ContactLaw& law) {
     range(where, "mu", law.mu, coefficients);
     range(where, "angle_rad", law.angle_rad, angles);
-    exponent(where, law.exponent());
+    exponent(where, "", law.exponent());
   }
 
-  void look_at(const FingerHardware& finger, const Hardware& hardware) {
+  void look_at(const FingerHardware& finger) {
     if (!first_ && !(finger.finger >= 1 && finger.finger <= max_fingers)) {
-      first_ = fault("hardware", "finger number", finger.finger,
+      first_ = fault(hardware_place(hardware_, "finger"), "finger number", finger.finger,
                      fmt::format("a number from 1 to {}", max_fingers));
     }
     const std::string where = fmt::format("finger.{}", finger.finger);
@@ -92,20 +98,22 @@ class FaultFinder {
     range(where, "sheath_angle_rad", finger.sheath_angle_rad, angles);
     range(where, "strand_mm", finger.strand_mm, lengths);
     range(where, "closing", finger.closing, closing_weights);
-    for (const ContactLaw& tip : {hardware.tube, hardware.bearing}) {
-      exponent(where + " tip",
+    for (const ContactLaw& tip : {hardware_.tube, hardware_.bearing}) {
+      exponent(where, " tip",
                finger.tip_mu.value_or(tip.mu) * finger.tip_angle_rad.value_or(tip.angle_rad));
     }
-    exponent(where + " sheath", finger.sheath_mu.value_or(hardware.sheath.mu) *
-                                    finger.sheath_angle_rad.value_or(hardware.sheath.angle_rad));
+    exponent(where, " sheath",
+             finger.sheath_mu.value_or(hardware_.sheath.mu) *
+                 finger.sheath_angle_rad.value_or(hardware_.sheath.angle_rad));
   }
 
   void look_at(const ContactHardware& contact) {
-    const std::string where = fmt::format("contact {}-{}", contact.segment, contact.other_segment);
+    const std::string where = fmt::format("contact.{}-{}", contact.segment, contact.other_segment);
     range(where, "mu", contact.mu, coefficients);
     range(where, "angle_rad", contact.angle_rad, angles);
   }
 
+  const Hardware& hardware_;
   std::optional<InputFault> first_;
 };
 
@@ -127,11 +135,17 @@ std::array<double, 8> coefficients_of(const Hardware& hardware, int finger) {
 
 }  // namespace
 
-std::optional<InputFault> fault(const Hardware& hardware) {
-  FaultFinder finder;
-  finder.look_at(hardware);
-  return finder.first();
+std::string hardware_place(const Hardware& hardware, std::string key) {
+  if (!hardware.origin) return "hardware";
+  const auto& [file, places] = *hardware.origin;
+  while (!key.empty() && !places.contains(key)) {
+    const std::size_t end = key.find_last_of(".[");
+    key.resize(end == std::string::npos ? 0 : end);
+  }
+  return (key.empty() ? file : places.at(key)) + ": hardware";
 }
+
+std::optional<InputFault> fault(const Hardware& hardware) { return FaultFinder(hardware).first(); }
 
 void validate(const Hardware& hardware) {
   if (const auto found = fault(hardware)) throw InputError(*found);

@@ -7,6 +7,8 @@
 // its tables I, II, III and VI (the paper does not print it).
 #pragma once
 
+#include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -47,6 +49,12 @@ struct ContactHardware {
   std::optional<double> angle_rad;
 };
 
+// The file of a hardware, and where it says something: "finger.2.tip_mu" at "h.toml:3:1".
+struct HardwareOrigin {
+  std::string file;
+  std::map<std::string, std::string> places;
+};
+
 struct Hardware {
   ContactLaw tube{0.18, std::numbers::pi};
   ContactLaw bearing{0.001, std::numbers::pi};
@@ -59,7 +67,12 @@ struct Hardware {
   std::vector<ContactHardware> contacts;
   FingerParts finger_parts{};  // of fingers that have none of their own
   MotorParts motor{};
+  std::shared_ptr<const HardwareOrigin> origin{};  // none if it is of no file
 };
+
+// The place of an error about this key: "h.toml:3:1: hardware" if the file says something of it,
+// else "h.toml: hardware", or "hardware" of no file.
+std::string hardware_place(const Hardware& hardware, std::string key);
 
 // Beyond any physical contact (rope three times round pine has phi = 3), and small enough that
 // e^{-phi} along a whole tendon stays a number.

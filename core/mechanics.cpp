@@ -11,6 +11,10 @@
 
 namespace reeve::core {
 
+std::string name_of(const ContactHardware& contact) {
+  return contact.segment + "-" + contact.other_segment;
+}
+
 int highest_finger(const ContactHardware& contact) {
   return std::max(parse_segment(contact.segment).finger,
                   parse_segment(contact.other_segment).finger);
@@ -85,7 +89,7 @@ ContactLaw MechanicsBuilder::law_at(const Network& network, const TendonSpan& te
   const Segment& r = network.segments[right];
   ContactLaw law = this->law(network.contacts[tendon.first_contact + k]);
   for (const ContactOverride& override_ : by_contact_) {
-    if ((override_.a == l && override_.b == r) || (override_.a == r && override_.b == l)) {
+    if (override_.is_between(l, r)) {
       law.mu = override_.law.mu.value_or(law.mu);
       law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
     }
@@ -154,22 +158,24 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
       for (std::size_t k = 0; k < tendon.contacts; ++k) {
         const Segment& l = network.segments[ends_of(tendon, k).left];
         const Segment& r = network.segments[ends_of(tendon, k).right];
-        found |= (wanted.a == l && wanted.b == r) || (wanted.a == r && wanted.b == l);
+        found |= wanted.is_between(l, r);
       }
     }
-    if (!found) unmatched.push_back(wanted.law.segment + "-" + wanted.law.other_segment);
+    if (!found) unmatched.push_back(name_of(wanted.law));
   }
   return unmatched;
 }
 
-const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics) {
+const Mechanics& MechanicsBuilder::require_in_range(const Network& network,
+                                                    const Mechanics& mechanics) const {
   if (mechanics.in_range) return mechanics;
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const double phi = mechanics.phi[tendon.first_contact + k];
       if (phi <= max_exponent) continue;
       const auto [left, right] = ends_of(tendon, k);
-      throw OutOfRange(fmt::format("hardware: {}-{}: mu * angle = {}: expected at most {}",
+      throw OutOfRange(fmt::format("{}: {}-{}: mu * angle = {}: expected at most {}",
+                                   place_between(network.segments[left], network.segments[right]),
                                    segment_name(network.segments[left]),
                                    segment_name(network.segments[right]), phi, max_exponent));
     }
@@ -177,10 +183,20 @@ const Mechanics& require_in_range(const Network& network, const Mechanics& mecha
   return mechanics;
 }
 
+std::string MechanicsBuilder::place_between(const Segment& left, const Segment& right) const {
+  for (const auto& contact : by_contact_) {
+    if (contact.is_between(left, right)) {
+      return hardware_place(hardware_, "contact." + name_of(contact.law));
+    }
+  }
+  return hardware_place(hardware_, "");
+}
+
 Mechanics mechanics(const Network& network, const Hardware& hardware) {
   Mechanics result;
-  MechanicsBuilder(hardware).apply(network, result);
-  return require_in_range(network, result);
+  const MechanicsBuilder builder(hardware);
+  builder.apply(network, result);
+  return builder.require_in_range(network, result);
 }
 
 }  // namespace reeve::core

@@ -40,11 +40,19 @@ class MechanicsBuilder {
   // Contact overrides that name no contact of this network; as the user wrote them.
   std::vector<std::string> unmatched_contacts(const Network& network) const;
 
+  // Throws OutOfRange that names the contact if an exponent is beyond max_exponent: only a contact
+  // of its own can have one that the hardware's faults do not tell.
+  const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics) const;
+
  private:
   struct ContactOverride {
     Segment a;
     Segment b;
     ContactHardware law;
+
+    bool is_between(const Segment& l, const Segment& r) const {
+      return (a == l && b == r) || (a == r && b == l);
+    }
   };
 
   ContactLaw law(ContactKind kind) const;
@@ -52,6 +60,8 @@ class MechanicsBuilder {
   void prepare(ContactKind kind);
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void close_by_excursions(Mechanics& mechanics) const;
+  // Of an error about the contact between them.
+  std::string place_between(const Segment& left, const Segment& right) const;
 
   Hardware hardware_;
   std::array<double, 5> phi_{};
@@ -61,13 +71,12 @@ class MechanicsBuilder {
   std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
 };
 
+// "a-T1", as the user wrote it.
+std::string name_of(const ContactHardware& contact);
+
 // Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is
 // none.
 int highest_finger(const ContactHardware& contact);
-
-// Throws OutOfRange that names the contact if an exponent is beyond max_exponent: only a contact of
-// its own can have one that the hardware's faults do not tell.
-const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics);
 
 // Of hardware that is valid. Throws InputError or OutOfRange otherwise.
 Mechanics mechanics(const Network& network, const Hardware& hardware);

@@ -15,7 +15,10 @@ HardwareFile hardware_of(const TomlNode& file) {
 }  // namespace
 
 HardwareFile read_hardware_file(const std::filesystem::path& path) {
-  return hardware_of(read_toml(path));
+  const TomlNode file = read_toml(path);
+  HardwareFile result = hardware_of(file);
+  result.hardware.origin = origin_of(file);
+  return result;
 }
 
 HardwareFile parse_hardware_file(const std::string& text, const std::string& name) {

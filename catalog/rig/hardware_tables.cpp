@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "catalog/rig/hand_tables.hpp"
 #include "core/error.hpp"
@@ -148,7 +151,20 @@ UncertaintyRanges read_uncertainty(const TomlNode& file) {
 }
 
 std::string place_of(const TomlNode& node) {
-  return fmt::format("{}:{}:{}: vary", *node.file, node.key_at.line, node.key_at.column);
+  return fmt::format("{}:{}:{}", *node.file, node.key_at.line, node.key_at.column);
+}
+
+// A table of tables alone, such as the fingers, says nothing itself.
+bool says_something(const TomlNode& node) {
+  return std::any_of(node.children.begin(), node.children.end(),
+                     [](const TomlNode& child) { return child.kind != TomlKind::table; });
+}
+
+void add_places(const TomlNode& table, std::map<std::string, std::string>& places) {
+  for (const TomlNode& node : table.children) {
+    if (node.children.empty() || says_something(node)) places.emplace(node.name, place_of(node));
+    add_places(node, places);
+  }
 }
 
 VaryTable read_vary(const TomlNode& file) {
@@ -157,19 +173,26 @@ VaryTable read_vary(const TomlNode& file) {
   if (node == nullptr) return vary;
   for (const TomlNode& entry : node->table().children) {
     if (entry.key == "same") {
-      for (const TomlNode& item : entry.items()) vary.same.push_back({item.text(), place_of(item)});
+      for (const TomlNode& item : entry.items())
+        vary.same.push_back({item.text(), place_of(item) + ": vary"});
       continue;
     }
     if (entry.kind != TomlKind::array || entry.children.size() != 2) {
       entry.fail_expected("the least and the greatest, such as [3, 9]");
     }
     vary.bounds.push_back({entry.key, entry.children[0].number_from_zero(),
-                           entry.children[1].number_from_zero(), place_of(entry)});
+                           entry.children[1].number_from_zero(), place_of(entry) + ": vary"});
   }
   return vary;
 }
 
 }  // namespace
+
+std::shared_ptr<const HardwareOrigin> origin_of(const TomlNode& file) {
+  HardwareOrigin origin{*file.file, {}};
+  add_places(file, origin.places);
+  return std::make_shared<const HardwareOrigin>(std::move(origin));
+}
 
 void validate_at(const TomlNode& table, const Hardware& hardware) {
   try {

@@ -1,6 +1,7 @@
 // The tables of a hardware file, which a model file has, too: reading and writing.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ std::vector<std::string_view> hardware_table_names();
 
 // Passes over tables of other names.
 HardwareFile read_hardware_tables(const TomlNode& file);
+
+// For errors that are found later. A place is that of a key.
+std::shared_ptr<const HardwareOrigin> origin_of(const TomlNode& file);
 
 // What read_hardware_tables reads back bit by bit.
 std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty,

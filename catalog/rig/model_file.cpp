@@ -44,6 +44,7 @@ ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& ca
   if (const TomlNode* effects = file.find("effect")) {
     for (const TomlNode& effect : effects->tables()) read_effect(effect, catalogue, result.model);
   }
+  result.model.hardware.origin = origin_of(file);
   return result;
 }
 

@@ -35,7 +35,7 @@ CompareReport report(const CompareFlags& flags) {
   MeasuredData data = flags.readings.read(flags.data, catalogue);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
-  require_contacts_to_match(model.hardware, routings, flags.model.name());
+  require_contacts_to_match(model.hardware, routings);
   return comparison_study(std::move(data), model, catalogue);
 }
 

@@ -50,7 +50,7 @@ ShownRouting report(const ShowFlags& flags) {
   const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
   const Model model = own ? Model{*mechanism->hardware} : flags.model.read(catalogue).model;
-  require_contacts_to_match(model.hardware, {routing}, flags.model.name());
+  require_contacts_to_match(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   ShownRouting shown = shown_routing(routing, model, grasps(flags, finger_count(routing)),

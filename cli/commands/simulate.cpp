@@ -135,7 +135,7 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   model.hardware = flags.hardware.read().hardware;
   std::vector<Routing> routings;
   for (const PlannedRouting& planned : plan.routings) routings.push_back(planned.routing);
-  require_contacts_to_match(model.hardware, routings, flags.hardware.name());
+  require_contacts_to_match(model.hardware, routings);
   const Survey possible = survey(plan);
   for (const NamedEffect& cause : read_causes(flags, catalogue)) {
     require_shown(cause, possible);

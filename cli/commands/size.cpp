@@ -235,7 +235,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_comparable(inputs.routings);
   const ModelFile file = flags.model.read(inputs.catalogue);
   const Hardware& hardware = file.model.hardware;
-  require_contacts_to_match(hardware, inputs.routings, flags.model.name());
+  require_contacts_to_match(hardware, inputs.routings);
   inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
   inputs.vary = file.vary;
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);

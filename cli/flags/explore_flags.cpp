@@ -14,9 +14,9 @@ namespace {
 void require_fingers(const Hardware& hardware, int fingers) {
   for (const ContactHardware& contact : hardware.contacts) {
     if (highest_finger(contact) <= fingers) continue;
-    throw InputError({.where = "hardware",
+    throw InputError({.where = hardware_place(hardware, "contact." + name_of(contact)),
                       .what = "contact",
-                      .value = fmt::format("{}-{}", contact.segment, contact.other_segment),
+                      .value = name_of(contact),
                       .expected = fmt::format("strands of fingers 1 to {}", fingers)});
   }
 }
@@ -26,7 +26,7 @@ void require_possible_contacts(const Hardware& hardware, const GeneratorOptions&
   if (hardware.contacts.empty()) return;
   const std::vector<std::string> impossible = impossible_contacts(hardware, generator);
   if (impossible.empty()) return;
-  throw InputError({.where = "hardware",
+  throw InputError({.where = hardware_place(hardware, "contact." + impossible.front()),
                     .what = "contact",
                     .value = impossible.front(),
                     .expected = "two segments with a contact between them in one of the routings "
@@ -41,10 +41,8 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   // Says early, before anything is written, if there are too many to count.
   for_option(fmt::format("--fingers {}", generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
-  for_option(model.name(), [&] {
-    require_fingers(with.hardware, options.generator.fingers);
-    require_possible_contacts(with.hardware, options.generator);
-  });
+  require_fingers(with.hardware, options.generator.fingers);
+  require_possible_contacts(with.hardware, options.generator);
   require_known_fingers(with.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(shard); });
   options.keeps_record = shard_given->count() > 0;

@@ -27,6 +27,8 @@ constexpr double greatest_force_N = 1e5;
 
 class HandFaultFinder {
  public:
+  explicit HandFaultFinder(const Hardware& hardware) : hardware_(hardware) {}
+
   const std::optional<InputFault>& first() const { return first_; }
 
   void look_at(const std::string& where, const FingerParts& parts) {
@@ -46,7 +48,7 @@ class HandFaultFinder {
   void require_force(const std::string& where, const FingerParts& own, const FingerParts& common) {
     const bool has_joints = !own.joints.empty() || !common.joints.empty();
     if (first_ || !has_joints || own.force_N || common.force_N) return;
-    first_ = {.where = "hardware",
+    first_ = {.where = hardware_place(hardware_, where),
               .what = fmt::format("{}: its joints are given, and no force_N", where),
               .expected = "the force wanted at the fingertip, there or in [hand]"};
   }
@@ -62,20 +64,21 @@ class HandFaultFinder {
   void range(const std::string& what, const std::optional<double>& value, double low, double high,
              const char* unit) {
     if (first_ || !value || (*value >= low && *value <= high)) return;
-    first_ = {.where = "hardware",
+    first_ = {.where = hardware_place(hardware_, what),
               .what = what,
               .value = fmt::format("{}", *value),
               .expected = fmt::format("a number from {} to {} {}", low, high, unit),
               .form = InputForm::equals};
   }
 
+  const Hardware& hardware_;
   std::optional<InputFault> first_;
 };
 
 }  // namespace
 
 std::optional<InputFault> hand_fault(const Hardware& hardware) {
-  HandFaultFinder finder;
+  HandFaultFinder finder(hardware);
   finder.look_at("hand", hardware.finger_parts);
   for (const FingerHardware& finger : hardware.fingers) {
     const std::string where = fmt::format("finger.{}", finger.finger);

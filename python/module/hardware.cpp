@@ -135,6 +135,7 @@ HardwareFile with(HardwareFile file, const py::kwargs& changes) {
       fail_unknown(given);
     }
   }
+  if (!changes.empty()) file.hardware.origin.reset();  // It is no longer what the file says.
   if (changed.empty()) return file;
   catalog::TomlNode root = catalog::parse_toml(file_text(file), "Hardware");
   for (catalog::TomlNode& table : changed) put(std::move(table), root);

@@ -38,7 +38,7 @@ BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::obje
   const auto used = hardware_from(hardware);
   if (!used->file.hardware.contacts.empty()) require_contacts(*used, {routing->routing});
   used->builder.apply(routing->network, mechanics);
-  require_in_range(routing->network, mechanics);
+  used->builder.require_in_range(routing->network, mechanics);
   BoundTensions result{
       routing, grasp_from(held, routing->network.fingers), direction_from(direction), {}};
   solver.solve(routing->network, mechanics, result.grasp, result.direction, result.state);

@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _core
 from ._model import Model
-from .errors import InputError
+from .errors import InputError, OutOfRange
 
 # Options of which each value is given by itself; of all others a list is joined by commas.
 _REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "held"}
@@ -175,6 +175,8 @@ class Request:
                 yield self._written(Path(folder))
             except InputError as error:
                 raise error._changed(self.named) from None
+            except OutOfRange as error:
+                raise OutOfRange(self.named(str(error))) from None
 
     def arguments_for(self, folder: Union[str, Path]) -> list[str]:
         """The arguments that write into this folder; the files they name are put there."""
@@ -194,5 +196,7 @@ class Request:
             return text
         for file in self.files():
             path = re.escape(str(self._folder / file.name))
+            # What is wrong with a Hardware is said by its key; nobody has seen its file.
+            text = re.sub(path + r"(:\d+)*: (?=hardware\b)", "", text)
             text = re.sub(path + r"(?::(\d+))?", lambda found: file.place(found[1]), text)
         return text

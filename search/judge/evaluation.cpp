@@ -145,7 +145,7 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Exte
 void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
-  require_in_range(network_, mechanics_);
+  builder_.require_in_range(network_, mechanics_);
   if (model_solver_) {
     model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
   }

@@ -92,7 +92,7 @@ class SampleSolver {
     if (&routing == routing_ && (sample == sample_ || kinds_.empty())) return;
     for (const ContactKind kind : kinds_) set_law(kind, sample);
     builder_.apply(routing.network, mechanics_);
-    require_in_range(routing.network, mechanics_);
+    builder_.require_in_range(routing.network, mechanics_);
     routing_ = &routing;
     sample_ = sample;
   }

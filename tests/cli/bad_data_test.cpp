@@ -35,7 +35,8 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
               "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalogue"),
       compare({"ragged.csv"}, "ragged.csv:2:6: the row ends after 2 fields: expected 3"),
       compare({"alone.csv"}, "alone.csv: there is nothing to compare: expected rows with "),
-      compare({"ok.csv", "--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
+      compare({"ok.csv", "--hardware", "contact.toml"},
+              "contact.toml:1:10: hardware: contact 'a-T9'"),
       compare({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
       {{"compare", "ok.csv", "--out", "cell.csv"},
        "--out 'cell.csv': expected a folder that can be written to: Not a directory",
@@ -76,7 +77,8 @@ TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
       diagnose({"column.csv"}, "column.csv:1: column 4 't0_N': expected a tension "),
       diagnose({"name.csv"}, "routing 'TR9': no such name in the catalogue"),
       diagnose({"alone.csv"}, "alone.csv: there is nothing to diagnose: expected rows with "),
-      diagnose({"ok.csv", "--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
+      diagnose({"ok.csv", "--hardware", "contact.toml"},
+               "contact.toml:1:10: hardware: contact 'a-T9'"),
       diagnose({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
   });
 }

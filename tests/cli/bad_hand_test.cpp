@@ -35,14 +35,19 @@ TEST(BadHand, IsNoneWhereItsObjectivesAreAskedFor) {
 
 TEST(BadHand, LacksAFingerOfTheRouting) {
   const std::string message =
-      "hardware: finger 2 has no joints; expected joints in [finger.2], or in [hand] for all "
+      "one_finger.toml: hardware: finger 2 has no joints; expected joints in [finger.2], or in [hand] for all "
       "fingers";
   expect_all_bad({
       with_file({"show", "TR1"}, "one_finger.toml", message),
       with_file({"rank", "TR1", "TR7"}, "one_finger.toml", message),
       with_file({"explore", "--out", "out"}, "one_finger.toml", message),
-      with_file({"show", "TR1"}, "one_force.toml",
-                "hardware: finger 2 has no force_N; expected force_N in [finger.2], or in [hand]"),
+      with_file(
+          {"show", "TR1"}, "one_force.toml",
+          "one_force.toml: hardware: finger 2 has no force_N; expected force_N in [finger.2], "
+          "or in [hand] for all fingers"),
+      with_file({"export", "TR1"}, "one_finger_more.toml",
+                "one_finger_more.toml:4:9: hardware: finger 2 has no joints; expected joints in "
+                "[finger.2]"),
   });
 }
 

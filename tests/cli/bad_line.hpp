@@ -46,10 +46,15 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("type.toml", "[tube]\nmu = \"smooth\"\n");
   folder.write("syntax.toml", "[tube\n");
   folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
+  folder.write("strong.toml", "[contact.\"T2-T1\"]\nmu = 6\n");
+  // Blocks are as uncertain as bearings, as a part of their coefficient.
+  folder.write("infinite.toml", "[bearing]\nmu = 1e-310\n[block]\nmu = 0.1\n");
   folder.write("cause.toml", "[[effect]]\ncause = \"rust\"\n");
   folder.write("steep.toml", "[sheath]\nmu = 0.1\nangle_rad = 20\n");
   const std::string joints = "joints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60 }]\n";
   folder.write("one_finger.toml", "[finger.1]\nforce_N = 5\n" + joints);
+  folder.write("one_finger_more.toml",
+               "[finger.1]\nforce_N = 5\n" + joints + "[finger.2]\ntip_mu = 0.1\n");
   folder.write("one_force.toml", "[finger.1]\nforce_N = 5\n[hand]\n" + joints);
   folder.write("bad_force.toml", "[hand]\nforce_N = -1\n" + joints);
   folder.write("bad_joint.toml", "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8 }]\n");

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tests/cli/bad_commands.hpp"
 
@@ -25,15 +26,46 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       show_tr1({"--hardware", "syntax.toml"}, "syntax.toml:1:6: not valid TOML: "),
       show_tr1(
           {"--hardware", "contact.toml"},
-          "contact.toml: hardware: contact 'a-T9': expected two segments with a contact between them "
+          "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact between them "
           "in M-1-T-2-F"),
       explore({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
       {{"rank", "TR1", "--hardware", "nan.toml"}, "nan.toml:2:6: tube.mu = nan", {}},
-      {{"rank", "TR1", "--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'", {}},
+      {{"rank", "TR1", "--hardware", "contact.toml"},
+       "contact.toml:1:10: hardware: contact 'a-T9'",
+       {}},
       {{"export", "TR1", "--hardware", "contact.toml"},
-       "contact.toml: hardware: contact 'a-T9'",
+       "contact.toml:1:10: hardware: contact 'a-T9'",
        {}},
   });
+}
+
+// Found when it is known for which routings the hardware is, and how its coefficients vary.
+TEST(BadHardware, IsNamedWithItsFileWhereverItIsFound) {
+  const std::string infinite =
+      "infinite.toml:4:1: hardware: block.mu = inf: expected a number from 0 to 10";
+  const auto with = [](Arguments arguments, const std::string& file, const std::string& message) {
+    arguments.insert(arguments.end(), {"--hardware", file});
+    return BadLine{arguments, message, {}};
+  };
+  std::vector<BadLine> lines{
+      with({"rank", "M-Y1+1x-Y1-2x", "--uncertainty", "--draws", "5"}, "infinite.toml", infinite),
+      with({"explore", "--out", "out", "--uncertainty", "--draws", "5"}, "infinite.toml", infinite),
+      with({"size", "M-Y1+1x-Y1-2x", "--vary", "hand_mm=50..100"}, "infinite.toml", infinite),
+      with({"size", "TR1", "--vary", "sheath_angle=1..90"}, "steep.toml",
+           "steep.toml: hardware: finger.1 sheath: mu * angle = "),
+      with({"explore", "--out", "out", "--fingers", "4"}, "contact.toml",
+           "contact.toml:1:10: hardware: contact 'a-T9': expected strands of fingers 1 to 4"),
+  };
+  for (const Arguments& command :
+       {Arguments{"show", "TR1"}, Arguments{"rank", "TR1"}, Arguments{"export", "TR1"},
+        Arguments{"size", "TR1", "--vary", "sheath_angle=1..2"}, Arguments{"compare", "alone.csv"},
+        Arguments{"diagnose", "ok.csv"},
+        Arguments{"simulate", "--routings", "TR1", "-o", "x.csv"}}) {
+    lines.push_back(with(command, "strong.toml",
+                         "routing 'M-1-T-2-F': strong.toml:1:10: hardware: T1-T2: mu * angle = "
+                         "18.84955592153876: expected at most 10"));
+  }
+  expect_all_bad(lines);
 }
 
 TEST(BadModel, IsNamedWithFileLineAndColumn) {
@@ -45,10 +77,10 @@ TEST(BadModel, IsNamedWithFileLineAndColumn) {
       show_tr1({"--model", "cause.toml"}, cause),
       show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:3: unknown key 'effect'"),
       show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
-      show_tr1({"--model", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
+      show_tr1({"--model", "contact.toml"}, "contact.toml:1:10: hardware: contact 'a-T9'"),
       explore(
           {"--fingers", "6", "--hardware", "contact.toml"},
-          "contact.toml: hardware: contact 'a-T9': expected two segments with a contact between "
+          "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact between "
           "them in one of the routings that are explored"),
       explore({"--model", "cause.toml"}, cause),
       {{"rank", "TR1", "--model", "cause.toml"}, cause, {}},

@@ -57,7 +57,7 @@ TEST(BadPlan, IsNamedWithOptionAndValue) {
                "--noise-absolute 'nan': expected a number from 0 to 1000"),
       simulate({"--seed", "-1"}, "--seed"),
       simulate({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
-      simulate({"--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
+      simulate({"--hardware", "contact.toml"}, "contact.toml:1:10: hardware: contact 'a-T9'"),
       simulate({"extra"}, "extra"),
   });
 }

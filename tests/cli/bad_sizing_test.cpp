@@ -159,7 +159,7 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line({"--from", "explored", "--top", "1"},
            "--from: explored: there is no summary.json, which is written last; expected the folder "
            "of an exploration that was written to its end"),
-      line({"TR1", "--hardware", "contact.toml"}, "contact.toml: hardware: contact 'a-T9'"),
+      line({"TR1", "--hardware", "contact.toml"}, "contact.toml:1:10: hardware: contact 'a-T9'"),
       line({"TR1", "--save-hardware", "missing/h.toml"},
            "--save-hardware 'missing/h.toml': expected a file that can be written"),
       line({"TR1", "--save-hardware", "explored"},

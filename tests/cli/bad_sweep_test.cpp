@@ -52,9 +52,10 @@ TEST(BadSweep, OfWhatFrictionDoesNotMoveIsNamed) {
 
 TEST(BadSweep, BeyondWhatAContactCanBeIsNamed) {
   expect_all_bad({
-      swept("sheath_mu=0..1",
-            "--sweep 'sheath_mu': at its upper end: hardware: sheath: mu * angle = ",
-            {"--hardware", "steep.toml"}),
+      swept(
+          "sheath_mu=0..1",
+          "--sweep 'sheath_mu': at its upper end: steep.toml:1:2: hardware: sheath: mu * angle = ",
+          {"--hardware", "steep.toml"}),
   });
 }
 

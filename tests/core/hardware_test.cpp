@@ -270,11 +270,11 @@ TEST(HardwareError, NamesTheContact) {
   EXPECT_EQ(message([](Hardware& h) {
               h.contacts = {{"a", "T1", -1.0, {}}};
             }),
-            "hardware: contact a-T1.mu = -1: expected a number from 0 to 10");
+            "hardware: contact.a-T1.mu = -1: expected a number from 0 to 10");
   EXPECT_EQ(message([](Hardware& h) {
               h.contacts = {{"T2", "T3", {}, 2000.0}};
             }),
-            "hardware: contact T2-T3.angle_rad = 2000: expected a number from 0 to 1000 rad");
+            "hardware: contact.T2-T3.angle_rad = 2000: expected a number from 0 to 1000 rad");
 }
 
 TEST(HardwareError, AContactsExponentIsKnownOnceTheNetworkIs) {
@@ -282,6 +282,38 @@ TEST(HardwareError, AContactsExponentIsKnownOnceTheNetworkIs) {
   hardware.contacts = {{"T2", "T1", 9.0, 2.0}};
   EXPECT_EQ(testing::out_of_range([&] { mechanics(network_of("M-1-F"), hardware); }),
             "hardware: T1-T2: mu * angle = 18: expected at most 10");
+}
+
+// The nearest that the file says something of.
+TEST(HardwareError, NamesTheFileAndItsPlace) {
+  Hardware hardware;
+  hardware.origin = std::make_shared<const HardwareOrigin>(HardwareOrigin{
+      "h.toml",
+      {{"block.mu", "h.toml:2:1"}, {"finger.1", "h.toml:4:2"}, {"contact.T2-T1", "h.toml:6:2"}}});
+  const auto refused = [&](auto change) {
+    Hardware changed = hardware;
+    change(changed);
+    return testing::input_error([&] { validate(changed); });
+  };
+  EXPECT_EQ(refused([](Hardware& h) {
+              h.block = {11, 1};
+            }),
+            "h.toml:2:1: hardware: block.mu = 11: expected a number from 0 to 10");
+  EXPECT_EQ(refused([](Hardware& h) { h.tube.mu = 11; }),
+            "h.toml: hardware: tube.mu = 11: expected a number from 0 to 10");
+  EXPECT_EQ(refused([](Hardware& h) {
+              h.fingers.push_back({1, 11.0, {}, {}, {}, {}, {}});
+            }),
+            "h.toml:4:2: hardware: finger.1.tip_mu = 11: expected a number from 0 to 10");
+  EXPECT_EQ(refused([](Hardware& h) {
+              h.fingers.push_back({12, 11.0, {}, {}, {}, {}, {}});
+            }),
+            "h.toml: hardware: finger.12.tip_mu = 11: expected a number from 0 to 10");
+  EXPECT_EQ(refused([](Hardware& h) { h.motor.close_s = 0; }),
+            "h.toml: hardware: motor.close_s = 0: expected a number from 0.001 to 3600 s");
+  hardware.contacts = {{"T2", "T1", 9.0, 2.0}};
+  EXPECT_EQ(testing::out_of_range([&] { mechanics(network_of("M-1-F"), hardware); }),
+            "h.toml:6:2: hardware: T1-T2: mu * angle = 18: expected at most 10");
 }
 
 TEST(HardwareError, ABuilderTakesValidHardwareOnly) {
