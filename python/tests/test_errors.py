@@ -130,3 +130,25 @@ def test_no_message_names_a_file_that_is_gone():
         assert not any("reeve-" in field or "/tmp" in field for field in fields), fields
     with pytest.raises(reeve.InputError, match=r"^model:1:1: unknown key 'a'"):
         reeve.rank("TR1", model=reeve.Model("a = 5"))
+
+
+def test_what_is_wrong_with_a_hardware_is_named_by_its_key(tmp_path):
+    text = '[contact."T1-T2"]\nmu = 6\n'
+    path = tmp_path / "strong.toml"
+    path.write_text(text)
+    read = reeve.Hardware.from_toml(path)
+    strong = "hardware: T1-T2: mu * angle = 18.84955592153876: expected at most 10"
+    for hardware in (read, reeve.Hardware(contacts={"T1-T2": {"mu": 6}})):
+        with pytest.raises(reeve.OutOfRange) as beyond:
+            reeve.show("TR1", hardware=hardware)
+        assert str(beyond.value) == f"routing 'M-1-T-2-F': {strong}"
+    for call in (lambda: reeve.show("TR1", hardware=path), lambda: reeve.Routing("TR1").tensions(read)):
+        with pytest.raises(reeve.OutOfRange) as beyond:
+            call()
+        assert str(beyond.value) == f"routing 'M-1-T-2-F': {path}:1:10: {strong}"
+
+    joints = [{"arm_mm": 8, "range_deg": 90, "lever_mm": 60}]
+    with pytest.raises(reeve.InputError) as lacking:
+        reeve.show("TR1", hardware=reeve.Hardware(fingers={1: {"joints": joints, "force_N": 5}}))
+    assert lacking.value.where == "hardware"
+    assert str(lacking.value).startswith("hardware: finger 2 has no joints; expected joints in")
