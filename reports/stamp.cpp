@@ -17,15 +17,22 @@ bool is_id(std::string_view text) {
          text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-std::string_view first_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
+bool is_comment(std::string_view record) { return record.starts_with('#'); }
+
+// Takes a record, or a comment line, off the text. A record goes on where a line ends in quotes.
+std::string_view next_record(std::string_view& csv) {
+  bool in_quotes = false;
+  std::size_t end = 0;
+  for (; end < csv.size() && (in_quotes || csv[end] != '\n'); ++end) {
+    if (csv[end] == '"' && !is_comment(csv)) in_quotes = !in_quotes;
+  }
+  const std::string_view record = csv.substr(0, end);
+  csv.remove_prefix(std::min(end + 1, csv.size()));
+  return record;
 }
 
-std::string_view last_field(std::string_view line) {
-  return line.substr(line.rfind(',') == std::string_view::npos ? 0 : line.rfind(',') + 1);
+std::string_view last_field(std::string_view record) {
+  return record.substr(record.rfind(',') == std::string_view::npos ? 0 : record.rfind(',') + 1);
 }
 
 std::string stamped_csv(const std::string& csv, const Stamp& stamp) {
@@ -35,9 +42,9 @@ std::string stamped_csv(const std::string& csv, const Stamp& stamp) {
   std::string_view rest = csv;
   bool in_header = true;
   while (!rest.empty()) {
-    const std::string_view line = first_line(rest);
-    stamped += line;
-    if (!line.starts_with('#')) {
+    const std::string_view record = next_record(rest);
+    stamped += record;
+    if (!is_comment(record)) {
       stamped += ',';
       stamped += in_header ? stamp.kind : stamp.id;
       in_header = false;
@@ -48,9 +55,9 @@ std::string stamped_csv(const std::string& csv, const Stamp& stamp) {
 }
 
 std::string_view id_in_csv(std::string_view csv, const std::string& kind) {
-  std::string_view line = first_line(csv);
-  while (line.starts_with('#')) line = first_line(csv);
-  return last_field(line) == kind ? last_field(first_line(csv)) : "";
+  std::string_view header = next_record(csv);
+  while (is_comment(header)) header = next_record(csv);
+  return last_field(header) == kind ? last_field(next_record(csv)) : "";
 }
 
 std::string comment_start(const std::string& kind) { return "<!-- " + kind + " "; }
