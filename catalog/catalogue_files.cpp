@@ -39,6 +39,7 @@ std::vector<std::string> folders_embedded_in(const std::string& folder) {
 
 [[noreturn]] void fail_unreadable(const std::filesystem::path& folder,
                                   const std::error_code& error) {
+  require_memory(error);
   throw InputError({.where = fmt::format("catalogue {}", folder.string()),
                     .what = fmt::format("cannot be read: {}", error.message())});
 }

@@ -72,7 +72,7 @@ int run(int argc, char** argv) {
     if (!reeve.got_subcommand("explore")) require_alone(launch);
   });
   core::set_waiting_notice(say_what_is_waited_for);
-  reports::end_waits_on(&stop_was_requested());
+  end_waits_on(&stop_was_requested());
   reeve.footer(
       "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
       "standard output cannot be written, not enough memory, or an internal error.");
@@ -104,7 +104,7 @@ int run_to_last_words(int argc, char** argv) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {
     return complain(error.what(), interrupted);
-  } catch (const reports::WaitInterrupted& error) {
+  } catch (const WaitInterrupted& error) {
     return complain(error.what(), interrupted);
   } catch (const FollowerFailed& error) {
     return complain(error.what(), interrupted);

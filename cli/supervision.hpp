@@ -21,7 +21,8 @@ class Interrupted : public std::runtime_error {
 };
 
 // From here on the first Ctrl-C (or SIGTERM, SIGHUP, or SIGUSR1, which mpirun passes on) only sets
-// the flag; a second one ends the process. A SIGHUP that is ignored, as by nohup, stays ignored.
+// the flag; the same one again ends the process. A SIGHUP that is ignored, as by nohup, stays
+// ignored.
 const std::atomic<bool>& stop_on_interrupt();
 const std::atomic<bool>& stop_was_requested();
 // Whether SIGTERM was among them.

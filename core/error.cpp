@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 
+#include <new>
 #include <utility>
 
 namespace reeve::core {
@@ -18,6 +19,10 @@ std::string placed(const std::optional<std::string>& place, const std::string& t
 }
 
 }  // namespace
+
+void require_memory(const std::error_code& error) {
+  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
+}
 
 std::string sentence(const InputFault& fault) {
   std::string text = thing(fault);

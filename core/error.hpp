@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "numerics/floors.hpp"
@@ -39,6 +40,10 @@ std::string sentence(const InputFault& fault);
 
 // A copy with `change` made to each part.
 InputFault changed(InputFault fault, std::string (*change)(std::string));
+
+// Throws std::bad_alloc if the system call failed for want of memory, which is no fault of an
+// input.
+void require_memory(const std::error_code& error);
 
 // What the user got wrong: thrown where input is read, caught only to add a place. Its message is
 // the fault's sentence; the command line turns it into exit code 2.

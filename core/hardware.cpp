@@ -73,7 +73,7 @@ class FaultFinder {
                                *bounds.unit == 0 ? "" : " ", bounds.unit));
   }
 
-  // `part`: of what the table says something.
+  // `part` is the contact in the finger's table that the exponent belongs to.
   void exponent(const std::string& table, std::string_view part, double phi) {
     if (first_ || phi <= max_exponent) return;
     first_ = fault(fmt::format("{}: {}{}", hardware_place(hardware_, table), table, part),

@@ -60,7 +60,7 @@ class MechanicsBuilder {
   void prepare(ContactKind kind);
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void close_by_excursions(Mechanics& mechanics) const;
-  // Of an error about the contact between them.
+  // Returns the place of an error about the contact between two segments.
   std::string place_between(const Segment& left, const Segment& right) const;
 
   Hardware hardware_;

@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::atomic<const std::atomic<bool>*> waits_end{nullptr};
-
 constexpr std::size_t longest_name = 255;  // of a file, in bytes, nearly everywhere
 
 [[noreturn]] void fail_to_write(const fs::path& file, const std::error_code& error) {
@@ -91,11 +89,6 @@ std::error_code write_new(const fs::path& file, const std::string& content,
   return error;
 }
 
-bool end_is_wanted() {
-  const std::atomic<bool>* const stop = waits_end.load();
-  return stop != nullptr && stop->load();
-}
-
 // A pipe opens when somebody reads it, which may be never: it is asked again and again.
 int open_to_write_through(const fs::path& file) {
   constexpr int between_ms = 10;
@@ -105,7 +98,7 @@ int open_to_write_through(const fs::path& file) {
     if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, 0);
     if (descriptor >= 0 || errno != ENXIO || !fs::is_fifo(file)) return descriptor;
     if (waited_ms == waiting_patience_ms) give_waiting_notice(file, Awaited::reader);
-    if (end_is_wanted()) throw WaitInterrupted(file);
+    if (waits_are_ended()) throw WaitInterrupted(file.string(), Awaited::reader);
     ::nanosleep(&between, nullptr);
   }
 }
@@ -121,8 +114,6 @@ std::error_code write_through(const Destination& there, const std::string& conte
 }
 
 }  // namespace
-
-void end_waits_on(const std::atomic<bool>* stop) { waits_end.store(stop); }
 
 void prepare_directory(const fs::path& directory, const std::string& option) {
   std::error_code error;
@@ -153,6 +144,7 @@ void FileBatch::add(const fs::path& file, const std::string& content) {
     entries_.push_back(std::move(entry));
     return;
   }
+  require_alone(entry);
   entry.temporary = temporary_beside(entry.there.file);
   entries_.push_back(std::move(entry));
   const Entry& added = entries_.back();
@@ -161,9 +153,19 @@ void FileBatch::add(const fs::path& file, const std::string& content) {
 }
 
 void FileBatch::remove(const fs::path& file) {
-  Destination there = destination(file);
-  const bool is_ours = !there.error && !there.descriptor && !there.written_through;
-  if (is_ours) entries_.push_back({file, std::move(there), {}, {}, true});
+  std::error_code ignored;
+  const fs::file_type type = fs::symlink_status(file, ignored).type();
+  if (type != fs::file_type::regular && type != fs::file_type::symlink) return;
+  entries_.push_back({file, Destination{.file = file}, {}, {}, true});
+}
+
+// The second of two would go by the temporary name of the first.
+void FileBatch::require_alone(const Entry& entry) const {
+  for (const Entry& other : entries_) {
+    if (other.is_removed || other.there.file != entry.there.file) continue;
+    throw InputError(fmt::format("files '{}' and '{}' are the same, by a link: expected two files",
+                                 other.named.string(), entry.named.string()));
+  }
 }
 
 void FileBatch::take_old_away() const {

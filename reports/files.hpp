@@ -1,9 +1,7 @@
 // Files appear whole or not at all, and nothing but regular files is replaced (destination.hpp).
 #pragma once
 
-#include <atomic>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,17 +10,6 @@
 #include "reports/destination.hpp"
 
 namespace reeve::reports {
-
-// Whoever handles signals wanted the end while a pipe had no reader yet.
-class WaitInterrupted : public std::runtime_error {
- public:
-  explicit WaitInterrupted(const std::filesystem::path& file)
-      : std::runtime_error("interrupted: nobody reads '" + file.string() + "'") {}
-};
-
-// From here on a pipe that nobody reads is waited for no longer than until that is true. A signal
-// alone does not end a wait: it may come between two looks at the pipe, or meet another thread.
-void end_waits_on(const std::atomic<bool>* stop);
 
 // Makes the directory and checks that files can be written into it. Throws InputError.
 void prepare_directory(const std::filesystem::path& directory, const std::string& option);
@@ -43,7 +30,7 @@ class FileBatch {
   void add(const std::filesystem::path& file, const std::string& content);
   void commit();
 
-  // What is not there need not go; of a link goes what it leads to.
+  // What is not there need not go; of a link the link goes, and not what it leads to.
   void remove(const std::filesystem::path& file);
 
  private:
@@ -57,6 +44,7 @@ class FileBatch {
     bool is_regular() const { return is_removed || !temporary.empty(); }
   };
 
+  void require_alone(const Entry& entry) const;
   void take_old_away() const;
   static std::error_code appear(Entry& entry);
 

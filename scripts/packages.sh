@@ -5,7 +5,7 @@ PACKAGES_BUILD=(g++ cmake ninja-build git libeigen3-dev libnlopt-cxx-dev libnlop
   libboost-graph-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev librandom123-dev libkainjow-mustache-dev libtinyxml2-dev zlib1g-dev
   libsqlitecpp-dev libsqlite3-dev)
-# npm fetches the chart library of the pages. Debian's npm depends on some 330 packages node-*, which are
+# npm fetches the chart library of the pages. Debian's npm depends on some 340 packages node-*, which are
 # most of what is installed; the node of some machines has npm as part of it.
 PACKAGES_NPM=(nodejs npm)
 PACKAGES_PAGES=()
@@ -28,12 +28,18 @@ PACKAGES_FUZZ=(clang libclang-rt-14-dev)
 PACKAGES_BENCH=(libbenchmark-dev nauty python3 python3-numpy python3-scipy)
 PACKAGES_PROFILE=(valgrind)
 
+# True if a line on stderr can be written again and again.
+is_live() { [[ -t 2 && ${TERM:-dumb} != dumb ]]; }
+
 # tell <sentence>: on stderr, in place of a progress line that may stand there.
 tell() {
   local wipe=
-  [[ ! -t 2 ]] || wipe=$'\r\e[K'
+  ! is_live || wipe=$'\r\e[K'
   printf '%sreeve: %s\n' "$wipe" "$1" >&2
 }
+
+# followed <what> <command...>: runs the command; `run` defines it anew to tell how far it is.
+followed() { "${@:2}"; }
 
 # install_packages <log> <package...>: installs those that are missing, and says before how many
 # packages and megabytes that is. One query to dpkg when none is missing. Without apt-get it leaves the
@@ -57,16 +63,20 @@ install_packages() {
       return 1
     fi
     sudo=(sudo)
+    # It asks for the password here, where no progress line is written over its question.
+    tell "needs packages, which sudo installs: ${missing[*]}"
+    sudo -v || return 1
   fi
   local install=(apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}")
-  if "${sudo[@]}" apt-get update >>"$log" 2>&1 </dev/null; then
+  apt_quietly() { "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "$@" >>"$log" 2>&1 </dev/null; }
+  if followed "reading the lists of packages" apt_quietly apt-get update; then
     # Printing the addresses of what it would fetch, apt-get installs nothing.
     plan=$(LC_ALL=C "${install[@]}" --print-uris 2>>"$log" </dev/null | sed -nE "
       s/^.* ([0-9]+) newly installed.*/\\1 packages/p
       s/^Need to get (.*) of archives.*/, \\1 to fetch/p
       s/^After this operation, (.*) of additional disk space.*/, \\1 on disk/p" | tr -d '\n') || true
     tell "installing ${missing[*]}${plan:+ ($plan)} …"
-    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" >>"$log" 2>&1 </dev/null && return
+    followed "installing packages" apt_quietly "${install[@]}" && return
   fi
   tail -n 15 "$log" >&2
   tell "apt-get could not install: ${missing[*]}"

@@ -28,11 +28,6 @@ std::string about(SQLite::Database& database, const std::string& key) {
 
 }  // namespace
 
-int stored_version(SQLite::Database& database) {
-  SQLite::Statement query(database, "PRAGMA user_version");
-  return query.executeStep() ? query.getColumn(0).getInt() : 0;
-}
-
 void write_about(SQLite::Database& database, const Description& description, Keep keep) {
   write_pairs(database, "about",
               {{"exploration", description.exploration},

@@ -8,9 +8,6 @@
 
 namespace reeve::store {
 
-// 0 of an empty file.
-int stored_version(SQLite::Database& database);
-
 void write_about(SQLite::Database& database, const Description& description, Keep keep);
 
 // Without names of known routings and texts of constraints, which stand with their counts.

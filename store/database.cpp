@@ -78,17 +78,31 @@ SQLite::Database readable_database(const fs::path& file) {
          "a place where that can be undone, by writing");
 }
 
-// Whether there is a file. Refuses what SQLite would say less of, wait for without end (a pipe) or
+// SQLite waits without end for a pipe that it takes for its log.
+void require_plain_neighbours(const fs::path& file) {
+  for (const char* ending : {"-journal", "-wal", "-shm"}) {
+    const fs::path neighbour = file.string() + ending;
+    std::error_code ignored;
+    const fs::file_status status = fs::status(neighbour, ignored);
+    if (!fs::exists(status) || fs::is_regular_file(status)) continue;
+    refuse(file, fmt::format("'{}' beside it is no file", neighbour.filename().string()),
+           "a file of SQLite's, or none");
+  }
+}
+
+// True if there is a file. Refuses what SQLite would say less of, wait for without end (a pipe) or
 // write to (a device).
 bool is_there(const fs::path& file, Access access) {
   if (file.empty()) refuse("''", "it is no name", "that of a file");
   std::error_code error;
   switch (fs::status(file, error).type()) {
     case fs::file_type::regular:
+      require_plain_neighbours(file);
       return true;
     case fs::file_type::directory:
       refuse(file, "it is a folder", "the file of a store");
     case fs::file_type::none:
+      require_memory(error);
       throw InputError({.where = file.string(), .what = "it cannot be opened: " + error.message()});
     case fs::file_type::not_found:
       break;

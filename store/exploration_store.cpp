@@ -35,8 +35,8 @@ void require_routings(const ShardRecord& record, const std::filesystem::path& fi
 
 // Writes until the end. Who begins or ends to read may keep it waiting for a moment.
 struct ExplorationStore::Connection {
-  explicit Connection(const std::filesystem::path& file)
-      : lock(file), database(open_to_write(file)) {
+  Connection(const std::filesystem::path& file, std::unique_ptr<WriterLock> taken)
+      : lock(std::move(taken)), database(open_to_write(file)) {
     database.exec(durable_writing);
     database.exec("BEGIN IMMEDIATE");
   }
@@ -55,7 +55,7 @@ struct ExplorationStore::Connection {
     database.exec("BEGIN IMMEDIATE");
   }
 
-  WriterLock lock;
+  std::unique_ptr<WriterLock> lock;
   SQLite::Database database;
   std::optional<SQLite::Statement> insert;
 };
@@ -64,29 +64,29 @@ ExplorationStore::ExplorationStore(std::filesystem::path file, Description asked
                                    std::optional<Keep> keep)
     : file_(std::move(file)), asked_(std::move(asked)), shard_(shard) {
   in_database(file_, [&] {
-    require_same_before_writing(keep);
-    connection_ = std::make_unique<Connection>(file_);
-    SQLite::Database& database = connection_->database;
-    // Another process may have made it or written it meanwhile.
-    if (stored_version(database) != 0) return require_same(database, keep);
+    auto lock = std::make_unique<WriterLock>(file_);
+    const bool is_there = is_there_and_same(keep);
+    connection_ = std::make_unique<Connection>(file_, std::move(lock));
+    if (is_there) return;
     keep_ = keep.value_or(Keep::best);
-    create_tables(database);
-    write_about(database, asked_, keep_);
+    create_tables(connection_->database);
+    write_about(connection_->database, asked_, keep_);
     connection_->commit();
   });
 }
 
 ExplorationStore::~ExplorationStore() = default;
 
-// What is refused stays byte for byte as it is: even a log that is set up and taken down again
-// changes the file's header.
-void ExplorationStore::require_same_before_writing(std::optional<Keep> keep) {
+// Only reads: a file that is refused stays byte for byte as it is, and even a log that is set up
+// and taken down again changes its header.
+bool ExplorationStore::is_there_and_same(std::optional<Keep> keep) {
   std::optional<SQLite::Database> database = open_store(file_, Access::write);
-  if (!database) return;
+  if (!database) return false;
   // All that is read is of one moment.
   database->exec("BEGIN");
   require_same(*database, keep);
   require_sound(*database);
+  return true;
 }
 
 void ExplorationStore::require_same(SQLite::Database& database, std::optional<Keep> keep) {
@@ -162,7 +162,7 @@ void ExplorationStore::save(ExplorationPart& so_far) {
 
 // What is saved in a file without a name is lost at the end.
 void ExplorationStore::require_there() const {
-  if (connection_->lock.is_on(file_)) return;
+  if (connection_->lock->is_on(file_)) return;
   throw InputError({.where = file_.string(),
                     .what = "somebody removed or replaced it while explore was writing it"});
 }

@@ -45,7 +45,7 @@ class ExplorationStore {
  private:
   struct Connection;
 
-  void require_same_before_writing(std::optional<Keep> keep);
+  bool is_there_and_same(std::optional<Keep> keep);
   void require_same(SQLite::Database& database, std::optional<Keep> keep);
   void require_record(const std::optional<ShardRecord>& record) const;
   void require_there() const;

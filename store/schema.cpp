@@ -54,6 +54,8 @@ void create_tables(SQLite::Database& database) {
 bool has_tables(SQLite::Database& database) {
   SQLite::Database made(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   create_tables(made);
+  constexpr const char* count = "SELECT count(*) FROM sqlite_master";
+  if (made.execAndGet(count).getInt() != database.execAndGet(count).getInt()) return false;
   SQLite::Statement table(made, "SELECT name, sql FROM sqlite_master");
   SQLite::Statement there(database, "SELECT 1 FROM sqlite_master WHERE name = ? AND sql = ?");
   while (table.executeStep()) {

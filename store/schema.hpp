@@ -19,7 +19,7 @@ inline constexpr std::array shard_tables{"constraints", "known", "archive", "lad
 
 void create_tables(SQLite::Database& database);
 
-// Whether the tables are there as create_tables() makes them.
+// True if the tables are there as create_tables() makes them, and nothing else, such as a trigger.
 bool has_tables(SQLite::Database& database);
 
 // ", uniformity_mean, …": every objective, and as many question marks.

@@ -16,7 +16,7 @@ std::vector<std::string_view> hardware_table_names();
 // Passes over tables of other names.
 HardwareFile read_hardware_tables(const TomlNode& file);
 
-// For errors that are found later. A place is that of a key.
+// Returns the places of all keys, for errors that are found later.
 std::shared_ptr<const HardwareOrigin> origin_of(const TomlNode& file);
 
 // What read_hardware_tables reads back bit by bit.

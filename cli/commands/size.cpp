@@ -195,7 +195,7 @@ std::vector<InputFile> inputs_of(const SizeFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
   if (flags.from_given->count() == 0) return inputs;
-  for (const char* file : {"designs.csv", "summary.json"}) {
+  for (const char* file : {"designs.csv", "summary.json", "index.html"}) {
     inputs.push_back({std::filesystem::path(flags.from) / file, "what is sized"});
   }
   return inputs;

@@ -17,6 +17,9 @@ namespace reeve::core {
 namespace {
 
 std::atomic<WaitingNotice> waiting_notice{nullptr};
+std::atomic<const std::atomic<bool>*> waits_end{nullptr};
+
+constexpr int between_looks_ms = 100;
 
 [[noreturn]] void fail_to_read(const std::string& name, int reason) {
   throw InputError(
@@ -58,10 +61,11 @@ class OpenFile {
   int descriptor_;
 };
 
-// A signal that somebody handles ends a wait early.
-void wait_for_a_writer(const OpenFile& pipe, const std::string& name) {
-  if (!pipe.is_ready(waiting_patience_ms)) give_waiting_notice(name, Awaited::writer);
-  while (!pipe.is_ready(-1)) continue;
+// Of a regular file there is always something to read, if only its end.
+void wait_for_text(const OpenFile& file, const std::string& name) {
+  while (!file.is_ready(between_looks_ms)) {
+    if (waits_are_ended()) throw WaitInterrupted(name, Awaited::writer);
+  }
 }
 
 }  // namespace
@@ -73,6 +77,17 @@ void give_waiting_notice(const std::string& file, Awaited awaited) {
   if (notice != nullptr) notice(file.c_str(), awaited);
 }
 
+WaitInterrupted::WaitInterrupted(const std::string& file, Awaited awaited)
+    : std::runtime_error(fmt::format("interrupted: nobody {} '{}'",
+                                     awaited == Awaited::reader ? "reads" : "writes to", file)) {}
+
+void end_waits_on(const std::atomic<bool>* stop) { waits_end.store(stop); }
+
+bool waits_are_ended() {
+  const std::atomic<bool>* const stop = waits_end.load();
+  return stop != nullptr && stop->load();
+}
+
 std::string read_input(const std::filesystem::path& file, std::size_t most,
                        const std::string& kind) {
   const std::string& name = file.native();
@@ -81,7 +96,9 @@ std::string read_input(const std::filesystem::path& file, std::size_t most,
   if (S_ISDIR(mode)) {
     throw InputError({.where = name, .what = "is a directory", .expected = kind});
   }
-  if (S_ISFIFO(mode)) wait_for_a_writer(in, name);
+  if (S_ISFIFO(mode) && !in.is_ready(waiting_patience_ms)) {
+    give_waiting_notice(name, Awaited::writer);
+  }
   in.block();
   std::string text;
   // In pieces, since what is no regular file does not tell its size.
@@ -90,6 +107,7 @@ std::string read_input(const std::filesystem::path& file, std::size_t most,
     const std::size_t begin = text.size();
     const std::size_t wanted = std::min(piece, most + 1 - begin);
     text.resize(begin + wanted);
+    wait_for_text(in, name);
     const ssize_t count = in.read(text.data() + begin, wanted);
     if (count < 0) fail_to_read(name, errno);
     text.resize(begin + static_cast<std::size_t>(count));

@@ -1,18 +1,30 @@
 #include "pages/shell/figure_files.hpp"
 
-#include <fstream>
 #include <set>
+#include <sstream>
+#include <system_error>
 #include <utility>
+
+#include "core/error.hpp"
+#include "core/input/input_file.hpp"
 
 namespace reeve::pages {
 namespace {
 
 constexpr const char* list_name = ".reeve";
+constexpr std::size_t longest_list = std::size_t{1} << 24;
 
 // A line that is no plain file name is none of ours: the list may have been tampered with.
 std::set<std::string> listed(const std::filesystem::path& folder) {
   std::set<std::string> names;
-  std::ifstream list(folder / list_name);
+  const std::filesystem::path file = folder / list_name;
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status)) return names;
+  if (!std::filesystem::is_regular_file(status)) {
+    throw InputError({.where = file.string(), .expected = "the list of reeve's figures, a file"});
+  }
+  std::istringstream list(read_input(file, longest_list, "the list of reeve's figures"));
   list.exceptions(std::ios::badbit);  // where there is no memory
   for (std::string name; std::getline(list, name);) {
     const bool is_plain = std::filesystem::path(name).filename() == name;

@@ -26,7 +26,8 @@ _REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "hel
 class FileText:
     """A value that the program reads from a file, under the name of its argument."""
 
-    def __init__(self, argument: str, ending: str, text: str) -> None:
+    def __init__(self, argument: str, ending: str, text: str, is_of_user: bool = True) -> None:
+        self.is_of_user = is_of_user  # who knows its lines
         self.argument = argument
         self.name = argument + ending
         self.text = text
@@ -67,7 +68,7 @@ def _csv(frame: Any) -> str:
 
 def _as_file(name: str, value: Any) -> Any:
     if isinstance(value, (_core.Hardware, Model)):
-        return FileText(name, ".toml", value.to_toml())
+        return FileText(name, ".toml", value.to_toml(), is_of_user=isinstance(value, Model))
     if hasattr(value, "to_csv"):
         return FileText(name, ".csv", _csv(value))
     return value
@@ -196,7 +197,8 @@ class Request:
             return text
         for file in self.files():
             path = re.escape(str(self._folder / file.name))
-            # What is wrong with a Hardware is said by its key; nobody has seen its file.
-            text = re.sub(path + r"(:\d+)*: (?=hardware\b)", "", text)
+            # An error about a Hardware names the key alone: nobody has seen its file.
+            if not file.is_of_user:
+                text = re.sub(path + r"(:\d+)*: (?=hardware\b)", "", text)
             text = re.sub(path + r"(?::(\d+))?", lambda found: file.place(found[1]), text)
         return text

@@ -147,6 +147,10 @@ def test_what_is_wrong_with_a_hardware_is_named_by_its_key(tmp_path):
             call()
         assert str(beyond.value) == f"routing 'M-1-T-2-F': {path}:1:10: {strong}"
 
+    with pytest.raises(reeve.OutOfRange) as beyond:  # a model's lines are the user's own
+        reeve.show("TR1", model=reeve.Model(text))
+    assert str(beyond.value) == f"routing 'M-1-T-2-F': model:1:10: {strong}"
+
     joints = [{"arm_mm": 8, "range_deg": 90, "lever_mm": 60}]
     with pytest.raises(reeve.InputError) as lacking:
         reeve.show("TR1", hardware=reeve.Hardware(fingers={1: {"joints": joints, "force_N": 5}}))

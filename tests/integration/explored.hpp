@@ -27,7 +27,7 @@ inline ProcessOptions disturbed(int signal, std::function<bool(const RunningProc
   return options;
 }
 
-// Its runtime has to be loaded before everything else, and has an allocator of its own.
+// A sanitizer's runtime has to be loaded before everything else, and has an allocator of its own.
 inline bool has_sanitizer() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return true;

@@ -1,4 +1,5 @@
 // Stopped, killed, or out of space: what is there is whole, and says what it is.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -87,13 +88,33 @@ TEST(HangUp, TwiceAtOnceIsOne) {
   EXPECT_TRUE(explored.summary()["partial"]);
 }
 
-// A pipe that nobody writes to holds it up.
+// A reader that has opened a pipe and does not read it holds the page up.
 TEST(HangUp, AgainLaterEndsTheProcess) {
+  Explored explored({"--fingers", "2"});
+  const std::filesystem::path pipe = explored.out() / "index.html";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  explored.run({"--fingers", "2"}, hung_up_twice(1500ms));
+  EXPECT_EQ(explored.result.signal, SIGHUP);
+  ::close(reader);
+}
+
+// The wait for an input, too, of which a writer may never come or never write.
+TEST_P(StoppingSignal, EndsTheWaitForAnInput) {
   TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-  ProcessOptions options = hung_up_twice(1500ms);
-  options.directory = folder.path();
-  EXPECT_EQ(reeve({"diagnose", "pipe"}, options).signal, SIGHUP);
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const bool has_writer : {false, true}) {
+    const int writer = has_writer ? ::open(pipe.c_str(), O_RDWR) : -1;
+    ProcessOptions options = disturbed(GetParam(), after_it_catches(GetParam(), 0ms));
+    options.directory = folder.path();
+    const ProcessResult result = reeve({"diagnose", "pipe"}, options);
+    EXPECT_EQ(result.exit_code, 3) << has_writer;
+    EXPECT_NE(result.err.find("interrupted: nobody writes to 'pipe'"), std::string::npos)
+        << result.err;
+    if (has_writer) ::close(writer);
+  }
 }
 
 TEST(HangUp, UnderNohupIsIgnored) {
@@ -222,6 +243,16 @@ TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
   EXPECT_EQ(read.exit_code, 2);
   EXPECT_NE(read.err.find("there is no summary.json, which is written last"), std::string::npos)
       << read.err;
+}
+
+// The page of what is sized would go, and the folder could not be read again.
+TEST(MixedFolder, IsNotMadeBySizingIntoTheFolderThatIsSized) {
+  const Explored explored({"--fingers", "2"});
+  const ProcessResult size = reeve({"size", "--from", explored.out().string(), "--vary",
+                                    "tip_angle=1..4", "--out", explored.out().string()});
+  EXPECT_EQ(size.exit_code, 2);
+  EXPECT_NE(size.err.find("index.html' would be written over what is sized"), std::string::npos)
+      << size.err;
 }
 
 TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {

@@ -1,5 +1,6 @@
 // A store that is damaged or was changed is refused, and stays byte for byte as it is.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
@@ -59,6 +60,20 @@ TEST_F(DamagedStore, WithRowsOfAShardThatHasNotBegun) {
 TEST_F(DamagedStore, WithDesignsThatItDoesNotKeep) {
   change("INSERT INTO designs SELECT 0, routing" + objective_columns() + " FROM archive LIMIT 1");
   expect_refused("the table designs: expected what explore saved there" + was_changed);
+}
+
+// It would act while the store is written, before the digest is taken.
+TEST_F(DamagedStore, WithATrigger) {
+  change("CREATE TRIGGER t AFTER INSERT ON sample BEGIN DELETE FROM archive; END");
+  expect_refused(
+      "its tables are not those of a store: it is damaged, or was changed; expected "
+      "what reeve explore stored");
+}
+
+// SQLite would wait for somebody to write to it.
+TEST_F(DamagedStore, BesideAPipeThatIsTakenForALog) {
+  ASSERT_EQ(::mkfifo((store().string() + "-journal").c_str(), 0600), 0);
+  expect_refused("'s.db-journal' beside it is no file; expected a file of SQLite's, or none");
 }
 
 TEST_F(DamagedStore, WithAShardThatWasNotExplored) {

@@ -1,5 +1,10 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -54,7 +59,7 @@ TEST(FigureFiles, RemoveNothingOutsideTheirFolder) {
 TEST(ResultFiles, HaveOneStampAndTakeAwayWhatThisResultHasNot) {
   const TemporaryFolder folder;
   const fs::path& out = folder.path();
-  write_result(out, {{{"a.csv", "x\n1\n"}, {"b.csv", "y\n"}}, std::nullopt, {}}, stamp);
+  write_result(out, {{{"a.csv", "x\n1\n"}, {"b.csv", "y\n2\n"}}, std::nullopt, {}}, stamp);
   EXPECT_TRUE(fs::exists(out / "b.csv"));
   EXPECT_FALSE(fs::exists(out / "figures"));
   write_result(out,
@@ -68,6 +73,34 @@ TEST(ResultFiles, HaveOneStampAndTakeAwayWhatThisResultHasNot) {
   EXPECT_EQ(read_text(out / "figures/f.svg"), "<svg/>\n<!-- result_id 0123456789abcdef -->\n");
   EXPECT_EQ(read_text(out / "figures/f.txt"), "A caption.\n");
   EXPECT_EQ(read_text(out / "a.json"), "{}\n");
+}
+
+TEST(ResultFiles, LeaveWhatSomebodyElsePutThere) {
+  const TemporaryFolder folder;
+  folder.write("b.csv", "mine\n3\n");
+  write_result(folder.path(), {{{"b.csv", std::nullopt}}, std::nullopt, {}}, stamp);
+  EXPECT_EQ(read_text(folder.path() / "b.csv"), "mine\n3\n");
+}
+
+TEST(ResultFiles, AreNotWrittenWhereTheListOfFiguresIsNoFile) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "figures/.reeve");
+  EXPECT_EQ(folder.error_of([&] { write_figures(folder.path(), {}); }),
+            "figures/.reeve: expected the list of reeve's figures, a file");
+}
+
+TEST(ResultFiles, WaitForARunThatWritesIntoTheFolder) {
+  const TemporaryFolder folder;
+  const int other = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  std::jthread writer([&] {
+    write_result(folder.path(), {{{"a.csv", "x\n1\n"}}, std::nullopt, {}}, stamp);
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(fs::exists(folder.path() / "a.csv"));
+  ::close(other);
+  writer.join();
+  EXPECT_TRUE(fs::exists(folder.path() / "a.csv"));
 }
 
 }  // namespace

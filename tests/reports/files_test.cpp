@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -27,6 +28,7 @@ std::vector<std::string> names_in(const std::filesystem::path& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     names.push_back(entry.path().filename().string());
   }
+  std::sort(names.begin(), names.end());
   return names;
 }
 
@@ -168,7 +170,7 @@ TEST(WritingAFile, WaitsForAReaderUntilTheEndIsWanted) {
     for (int i = 0; i < 500 && !ended; ++i) std::this_thread::sleep_for(10ms);
     if (!ended) read_text(pipe);
   });
-  EXPECT_THROW(write_file(pipe, "text"), reports::WaitInterrupted);
+  EXPECT_THROW(write_file(pipe, "text"), WaitInterrupted);
   ended = true;
   late_reader.join();
   end_waits_on(nullptr);
@@ -214,9 +216,33 @@ TEST(FileBatch, AppearsAtOnceAndTakesTheOldAway) {
   batch.commit();
   EXPECT_EQ(read_text(folder.path() / "a"), "new");
   EXPECT_EQ(read_text(folder.path() / "b"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "elsewhere"));
-  EXPECT_EQ(names_in(folder.path()).size(), 3U);
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"a", "b", "elsewhere"}));
+}
+
+// Unlinking asks for the right to write in the folder, not for that to write the file.
+TEST(FileBatch, RemovesWhatMayNotBeWritten) {
+  const TemporaryFolder folder;
+  folder.write("stale", "old");
+  std::filesystem::permissions(folder.path() / "stale", std::filesystem::perms::none);
+  FileBatch batch;
+  batch.remove(folder.path() / "stale");
+  batch.commit();
+  EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(FileBatch, RefusesTwoNamesOfOneFileBeforeItChangesAny) {
+  const TemporaryFolder folder;
+  folder.write("a", "old");
+  std::filesystem::create_symlink("a", folder.path() / "b");
+  EXPECT_EQ(folder.error_of([&] {
+    FileBatch batch;
+    batch.add(folder.path() / "a", "new");
+    batch.add(folder.path() / "b", "new");
+    batch.commit();
+  }),
+            "files 'a' and 'b' are the same, by a link: expected two files");
+  EXPECT_EQ(read_text(folder.path() / "a"), "old");
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(FileBatch, LeavesNothingWhereItFails) {

@@ -23,7 +23,7 @@ std::vector<double> tube_coefficients() {
   return values;
 }
 
-// The same by one solve after the other.
+// Solves one sample after the other.
 std::vector<double> solved_one_by_one(const std::vector<Routing>& routings,
                                       const std::vector<double>& mu) {
   std::vector<double> table;
