@@ -31,6 +31,23 @@ void require_routings(const ShardRecord& record, const std::filesystem::path& fi
   }
 }
 
+void require_same(SQLite::Database& database, const Description& asked, const Shard& shard,
+                  const std::filesystem::path& file) {
+  if (const auto differs = difference(read_description(database), asked)) {
+    throw InputError({.where = file.string(),
+                      .what = fmt::format("it is of an exploration with {}", *differs),
+                      .expected = "the same, or another file",
+                      .form = InputForm::unknown});
+  }
+  for (const Shard& there : stored_shards(database)) {
+    if (there.count == shard.count) continue;
+    throw InputError({.where = file.string(),
+                      .what = fmt::format("it has shard {}/{}", there.index, there.count),
+                      .expected = fmt::format("shards of {}, or another file", shard.count),
+                      .form = InputForm::unknown});
+  }
+}
+
 }  // namespace
 
 // Writes until the end. Who begins or ends to read may keep it waiting for a moment.
@@ -84,35 +101,21 @@ bool ExplorationStore::is_there_and_same(std::optional<Keep> keep) {
   if (!database) return false;
   // All that is read is of one moment.
   database->exec("BEGIN");
-  require_same(*database, keep);
+  require_same(*database, asked_, shard_, file_);
+  keep_ = read_keep(*database);
+  if (keep) require_keep(*keep);
+  require_record(read_record(*database, shard_.index));
+  require_as_written(*database, file_);
   require_sound(*database);
   return true;
 }
 
-void ExplorationStore::require_same(SQLite::Database& database, std::optional<Keep> keep) {
-  if (const auto differs = difference(read_description(database), asked_)) {
-    throw InputError({.where = file_.string(),
-                      .what = fmt::format("it is of an exploration with {}", *differs),
-                      .expected = "the same, or another file",
-                      .form = InputForm::unknown});
-  }
-  for (const Shard& there : stored_shards(database)) {
-    if (there.count == shard_.count) continue;
-    throw InputError({.where = file_.string(),
-                      .what = fmt::format("it has shard {}/{}", there.index, there.count),
-                      .expected = fmt::format("shards of {}, or another file", shard_.count),
-                      .form = InputForm::unknown});
-  }
-  keep_ = read_keep(database);
-  if (keep.value_or(keep_) != keep_) {
-    throw InputError(
-        {.where = file_.string(),
-         .what = keep_ == Keep::all ? "it keeps all designs" : "it keeps the best alone",
-         .expected = "to go on keeping these, or another file",
-         .form = InputForm::unknown});
-  }
-  require_record(read_record(database, shard_.index));
-  require_as_written(database, file_);
+void ExplorationStore::require_keep(Keep asked) const {
+  if (asked == keep_) return;
+  throw InputError({.where = file_.string(),
+                    .what = keep_ == Keep::all ? "it keeps all designs" : "it keeps the best alone",
+                    .expected = "to go on keeping these, or another file",
+                    .form = InputForm::unknown});
 }
 
 void ExplorationStore::require_record(const std::optional<ShardRecord>& record) const {

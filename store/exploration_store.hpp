@@ -14,10 +14,6 @@
 #include "search/explore.hpp"
 #include "store/description.hpp"
 
-namespace SQLite {
-class Database;
-}
-
 namespace reeve::store {
 
 enum class Keep : std::uint8_t { best, all };
@@ -46,7 +42,7 @@ class ExplorationStore {
   struct Connection;
 
   bool is_there_and_same(std::optional<Keep> keep);
-  void require_same(SQLite::Database& database, std::optional<Keep> keep);
+  void require_keep(Keep asked) const;
   void require_record(const std::optional<ShardRecord>& record) const;
   void require_there() const;
 
