@@ -30,7 +30,7 @@ class FileBatch {
   void add(const std::filesystem::path& file, const std::string& content);
   void commit();
 
-  // What is not there need not go; of a link the link goes, and not what it leads to.
+  // A file that is not there is no error. A link is removed itself, not the file that it leads to.
   void remove(const std::filesystem::path& file);
 
  private:

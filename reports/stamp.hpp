@@ -1,4 +1,4 @@
-// Which result a file is of: all files that one run leaves in its folder have the same stamp.
+// A stamp names the result of a file: all files that one run leaves in its folder have the same.
 //
 // Its id needs no clock, so that the same command writes the same bytes. It tells accidents apart,
 // not forgeries.

@@ -61,7 +61,7 @@ class OpenFile {
   int descriptor_;
 };
 
-// Of a regular file there is always something to read, if only its end.
+// A regular file is always ready to be read, if only to its end.
 void wait_for_text(const OpenFile& file, const std::string& name) {
   while (!file.is_ready(between_looks_ms)) {
     if (waits_are_ended()) throw WaitInterrupted(name, Awaited::writer);

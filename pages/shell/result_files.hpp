@@ -1,4 +1,4 @@
-// What a command leaves in the folder of --out: files of one result, of the earlier or of this one.
+// Writes the files of --out: the folder holds one result, the earlier or this one.
 #pragma once
 
 #include <filesystem>

@@ -91,7 +91,7 @@ TEST(FileBatch, IsOnTheDiskBeforeItHasItsNamesAndItsFolderAfterwards) {
   EXPECT_EQ(calls.back().file, status.st_ino);
 }
 
-// What a kill before each change would leave.
+// Records the folder before each change, as a kill there would leave it.
 TEST(FileBatch, NeverHoldsOldAndNewFilesAndItsLastFileMeansAll) {
   const TemporaryFolder folder;
   for (const char* name : {"a", "b", "stale", "last"}) folder.write(name, "old");
