@@ -1,4 +1,4 @@
-// What is on the disk when, should the power fail or the process be killed: no file has its name
+// Records the order of writes, for a power failure or a kill at any moment: no file has its name
 // before its bytes are there, and no new one appears before the old ones are gone.
 // The program's calls of the kernel go through the functions of these names here.
 #include <fcntl.h>
