@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/hand.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bench/hand.hpp"
 #include "pages/exploration/exploration_page.hpp"
-#include "reports/results/design_list.hpp"
+#include "reports/exploration/design_list.hpp"
 #include "search/explore.hpp"
 #include "studies/shown_routing.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/input/input_file.hpp"
+#include "core/input_file.hpp"
 
 namespace reeve::catalog {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reports/shell_word.hpp"
+#include "reports/output/shell_word.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -9,12 +9,12 @@
 #include "cli/supervision.hpp"
 #include "pages/exploration/exploration_page.hpp"
 #include "pages/shell/result_files.hpp"
-#include "reports/decision/ladder_report.hpp"
+#include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
+#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/shard_file.hpp"
-#include "reports/results/design_list.hpp"
-#include "reports/stamp.hpp"
-#include "reports/uncertainty/sweep_report.hpp"
+#include "reports/exploration/sweep_report.hpp"
+#include "reports/output/stamp.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve::cli {

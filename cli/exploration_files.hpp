@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
 
 namespace reeve::cli {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 
 namespace reeve::cli {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/hardware.hpp"
-#include "search/judge/objectives.hpp"
-#include "search/judge/score.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "search/evaluate/score.hpp"
 
 namespace reeve::cli {
 

@@ -14,7 +14,7 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
-#include "reports/files.hpp"
+#include "reports/output/files.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/rig/hardware_file.hpp"
-#include "catalog/rig/model_file.hpp"
+#include "catalog/hardware_file.hpp"
+#include "catalog/model_file.hpp"
 #include "cli/outputs.hpp"
 #include "core/error.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/judge/objectives.hpp"
-#include "search/judge/order.hpp"
-#include "search/judge/score.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "search/evaluate/score.hpp"
+#include "search/rank/order.hpp"
 
 namespace reeve::cli {
 

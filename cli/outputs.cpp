@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "reports/destination.hpp"
+#include "reports/output/destination.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -27,7 +27,7 @@ void require_no_input_in(const std::filesystem::path& folder, const std::vector<
 // The folder, or what there is of the way to it. Throws InputError.
 void require_folder_can_be_written(const std::filesystem::path& folder, const std::string& option);
 
-// As write_file would (reports/destination.hpp). Throws InputError.
+// As write_file would (reports/output/destination.hpp). Throws InputError.
 void require_file_can_be_written(const std::filesystem::path& file, const std::string& option);
 
 }  // namespace reeve::cli

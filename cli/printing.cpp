@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "cli/terminal.hpp"
-#include "reports/sheet/sheet_latex.hpp"
-#include "reports/sheet/sheet_markdown.hpp"
-#include "reports/sheet/sheet_text.hpp"
+#include "reports/document/sheet_latex.hpp"
+#include "reports/document/sheet_markdown.hpp"
+#include "reports/document/sheet_text.hpp"
 
 namespace reeve::cli {
 namespace {

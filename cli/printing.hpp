@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/inputs.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
 
 namespace reeve::cli {
 

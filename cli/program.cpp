@@ -15,11 +15,11 @@
 #include "cli/launched.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
-#include "core/input/input_file.hpp"
+#include "core/input_file.hpp"
 #include "core/version.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/processes.hpp"
-#include "reports/files.hpp"
+#include "reports/output/files.hpp"
 #include "studies/shared/crew.hpp"
 
 namespace reeve::cli {

@@ -4,8 +4,8 @@
 #include <compare>
 #include <utility>
 
-#include "core/word/canonical_tree.hpp"
-#include "core/word/walk_image.hpp"
+#include "core/canonical_tree.hpp"
+#include "core/walk_image.hpp"
 
 namespace reeve::core {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/hand/hand.hpp"
-#include "core/hand/hand_fault.hpp"
+#include "core/hand.hpp"
+#include "core/hand_fault.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {

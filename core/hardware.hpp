@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/hand/hand_parts.hpp"
+#include "core/hand_parts.hpp"
 #include "numerics/floors.hpp"
 
 namespace reeve::core {

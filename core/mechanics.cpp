@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {

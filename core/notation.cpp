@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/word/ledgers.hpp"
-#include "core/word/token_text.hpp"
-#include "core/word/word_fault.hpp"
+#include "core/ledgers.hpp"
+#include "core/token_text.hpp"
+#include "core/word_fault.hpp"
 
 namespace reeve::core {
 namespace {

@@ -1,5 +1,7 @@
 #include "core/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -39,5 +41,9 @@ std::optional<double> number_in(std::string_view text) {
 }
 
 std::optional<int> whole_number_in(std::string_view text) { return read_whole<int>(text); }
+
+std::string fixed(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
 
 }  // namespace reeve::core

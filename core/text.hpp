@@ -22,4 +22,7 @@ std::string_view trimmed(std::string_view text);
 std::optional<double> number_in(std::string_view text);
 std::optional<int> whole_number_in(std::string_view text);
 
+// Returns a number with this many decimals; "-" if it is not finite.
+std::string fixed(double value, int decimals = 3);
+
 }  // namespace reeve::core

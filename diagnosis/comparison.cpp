@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/model/forecast.hpp"
+#include "diagnosis/fit/forecast.hpp"
 
 namespace reeve::diagnosis {
 namespace {

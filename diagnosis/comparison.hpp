@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 

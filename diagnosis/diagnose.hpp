@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnosis_result.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 

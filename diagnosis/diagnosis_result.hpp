@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/data/note.hpp"
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
@@ -19,6 +18,7 @@
 #include "diagnosis/verdict/share_error.hpp"
 #include "diagnosis/verdict/structure.hpp"
 #include "diagnosis/verdict/without_apart.hpp"
+#include "readings/note.hpp"
 
 namespace reeve::diagnosis {
 

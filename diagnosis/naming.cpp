@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "diagnosis/search/candidates.hpp"
 
 namespace reeve::diagnosis {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnosis/diagnosis_result.hpp"
-#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/verdict/aliases.hpp"
 
 namespace reeve::diagnosis {

@@ -1,18 +1,18 @@
 #include <string>
 
 #include "core/grasp.hpp"
-#include "diagnosis/data/intake/reading_options.hpp"
-#include "diagnosis/data/known_noise.hpp"
 #include "fuzz/fuzzed.hpp"
-#include "search/decide/ladder.hpp"
+#include "readings/known_noise.hpp"
+#include "readings/reading_options.hpp"
 #include "search/enumerate/parts.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "search/evaluate/score.hpp"
 #include "search/explore.hpp"
-#include "search/judge/objectives.hpp"
-#include "search/judge/score.hpp"
-#include "search/size/dimension.hpp"
-#include "search/size/goal.hpp"
-#include "search/size/varied_range.hpp"
+#include "search/rank/ladder.hpp"
 #include "search/uncertainty/swept_coefficient.hpp"
+#include "sizing/dimension.hpp"
+#include "sizing/goal.hpp"
+#include "sizing/varied_range.hpp"
 
 namespace reeve::fuzz {
 namespace {
@@ -24,11 +24,11 @@ const std::vector<Option>& all_options() {
       [](const std::string& text) { search::parse_objectives(text); },
       [](const std::string& text) { search::parse_constraint(text); },
       [](const std::string& text) { search::parse_score(text); },
-      [](const std::string& text) { search::parse_dimensions(text); },
-      [](const std::string& text) { search::parse_goal(text); },
-      [](const std::string& text) { search::parse_target(text, 3); },
-      [](const std::string& text) { search::parse_varied(text); },
-      [](const std::string& text) { search::parse_same(text); },
+      [](const std::string& text) { sizing::parse_dimensions(text); },
+      [](const std::string& text) { sizing::parse_goal(text); },
+      [](const std::string& text) { sizing::parse_target(text, 3); },
+      [](const std::string& text) { sizing::parse_varied(text); },
+      [](const std::string& text) { sizing::parse_same(text); },
       [](const std::string& text) { search::parse_sweep(text); },
       [](const std::string& text) { search::parse_within(text); },
       [](const std::string& text) { search::parse_tips(text); },

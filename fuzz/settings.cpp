@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "catalog/rig/model_file.hpp"
-#include "catalog/rig/price_file.hpp"
+#include "catalog/model_file.hpp"
+#include "catalog/price_file.hpp"
 #include "fuzz/fuzzed.hpp"
 
 namespace reeve::fuzz {

@@ -16,9 +16,18 @@ using namespace numerics;
 namespace causes {
 using namespace core;
 }  // namespace causes
+namespace readings {
+using namespace core;
+}  // namespace readings
+namespace drawing {
+using namespace core;
+}  // namespace drawing
 namespace search {
 using namespace causes;
 }  // namespace search
+namespace sizing {
+using namespace search;
+}  // namespace sizing
 namespace store {
 using namespace search;
 }  // namespace store
@@ -26,14 +35,17 @@ namespace catalog {
 using namespace causes;
 }  // namespace catalog
 namespace diagnosis {
+using namespace readings;
 using namespace causes;
 }  // namespace diagnosis
 namespace studies {
+using namespace sizing;
 using namespace store;
 using namespace catalog;
 using namespace diagnosis;
 }  // namespace studies
 namespace reports {
+using namespace drawing;
 using namespace studies;
 }  // namespace reports
 namespace pages {

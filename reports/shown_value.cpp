@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "reports/sheet/sheet.hpp"
-#include "reports/telling_digits.hpp"
+#include "core/text.hpp"
+#include "reports/document/sheet.hpp"
+#include "reports/output/telling_digits.hpp"
 
 namespace reeve::reports {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "studies/listed_design.hpp"
 
 namespace reeve::reports {

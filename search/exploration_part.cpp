@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/record_parts.hpp"
 #include "search/routing_source.hpp"
 

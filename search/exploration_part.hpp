@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/decide/ladder_archive.hpp"
-#include "search/decide/unmet.hpp"
 #include "search/explore.hpp"
-#include "search/judge/archive.hpp"
+#include "search/rank/archive.hpp"
+#include "search/rank/ladder_archive.hpp"
+#include "search/rank/unmet.hpp"
 #include "search/sample.hpp"
 #include "search/shard_record.hpp"
 

@@ -14,13 +14,13 @@
 
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
-#include "core/parts/part_prices.hpp"
-#include "search/decide/ladder.hpp"
-#include "search/decide/unmet.hpp"
+#include "core/part_prices.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/judge/ranking.hpp"
-#include "search/judge/score.hpp"
+#include "search/evaluate/score.hpp"
 #include "search/keeping.hpp"
+#include "search/rank/ladder.hpp"
+#include "search/rank/ranking.hpp"
+#include "search/rank/unmet.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {

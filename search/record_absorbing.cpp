@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "numerics/parallel.hpp"
-#include "search/judge/deciding_evaluation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/deciding_evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/pieces.hpp"
 #include "search/record_parts.hpp"
 

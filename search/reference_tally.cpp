@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "search/judge/evaluation.hpp"
-#include "search/judge/pareto.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/pareto.hpp"
 
 namespace reeve::search {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/evaluate/deciding_evaluation.hpp"
 #include "search/exploration_part.hpp"
-#include "search/judge/deciding_evaluation.hpp"
 
 namespace reeve::search {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "search/decide/unmet.hpp"
+#include "search/rank/unmet.hpp"
 
 namespace reeve::search {
 

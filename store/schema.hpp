@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::store {
 

@@ -7,7 +7,7 @@
 #include "catalog/mechanisms/mechanism_check.hpp"
 #include "catalog/publication.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 #include "studies/publication_check.hpp"
 
 namespace reeve::studies {

@@ -7,7 +7,7 @@
 #include "catalog/catalogue.hpp"
 #include "causes/model.hpp"
 #include "diagnosis/comparison.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::studies {
 

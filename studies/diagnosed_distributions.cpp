@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_shares.hpp"
+#include "readings/measured_shares.hpp"
 
 namespace reeve::studies {
 namespace {

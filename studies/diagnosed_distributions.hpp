@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "readings/measured_data.hpp"
 #include "studies/published_models.hpp"
 #include "studies/tension_distributions.hpp"
 

@@ -8,10 +8,10 @@
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/row_order.hpp"
+#include "readings/row_order.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/judge/evaluation.hpp"
-#include "search/judge/ranking.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/ranking.hpp"
 
 namespace reeve::studies {
 namespace {

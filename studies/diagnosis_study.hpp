@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "readings/measured_data.hpp"
 #include "studies/published_models.hpp"
 #include "studies/shown_routing.hpp"
 
@@ -40,7 +40,7 @@ struct CatalogueRanking {
 };
 
 struct DiagnosisReport {
-  MeasuredData data;  // in the order of its contents (diagnosis/data/row_order.hpp)
+  MeasuredData data;  // in the order of its contents (readings/row_order.hpp)
   Hardware hardware;
   DiagnosisSettings settings;
   bool with_generated = false;

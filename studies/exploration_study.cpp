@@ -5,10 +5,10 @@
 
 #include "catalog/names.hpp"
 #include "core/canonical.hpp"
-#include "search/decide/alike.hpp"
-#include "search/decide/places.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/rank/alike.hpp"
+#include "search/rank/places.hpp"
 
 namespace reeve::studies {
 namespace {

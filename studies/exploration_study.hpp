@@ -10,7 +10,7 @@
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/study_supervision.hpp"
-#include "studies/uncertainty/swept_designs.hpp"
+#include "studies/swept_designs.hpp"
 
 namespace reeve::studies {
 

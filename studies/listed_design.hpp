@@ -7,10 +7,10 @@
 
 #include "catalog/catalogue.hpp"
 #include "core/canonical.hpp"
-#include "core/parts/part_prices.hpp"
+#include "core/part_prices.hpp"
 #include "core/routing.hpp"
-#include "search/decide/ladder.hpp"
-#include "search/judge/ranking.hpp"
+#include "search/rank/ladder.hpp"
+#include "search/rank/ranking.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve::studies {
@@ -21,7 +21,7 @@ struct ListedDesign {
   std::string name;  // "" if it has none
   // Only where uncertainty was asked for.
   std::optional<RankDistribution> distribution;
-  // Designs that differ in bearings alone, which change nothing (search/decide/alike.hpp): of the
+  // Designs that differ in bearings alone, which change nothing (search/rank/alike.hpp): of the
   // first of them the words of the others that are listed, and of these its word.
   std::vector<std::string> alike = {};
   std::string same_as = {};
@@ -45,10 +45,10 @@ std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
                                        std::vector<Routing> routings, const DrawnDesigns& drawn,
                                        const Catalogue& catalogue);
 
-// Of a ranking that begins with these designs: search/decide/places.hpp.
+// Of a ranking that begins with these designs: search/rank/places.hpp.
 void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
 
-// Likewise: search/decide/alike.hpp.
+// Likewise: search/rank/alike.hpp.
 void mark_alike(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
 
 // `listed` is where ranks are looked up.

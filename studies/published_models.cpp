@@ -10,8 +10,8 @@
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
-#include "diagnosis/data/measured_shares.hpp"
 #include "diagnosis/verdict/share_error.hpp"
+#include "readings/measured_shares.hpp"
 
 namespace reeve::studies {
 namespace {

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "search/decide/alike.hpp"
-#include "search/decide/ladder_archive.hpp"
-#include "search/decide/places.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/alike.hpp"
+#include "search/rank/ladder_archive.hpp"
+#include "search/rank/places.hpp"
 
 namespace reeve::studies {
 namespace {

@@ -12,16 +12,16 @@
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
 #include "core/uncertainty_ranges.hpp"
-#include "search/judge/order.hpp"
-#include "search/judge/ranking.hpp"
-#include "search/judge/score.hpp"
+#include "search/evaluate/score.hpp"
+#include "search/rank/order.hpp"
+#include "search/rank/ranking.hpp"
 #include "search/uncertainty/margin.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
+#include "studies/swept_designs.hpp"
 #include "studies/tension_distributions.hpp"
-#include "studies/uncertainty/swept_designs.hpp"
 
 namespace reeve::studies {
 

@@ -4,7 +4,7 @@
 #include "causes/model_solver.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve::studies {
 

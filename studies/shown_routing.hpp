@@ -10,12 +10,12 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/network.hpp"
-#include "core/parts/part_prices.hpp"
+#include "core/part_prices.hpp"
 #include "core/performance.hpp"
 #include "core/routing.hpp"
 #include "core/tension/tension.hpp"
-#include "search/judge/objectives.hpp"
-#include "studies/hand/shown_hand.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "studies/shown_hand.hpp"
 
 namespace reeve::studies {
 

@@ -1,9 +1,9 @@
 #include "studies/simulation_study.hpp"
 
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
-#include "diagnosis/data/row_order.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "readings/measured_data.hpp"
+#include "readings/row_order.hpp"
 
 namespace reeve::studies {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "diagnosis/data/measured_shares.hpp"
+#include "readings/measured_shares.hpp"
 
 namespace reeve::studies {
 

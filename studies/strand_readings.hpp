@@ -6,7 +6,7 @@
 
 #include "catalog/catalogue.hpp"
 #include "catalog/publication.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::studies {
 

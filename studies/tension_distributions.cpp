@@ -12,8 +12,8 @@
 #include "catalog/fault.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_shares.hpp"
 #include "diagnosis/verdict/share_error.hpp"
+#include "readings/measured_shares.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve::studies {

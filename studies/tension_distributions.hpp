@@ -16,7 +16,7 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::studies {
 

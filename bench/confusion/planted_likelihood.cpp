@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnosis/model/forecast.hpp"
+#include "diagnosis/fit/forecast.hpp"
 #include "tests/support/planting_mounting.hpp"
 
 namespace reeve::bench {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/data/dataset.hpp"
+#include "diagnosis/dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::bench {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/confusion/planted_likelihood.hpp"
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/least_squares.hpp"

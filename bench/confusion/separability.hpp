@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::bench {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "catalog/rig/hardware_tables.hpp"
+#include "catalog/hardware_tables.hpp"
 #include "core/error.hpp"
 
 namespace reeve::catalog {

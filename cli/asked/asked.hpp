@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "reports/results/count_report.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/count_report.hpp"
+#include "reports/exploration/explore_report.hpp"
 #include "studies/check.hpp"
 #include "studies/comparison_study.hpp"
 #include "studies/diagnosis_study.hpp"
-#include "studies/import/import_study.hpp"
+#include "studies/import_study.hpp"
 #include "studies/ranking_study.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/simulation_study.hpp"
-#include "studies/sizing/sizing_study.hpp"
-#include "studies/stored/stored_ranking.hpp"
+#include "studies/sizing_study.hpp"
+#include "studies/stored_ranking.hpp"
 #include "studies/study_supervision.hpp"
 
 namespace reeve::cli {

@@ -7,8 +7,8 @@
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
-#include "reports/results/catalogue_sheet.hpp"
-#include "reports/results/check_report.hpp"
+#include "reports/catalogue_sheet.hpp"
+#include "reports/check_report.hpp"
 
 namespace reeve::cli {
 namespace {

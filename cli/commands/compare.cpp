@@ -13,8 +13,8 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "pages/shell/result_files.hpp"
-#include "reports/files.hpp"
-#include "reports/results/compare_report.hpp"
+#include "reports/compare_report.hpp"
+#include "reports/output/files.hpp"
 #include "studies/comparison_study.hpp"
 
 namespace reeve::cli {

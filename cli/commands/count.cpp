@@ -10,7 +10,7 @@
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
-#include "reports/results/count_report.hpp"
+#include "reports/exploration/count_report.hpp"
 #include "search/enumerate/counting.hpp"
 #include "search/limits/limited_counts.hpp"
 

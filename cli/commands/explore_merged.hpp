@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
+#include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/shard_file.hpp"
-#include "reports/results/explore_report.hpp"
 #include "studies/study_supervision.hpp"
 
 namespace reeve::cli {

@@ -9,8 +9,8 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "core/error.hpp"
-#include "reports/files.hpp"
 #include "reports/mujoco/mjcf.hpp"
+#include "reports/output/files.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -11,10 +11,10 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
-#include "reports/files.hpp"
-#include "reports/import/import_report.hpp"
-#include "reports/import/log_chart.hpp"
-#include "studies/import/import_study.hpp"
+#include "reports/import_report.hpp"
+#include "reports/log_chart.hpp"
+#include "reports/output/files.hpp"
+#include "studies/import_study.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
-#include "core/input/input_file.hpp"
+#include "core/input_file.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/stored_shards.hpp"

@@ -11,10 +11,10 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
-#include "pages/routing/routing_page.hpp"
+#include "pages/routing_page.hpp"
 #include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
-#include "reports/results/show_report.hpp"
+#include "reports/show_report.hpp"
 #include "studies/shown_routing.hpp"
 
 namespace reeve::cli {

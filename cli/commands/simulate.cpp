@@ -18,10 +18,10 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "reports/files.hpp"
-#include "reports/results/power_report.hpp"
-#include "reports/results/simulation_report.hpp"
-#include "reports/shell_word.hpp"
+#include "reports/output/files.hpp"
+#include "reports/output/shell_word.hpp"
+#include "reports/power_report.hpp"
+#include "reports/simulation_report.hpp"
 #include "studies/simulation_study.hpp"
 
 namespace reeve::cli {

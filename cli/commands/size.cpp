@@ -19,15 +19,15 @@
 #include "core/graph.hpp"
 #include "core/notation.hpp"
 #include "pages/shell/result_files.hpp"
-#include "pages/sizing/sizing_page.hpp"
+#include "pages/sizing_page.hpp"
 #include "reports/exploration/explored_folder.hpp"
-#include "reports/files.hpp"
-#include "reports/results/model_text.hpp"
-#include "reports/sizing/explored_settings.hpp"
-#include "reports/sizing/sizing_report.hpp"
-#include "reports/uncertainty/range_notes.hpp"
-#include "studies/sizing/explored_designs.hpp"
-#include "studies/sizing/sizing_study.hpp"
+#include "reports/exploration/range_notes.hpp"
+#include "reports/explored_settings.hpp"
+#include "reports/model_text.hpp"
+#include "reports/output/files.hpp"
+#include "reports/sizing_report.hpp"
+#include "studies/explored_designs.hpp"
+#include "studies/sizing_study.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -15,12 +15,12 @@
 #include "cli/flags/parsed_explore.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
+#include "reports/exploration/design_list.hpp"
 #include "reports/exploration/store_description.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
 #include "reports/exploration/stored_shards.hpp"
-#include "reports/results/design_list.hpp"
-#include "studies/stored/stored_ranking.hpp"
+#include "studies/stored_ranking.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "cli/flags/table_flags.hpp"
 #include "cli/inputs.hpp"
-#include "reports/results/design_list.hpp"
-#include "studies/stored/stored_ranking.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "studies/stored_ranking.hpp"
 
 namespace reeve::cli {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "catalog/rig/price_file.hpp"
+#include "catalog/price_file.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
-#include "core/parts/part_prices.hpp"
-#include "search/decide/ladder.hpp"
-#include "search/judge/objectives.hpp"
-#include "search/judge/order.hpp"
-#include "search/judge/score.hpp"
+#include "core/part_prices.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "search/evaluate/score.hpp"
+#include "search/rank/ladder.hpp"
+#include "search/rank/order.hpp"
 
 namespace reeve::cli {
 

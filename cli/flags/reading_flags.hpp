@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::cli {
 

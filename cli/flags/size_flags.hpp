@@ -8,7 +8,7 @@
 
 #include "cli/flags/table_flags.hpp"
 #include "cli/inputs.hpp"
-#include "search/size/size.hpp"
+#include "sizing/size.hpp"
 
 namespace reeve::cli {
 

@@ -4,7 +4,7 @@
 
 #include "cli/inputs.hpp"
 #include "reports/exploration/store_description.hpp"
-#include "studies/stored/stored_exploration.hpp"
+#include "studies/stored_exploration.hpp"
 
 namespace reeve::cli {
 

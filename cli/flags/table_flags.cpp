@@ -12,8 +12,8 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "reports/sheet/latex_width.hpp"
-#include "reports/sheet/sheet_latex.hpp"
+#include "reports/document/latex_width.hpp"
+#include "reports/document/sheet_latex.hpp"
 
 namespace reeve::cli {
 namespace {

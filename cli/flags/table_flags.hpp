@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/inputs.hpp"
-#include "reports/sheet/chosen_columns.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/chosen_columns.hpp"
+#include "reports/document/sheet.hpp"
 
 namespace reeve::cli {
 

@@ -17,8 +17,8 @@
 
 #include "causes/model.hpp"
 #include "core/routing.hpp"
-#include "diagnosis/model/noise.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/noise.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

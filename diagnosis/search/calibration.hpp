@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "causes/library.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 namespace {

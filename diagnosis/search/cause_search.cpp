@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/outlook.hpp"
 #include "diagnosis/search/rivals.hpp"

@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/mounting/mounting_scatter.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 

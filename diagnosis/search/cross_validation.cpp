@@ -1,6 +1,6 @@
 #include "diagnosis/search/cross_validation.hpp"
 
-#include "diagnosis/model/run_equations.hpp"
+#include "diagnosis/fit/run_equations.hpp"
 #include "numerics/matrices.hpp"
 
 namespace reeve::diagnosis {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "diagnosis/model/left_noise.hpp"
+#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/search/cross_validation.hpp"
 
 namespace reeve::diagnosis {

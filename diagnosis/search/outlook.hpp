@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/screening.hpp"
 #include "numerics/parallel.hpp"

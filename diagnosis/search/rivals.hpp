@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 
 namespace reeve::diagnosis {
 

@@ -14,8 +14,8 @@
 
 #include <vector>
 
-#include "diagnosis/model/null_model.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/null_model.hpp"
+#include "diagnosis/fit/problem.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

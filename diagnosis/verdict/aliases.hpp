@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/scatter.hpp"
 #include "diagnosis/search/rivals.hpp"
 
 namespace reeve::diagnosis {

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "diagnosis/model/forecast.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/forecast.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/data/sample.hpp"
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/sample.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 
 namespace reeve::diagnosis {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/scatter.hpp"
 #include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/held_out.hpp"
 #include "diagnosis/verdict/noise_limit.hpp"

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/data/measured_data.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/fit/noise.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 

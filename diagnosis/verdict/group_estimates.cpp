@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "numerics/student_t.hpp"
 
 namespace reeve::diagnosis {

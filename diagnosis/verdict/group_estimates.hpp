@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/model/intervals.hpp"
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/intervals.hpp"
+#include "diagnosis/fit/scatter.hpp"
 
 namespace reeve::diagnosis {
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

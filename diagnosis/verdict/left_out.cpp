@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 
 namespace reeve::diagnosis {
 namespace {

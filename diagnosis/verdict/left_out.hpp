@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/data/dataset.hpp"
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/dataset.hpp"
+#include "diagnosis/fit/scatter.hpp"
 #include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "causes/model.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

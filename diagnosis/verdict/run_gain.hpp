@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/data/measured_shares.hpp"
+#include "readings/measured_shares.hpp"
 
 namespace reeve::diagnosis {
 namespace {

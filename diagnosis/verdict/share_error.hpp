@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/data/measured_data.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 

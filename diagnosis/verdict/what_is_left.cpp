@@ -1,7 +1,7 @@
 #include "diagnosis/verdict/what_is_left.hpp"
 
-#include "diagnosis/model/mounting/mounted_draws.hpp"
-#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/fit/mounted_draws.hpp"
+#include "diagnosis/fit/null_model.hpp"
 
 namespace reeve::diagnosis {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "diagnosis/model/mounting/mounting_scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/verdict/row_scatter.hpp"
 #include "diagnosis/verdict/structure.hpp"
 

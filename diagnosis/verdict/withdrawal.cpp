@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "numerics/chi_squared.hpp"
 #include "numerics/matrices.hpp"
 

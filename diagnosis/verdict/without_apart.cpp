@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/left_noise.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 
 namespace reeve::diagnosis {

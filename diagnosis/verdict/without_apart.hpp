@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/model/intervals.hpp"
-#include "diagnosis/model/scatter.hpp"
+#include "diagnosis/fit/intervals.hpp"
+#include "diagnosis/fit/scatter.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/losses.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_svg.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "reports/chart/chart_scale.hpp"
-#include "reports/chart/chart_svg.hpp"
 
 namespace reeve::pages {
 namespace {

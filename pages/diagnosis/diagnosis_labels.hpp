@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

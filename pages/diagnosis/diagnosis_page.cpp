@@ -4,17 +4,17 @@
 
 #include <algorithm>
 
+#include "drawing/schematic/schematic_svg.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
-#include "pages/ranking/distribution_figure.hpp"
-#include "pages/ranking/distribution_notes.hpp"
+#include "pages/distribution_figure.hpp"
+#include "pages/distribution_notes.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/schematic/schematic_svg.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
+#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart_ticks.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "reports/chart/chart_svg.hpp"
-#include "reports/chart/chart_ticks.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -4,9 +4,9 @@
 #include "core/notation.hpp"
 #include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
-#include "reports/csv_field.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
+#include "reports/output/csv_field.hpp"
 
 namespace reeve::pages {
 namespace {

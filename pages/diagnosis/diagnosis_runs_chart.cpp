@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/chart/chart_svg.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "reports/chart/chart_svg.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/shell/html_table.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -7,8 +7,8 @@
 #include "diagnosis/search/rivals.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/diagnosis/diagnosis_tables.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "drawing/chart/chart_svg.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "reports/chart/chart_svg.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {

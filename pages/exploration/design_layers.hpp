@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "drawing/chart/chart.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "reports/chart/chart.hpp"
 
 namespace reeve::pages {
 

@@ -8,9 +8,9 @@
 
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_title.hpp"
-#include "reports/decision/decision_words.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/sheet/text_table.hpp"
+#include "reports/data_text.hpp"
+#include "reports/document/text_table.hpp"
+#include "reports/exploration/decision_words.hpp"
 #include "reports/shown_value.hpp"
 
 namespace reeve::pages {

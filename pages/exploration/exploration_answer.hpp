@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pages/exploration/exploration_details.hpp"
-#include "reports/json.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

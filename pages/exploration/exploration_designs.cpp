@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "pages/exploration/objective_title.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -10,9 +10,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reports/chart/chart.hpp"
-#include "reports/json.hpp"
-#include "reports/results/explore_report.hpp"
+#include "drawing/chart/chart.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "drawing/schematic/schematic_svg.hpp"
 #include "numerics/parallel.hpp"
 #include "pages/shell/compressed.hpp"
-#include "reports/results/shared_carriage.hpp"
-#include "reports/schematic/schematic_svg.hpp"
+#include "reports/shared_carriage.hpp"
 
 namespace reeve::pages {
 namespace {

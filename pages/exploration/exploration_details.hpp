@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/routing.hpp"
-#include "reports/json.hpp"
-#include "reports/results/show_report.hpp"
+#include "reports/output/json.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve::pages {
 

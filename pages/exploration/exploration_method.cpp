@@ -4,8 +4,8 @@
 
 #include "pages/exploration/phrases.hpp"
 #include "pages/shell/settings.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/results/model_text.hpp"
+#include "reports/data_text.hpp"
+#include "reports/model_text.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
 
 namespace reeve::pages {
 

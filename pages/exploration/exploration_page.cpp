@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
+#include "drawing/schematic/schematic_svg.hpp"
 #include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_holdings.hpp"
@@ -15,15 +16,14 @@
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/ladder_part.hpp"
 #include "pages/exploration/parallel_picture.hpp"
-#include "pages/routing/figure_captions.hpp"
-#include "pages/routing/figure_names.hpp"
+#include "pages/figure_captions.hpp"
+#include "pages/figure_names.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/template.hpp"
-#include "pages/uncertainty/sweep_figures.hpp"
-#include "reports/decision/decision_words.hpp"
-#include "reports/schematic/schematic_svg.hpp"
-#include "reports/uncertainty/band_report.hpp"
+#include "pages/sweep_figures.hpp"
+#include "reports/exploration/band_report.hpp"
+#include "reports/exploration/decision_words.hpp"
 
 namespace reeve::pages {
 namespace {

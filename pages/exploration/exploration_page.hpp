@@ -13,7 +13,7 @@
 #include "pages/exploration/exploration_details.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
 
 namespace reeve::pages {
 

@@ -6,14 +6,14 @@
 #include <array>
 #include <map>
 
+#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_svg.hpp"
+#include "pages/band_spans.hpp"
 #include "pages/exploration/design_layers.hpp"
 #include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
-#include "pages/uncertainty/band_spans.hpp"
-#include "reports/chart/chart_scale.hpp"
-#include "reports/chart/chart_svg.hpp"
-#include "reports/results/data_text.hpp"
+#include "reports/data_text.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "reports/chart/chart_scale.hpp"
+#include "drawing/chart/chart_scale.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "drawing/shapes.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "reports/shapes.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::pages {
 

@@ -13,7 +13,7 @@
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
-#include "reports/decision/decision_words.hpp"
+#include "reports/exploration/decision_words.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -1,8 +1,8 @@
 // The tables that an exploration's page has without JavaScript.
 #pragma once
 
-#include "reports/json.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

@@ -10,13 +10,13 @@
 #include "pages/exploration/exploration_method.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
-#include "reports/decision/decision_words.hpp"
-#include "reports/json.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/results/design_list.hpp"
-#include "reports/results/explore_report.hpp"
-#include "reports/results/shared_carriage.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "reports/data_text.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/json.hpp"
+#include "reports/shared_carriage.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {
 namespace {

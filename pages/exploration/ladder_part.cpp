@@ -3,7 +3,7 @@
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
-#include "reports/decision/ladder_report.hpp"
+#include "reports/exploration/ladder_report.hpp"
 
 namespace reeve::pages {
 

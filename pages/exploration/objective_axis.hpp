@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "reports/chart/chart.hpp"
-#include "search/judge/objectives.hpp"
+#include "drawing/chart/chart.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::pages {
 

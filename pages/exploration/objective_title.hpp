@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::pages {
 

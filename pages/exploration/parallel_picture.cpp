@@ -7,12 +7,12 @@
 #include <cmath>
 #include <string>
 
+#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_svg.hpp"
 #include "pages/exploration/design_layers.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"
-#include "reports/chart/chart_scale.hpp"
-#include "reports/chart/chart_svg.hpp"
-#include "reports/results/data_text.hpp"
+#include "reports/data_text.hpp"
 
 namespace reeve::pages {
 namespace {

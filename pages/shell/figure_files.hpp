@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "numerics/floors.hpp"
-#include "reports/files.hpp"
-#include "reports/stamp.hpp"
+#include "reports/output/files.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::pages {
 

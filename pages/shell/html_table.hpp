@@ -1,9 +1,9 @@
-// A table of a result (reports/sheet/sheet.hpp) in a page. Cells are text, which is escaped.
+// A table of a result (reports/document/sheet.hpp) in a page. Cells are text, which is escaped.
 #pragma once
 
 #include <string>
 
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
 
 namespace reeve::pages {
 

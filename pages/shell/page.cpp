@@ -5,7 +5,7 @@
 #include "core/version.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/template.hpp"
-#include "reports/files.hpp"
+#include "reports/output/files.hpp"
 
 namespace reeve::pages {
 namespace {

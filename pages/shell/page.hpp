@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/input/input_file.hpp"
+#include "core/input_file.hpp"
 
 namespace reeve::pages {
 namespace {

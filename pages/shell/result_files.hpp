@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pages/shell/figure_files.hpp"
-#include "reports/stamp.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::pages {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "pages/routing/routing_parts.hpp"
+#include "pages/routing_parts.hpp"
 #include "pages/shell/template.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/results/model_text.hpp"
+#include "reports/data_text.hpp"
+#include "reports/model_text.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::pages {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/rig/hardware_file.hpp"
+#include "catalog/hardware_file.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/routing.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "python/module/bindings.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "search/uncertainty/bands.hpp"
 
 namespace reeve::python {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "catalog/rig/hardware_tables.hpp"
+#include "catalog/hardware_tables.hpp"
 #include "core/error.hpp"
 #include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"

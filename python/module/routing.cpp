@@ -11,7 +11,7 @@
 #include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 #include "reports/mujoco/mjcf.hpp"
-#include "reports/results/show_report.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve::python {
 namespace {

@@ -5,7 +5,7 @@
 #include "python/module/arguments.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/watched.hpp"
-#include "studies/tensions/tension_table.hpp"
+#include "studies/tension_table.hpp"
 
 namespace reeve::python {
 namespace {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -8,8 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/text.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
 
 namespace reeve::reports {
 

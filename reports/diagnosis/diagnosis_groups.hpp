@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/json.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
+#include "reports/output/json.hpp"
 #include "studies/diagnosis_study.hpp"
 
 namespace reeve::reports {

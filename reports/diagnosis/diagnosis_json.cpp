@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "reports/csv_field.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/json.hpp"
-#include "reports/results/data_text.hpp"
-#include "reports/stamp.hpp"
+#include "reports/output/csv_field.hpp"
+#include "reports/output/json.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::reports {
 namespace {

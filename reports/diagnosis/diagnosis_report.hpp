@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/uncertainty_ranges.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
 #include "studies/diagnosis_study.hpp"
 
 namespace reeve::reports {

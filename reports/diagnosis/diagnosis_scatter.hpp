@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "diagnosis/diagnose.hpp"
-#include "reports/json.hpp"
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::reports {
 

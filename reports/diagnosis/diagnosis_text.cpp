@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "diagnosis/search/rivals.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "reports/results/data_text.hpp"
+#include "reports/data_text.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "catalog/rig/model_file.hpp"
+#include "catalog/model_file.hpp"
 #include "core/version.hpp"
-#include "diagnosis/data/csv.hpp"
+#include "readings/csv.hpp"
+#include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/results/data_text.hpp"
 
 namespace reeve::reports {
 

@@ -1,8 +1,8 @@
 #include "reports/exploration/exploration_id.hpp"
 
 #include "core/notation.hpp"
-#include "reports/results/explore_report.hpp"
-#include "reports/stamp.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::reports {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "core/input/input_file.hpp"
-#include "reports/stamp.hpp"
+#include "core/input_file.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "reports/exploration/exploration_id.hpp"
-#include "reports/results/explore_report.hpp"
-#include "reports/stamp.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/stamp.hpp"
 
 namespace reeve::reports {
 namespace {

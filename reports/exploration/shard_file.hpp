@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 #include "search/explore.hpp"
 #include "studies/exploration_study.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "reports/exploration/exploration_id.hpp"
-#include "reports/json.hpp"
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::reports {
 

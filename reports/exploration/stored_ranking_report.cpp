@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "reports/decision/decision_words.hpp"
-#include "reports/decision/ladder_report.hpp"
-#include "reports/json.hpp"
-#include "reports/results/design_list.hpp"
-#include "reports/results/explore_report.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/exploration/ladder_report.hpp"
+#include "reports/output/json.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {
 namespace {

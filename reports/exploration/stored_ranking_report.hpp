@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "reports/sheet/chosen_columns.hpp"
-#include "reports/sheet/sheet.hpp"
-#include "studies/stored/stored_ranking.hpp"
+#include "reports/document/chosen_columns.hpp"
+#include "reports/document/sheet.hpp"
+#include "studies/stored_ranking.hpp"
 
 namespace reeve::reports {
 

@@ -5,9 +5,9 @@
 #include "core/mechanics.hpp"
 #include "core/notation.hpp"
 #include "core/version.hpp"
+#include "reports/model_text.hpp"
 #include "reports/mujoco/mjcf_rig.hpp"
-#include "reports/results/model_text.hpp"
-#include "reports/results/shared_carriage.hpp"
+#include "reports/shared_carriage.hpp"
 
 namespace reeve::reports {
 namespace {

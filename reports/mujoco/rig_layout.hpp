@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 #include "core/hardware.hpp"
 #include "core/network.hpp"
 #include "reports/mujoco/rope_plan.hpp"

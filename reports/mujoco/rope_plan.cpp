@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace reeve::reports {
 namespace {
 

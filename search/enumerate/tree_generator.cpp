@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/word/walk_image.hpp"
+#include "core/walk_image.hpp"
 #include "search/enumerate/checked.hpp"
 
 namespace reeve::search {

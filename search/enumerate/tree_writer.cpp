@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/word/walk_image.hpp"
+#include "core/walk_image.hpp"
 
 namespace reeve::search {
 namespace {

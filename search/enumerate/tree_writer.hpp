@@ -1,4 +1,4 @@
-// The words of trees: from an index to tendons in the order of core/word/canonical_tree.hpp.
+// The words of trees: from an index to tendons in the order of core/canonical_tree.hpp.
 //
 // Each tendon is walked the way that makes the lesser word, by its tokens and, where these read the
 // same both ways, with the lesser branch first; the tendons stand level by level, and the blocks

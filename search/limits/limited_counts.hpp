@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "search/enumerate/generator.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::search {
 

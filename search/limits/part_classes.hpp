@@ -17,7 +17,7 @@
 #include "core/performance.hpp"
 #include "core/routing.hpp"
 #include "search/enumerate/tendon_generator.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::search {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "numerics/parallel.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::search {
 

@@ -5,7 +5,7 @@
 #include "core/notation.hpp"
 #include "numerics/minimise.hpp"
 #include "numerics/parallel.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {

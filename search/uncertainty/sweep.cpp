@@ -8,9 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/decide/ladder.hpp"
-#include "search/decide/places.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/ladder.hpp"
+#include "search/rank/places.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {

@@ -9,8 +9,8 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
-#include "search/decide/places.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/places.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {

@@ -22,7 +22,7 @@
 #include "core/routing.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "search/explore.hpp"
-#include "search/judge/ranking.hpp"
+#include "search/rank/ranking.hpp"
 #include "search/uncertainty/bands.hpp"
 
 namespace reeve::search {

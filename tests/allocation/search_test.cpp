@@ -5,8 +5,8 @@
 
 #include "causes/library.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/judge/deciding_evaluation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/deciding_evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "tests/allocation/allocations.hpp"
 #include "tests/support/example_hand.hpp"
 

@@ -11,11 +11,11 @@
 #include "core/mechanics.hpp"
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
+#include "drawing/chart/chart_svg.hpp"
+#include "drawing/schematic/schematic_svg.hpp"
+#include "drawing/svg.hpp"
 #include "pages/shell/page.hpp"
-#include "reports/chart/chart_svg.hpp"
-#include "reports/files.hpp"
-#include "reports/schematic/schematic_svg.hpp"
-#include "reports/svg.hpp"
+#include "reports/output/files.hpp"
 #include "tests/support/all_floors.hpp"
 
 namespace reeve {

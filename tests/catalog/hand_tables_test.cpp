@@ -1,12 +1,12 @@
-#include "catalog/rig/hand_tables.hpp"
+#include "catalog/hand_tables.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "catalog/rig/hardware_file.hpp"
-#include "catalog/rig/hardware_tables.hpp"
+#include "catalog/hardware_file.hpp"
+#include "catalog/hardware_tables.hpp"
 #include "tests/catalog/mistake.hpp"
 #include "tests/support/example_hand.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "catalog/rig/hardware_file.hpp"
+#include "catalog/hardware_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "catalog/rig/hardware_tables.hpp"
+#include "catalog/hardware_tables.hpp"
 #include "tests/catalog/mistake.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "catalog/rig/model_file.hpp"
+#include "catalog/model_file.hpp"
 
 #include <gtest/gtest.h>
 

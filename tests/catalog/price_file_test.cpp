@@ -1,4 +1,4 @@
-#include "catalog/rig/price_file.hpp"
+#include "catalog/price_file.hpp"
 
 #include <gtest/gtest.h>
 

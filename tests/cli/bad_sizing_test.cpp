@@ -1,7 +1,7 @@
 // `reeve size` with what it must refuse.
 #include <gtest/gtest.h>
 
-#include "search/size/dimension.hpp"
+#include "sizing/dimension.hpp"
 #include "tests/cli/bad_line.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "core/hand/hand_closing.hpp"
+#include "core/hand_closing.hpp"
 
 #include <gtest/gtest.h>
 

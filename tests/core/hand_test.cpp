@@ -1,4 +1,4 @@
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hand/hand_closing.hpp"
+#include "core/hand_closing.hpp"
 #include "tests/core/network_of.hpp"
 #include "tests/support/example_hand.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/parts/part_prices.hpp"
+#include "core/part_prices.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/data/checks/below_zero.hpp"
+#include "readings/below_zero.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

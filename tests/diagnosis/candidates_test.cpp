@@ -7,9 +7,9 @@
 #include <set>
 
 #include "causes/library.hpp"
-#include "diagnosis/data/dataset.hpp"
-#include "diagnosis/model/fit.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "diagnosis/dataset.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -1,9 +1,9 @@
 // One sensor of planted data in another unit.
-#include "diagnosis/verdict/doubts/channel_units.hpp"
+#include "diagnosis/verdict/channel_units.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

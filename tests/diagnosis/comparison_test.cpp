@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve {
 namespace {

@@ -1,8 +1,8 @@
-#include "diagnosis/data/dataset.hpp"
+#include "diagnosis/dataset.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-#include "diagnosis/data/run_split.hpp"
+#include "diagnosis/run_split.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 #include "tests/support/input_error.hpp"
 

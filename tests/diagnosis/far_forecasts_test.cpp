@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "diagnosis/diagnose.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

@@ -1,5 +1,5 @@
 // Sensors that step, stick or scatter in planted data, where nothing else is wrong.
-#include "diagnosis/verdict/doubts/far_together.hpp"
+#include "diagnosis/verdict/far_together.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/model/forecast.hpp"
+#include "diagnosis/fit/forecast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/comparison.hpp"
-#include "diagnosis/model/problem.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "diagnosis/fit/problem.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

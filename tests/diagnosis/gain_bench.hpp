@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "causes/library.hpp"
-#include "diagnosis/model/problem.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "diagnosis/fit/problem.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 

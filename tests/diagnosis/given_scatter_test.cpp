@@ -6,7 +6,7 @@
 #include <string>
 
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/model/mounting/mounting.hpp"
+#include "diagnosis/fit/mounting.hpp"
 #include "tests/diagnosis/found_causes.hpp"
 #include "tests/support/planting.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

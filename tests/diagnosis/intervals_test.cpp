@@ -1,13 +1,13 @@
 // What an interval has to do, however it is computed: cover the truth as often as it says, and be
 // as wide as noise, misfit and scatter from run to run ask for.
-#include "diagnosis/model/intervals.hpp"
+#include "diagnosis/fit/intervals.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/model/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {

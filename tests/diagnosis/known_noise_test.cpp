@@ -1,13 +1,13 @@
-#include "diagnosis/data/known_noise.hpp"
+#include "readings/known_noise.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/model/fit.hpp"
-#include "diagnosis/model/noise.hpp"
-#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/noise.hpp"
+#include "diagnosis/fit/null_model.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/gain_bench.hpp"
 

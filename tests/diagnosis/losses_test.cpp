@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "causes/library.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -1,12 +1,12 @@
 // Draws of one sheath, whose law is closed: T1 = T_M e^(-phi (1 + tau z)).
-#include "diagnosis/model/mounting/mounted_draws.hpp"
+#include "diagnosis/fit/mounted_draws.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

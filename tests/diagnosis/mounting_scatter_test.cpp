@@ -1,5 +1,5 @@
 // The scatter between mountings against the same likelihood written out in one dense matrix.
-#include "diagnosis/model/mounting/mounting_scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "diagnosis/model/left_noise.hpp"
-#include "diagnosis/model/mounting/mounted_comparison.hpp"
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/fit/left_noise.hpp"
+#include "diagnosis/fit/mounted_comparison.hpp"
+#include "diagnosis/fit/noise.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/found_causes.hpp"
 #include "tests/support/planting.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "causes/library.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

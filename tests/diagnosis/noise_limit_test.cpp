@@ -9,7 +9,7 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/verdict/run_gain.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

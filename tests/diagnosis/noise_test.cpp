@@ -1,5 +1,5 @@
 // Noise of a known size is put on readings of a law that the estimate does not know.
-#include "diagnosis/model/noise.hpp"
+#include "diagnosis/fit/noise.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "numerics/random.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "diagnosis/model/null_model.hpp"
+#include "diagnosis/fit/null_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Directions that are written down the other way in one run of planted data.
-#include "diagnosis/verdict/doubts/other_direction.hpp"
+#include "diagnosis/verdict/other_direction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/verdict/doubts/run_words.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "diagnosis/verdict/run_words.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/tension/tension.hpp"
-#include "diagnosis/model/problem.hpp"
+#include "diagnosis/fit/problem.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "numerics/random.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "diagnosis/diagnose.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_alias.hpp"
 

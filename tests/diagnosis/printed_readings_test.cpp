@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "catalog/rig/hardware_file.hpp"
+#include "catalog/hardware_file.hpp"
 #include "core/notation.hpp"
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/diagnose.hpp"

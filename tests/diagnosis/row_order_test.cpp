@@ -1,13 +1,13 @@
-#include "diagnosis/data/row_order.hpp"
+#include "readings/row_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "diagnosis/data/run_split.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "diagnosis/run_split.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_dirt.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/verdict/doubts/run_words.hpp"
+#include "diagnosis/verdict/run_words.hpp"
 
 #include <gtest/gtest.h>
 

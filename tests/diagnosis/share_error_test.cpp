@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

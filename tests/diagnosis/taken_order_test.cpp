@@ -1,10 +1,10 @@
-#include "diagnosis/data/taken_order.hpp"
+#include "readings/taken_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

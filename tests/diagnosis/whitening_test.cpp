@@ -1,5 +1,5 @@
 // Shared scatter against the covariance that it stands for.
-#include "diagnosis/model/whitening.hpp"
+#include "diagnosis/fit/whitening.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

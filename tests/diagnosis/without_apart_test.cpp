@@ -8,7 +8,7 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/verdict/share_error.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
 namespace {

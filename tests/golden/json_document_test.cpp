@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "tests/golden/json_keys.hpp"
 
 namespace reeve::testing {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "reports/stamp.hpp"
+#include "reports/output/stamp.hpp"
 #include "tests/integration/explored.hpp"
 
 namespace reeve::testing {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/sheet/text_width.hpp"
+#include "reports/document/text_width.hpp"
 #include "tests/integration/explored.hpp"
 
 namespace reeve::testing {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/hand/hand_closing.hpp"
+#include "core/hand_closing.hpp"
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
 #include "tests/mujoco/simulated_rig.hpp"

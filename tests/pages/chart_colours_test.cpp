@@ -1,6 +1,6 @@
 // The colours of charts stand in three places: in the chart writer, in the style sheet for the
 // dark, and in the theme of those that come alive. They have to agree.
-#include "reports/chart/chart_colours.hpp"
+#include "drawing/chart/chart_colours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/shell/asset_table.hpp"
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "pages/exploration/exploration_designs.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {

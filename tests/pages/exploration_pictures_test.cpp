@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pages/exploration/parallel_picture.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"
 

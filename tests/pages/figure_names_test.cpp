@@ -1,5 +1,5 @@
 // Names of figures, and what stands beside them.
-#include "pages/routing/figure_names.hpp"
+#include "pages/figure_names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/notation.hpp"
-#include "pages/routing/figure_captions.hpp"
-#include "pages/routing/routing_parts.hpp"
+#include "pages/figure_captions.hpp"
+#include "pages/routing_parts.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve::testing {

@@ -4,7 +4,7 @@
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/read_chart.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "drawing/chart/chart_svg.hpp"
+#include "pages/band_spans.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
-#include "pages/uncertainty/band_spans.hpp"
-#include "pages/uncertainty/sweep_figures.hpp"
-#include "reports/chart/chart_svg.hpp"
+#include "pages/sweep_figures.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 #include "tests/support/planting_readings.hpp"
 #include "tests/support/planting_walk.hpp"
 

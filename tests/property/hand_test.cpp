@@ -1,5 +1,5 @@
 // What hands of random routings owe to physics.
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/hand/hand_closing.hpp"
-#include "studies/hand/shown_hand.hpp"
+#include "core/hand_closing.hpp"
+#include "studies/shown_hand.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {

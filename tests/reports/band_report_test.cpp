@@ -1,4 +1,4 @@
-#include "reports/uncertainty/band_report.hpp"
+#include "reports/exploration/band_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/design_list.hpp"
-#include "reports/results/explore_report.hpp"
-#include "reports/sheet/sheet_text.hpp"
-#include "reports/sheet/text_table.hpp"
-#include "reports/uncertainty/range_notes.hpp"
-#include "reports/uncertainty/sweep_report.hpp"
+#include "reports/document/sheet_text.hpp"
+#include "reports/document/text_table.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/exploration/explore_report.hpp"
+#include "reports/exploration/range_notes.hpp"
+#include "reports/exploration/sweep_report.hpp"
 
 namespace reeve {
 namespace {

@@ -1,5 +1,5 @@
 // Names as rows of a CSV file have them.
-#include "reports/csv_field.hpp"
+#include "reports/output/csv_field.hpp"
 
 #include <gtest/gtest.h>
 

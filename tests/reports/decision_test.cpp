@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/decision/decision_words.hpp"
-#include "reports/decision/ladder_report.hpp"
-#include "reports/sheet/sheet_text.hpp"
+#include "reports/document/sheet_text.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/ladder_report.hpp"
 
 namespace reeve {
 namespace {

@@ -1,13 +1,13 @@
-#include "reports/results/design_list.hpp"
+#include "reports/exploration/design_list.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "reports/sheet/text_table.hpp"
-#include "reports/uncertainty/band_report.hpp"
-#include "search/judge/shown_objectives.hpp"
+#include "reports/document/text_table.hpp"
+#include "reports/exploration/band_report.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/notation.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/sheet/sheet_text.hpp"
+#include "reports/document/sheet_text.hpp"
 
 namespace reeve {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/results/explore_report.hpp"
+#include "reports/exploration/explore_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/document/sheet_text.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
-#include "reports/sheet/sheet_text.hpp"
 
 namespace reeve {
 namespace {

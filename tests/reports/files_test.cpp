@@ -1,4 +1,4 @@
-#include "reports/files.hpp"
+#include "reports/output/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/input/input_file.hpp"
+#include "core/input_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve {

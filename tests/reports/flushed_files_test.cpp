@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/files.hpp"
+#include "reports/output/files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {

@@ -1,13 +1,13 @@
 // What is said of a hand where there is nothing to say a number of.
-#include "reports/hand/hand_report.hpp"
+#include "reports/hand_report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "core/notation.hpp"
-#include "reports/sheet/sheet_text.hpp"
-#include "studies/hand/shown_hand.hpp"
+#include "reports/document/sheet_text.hpp"
+#include "studies/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
 
 namespace reeve {

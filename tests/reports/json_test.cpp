@@ -1,4 +1,4 @@
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 #include <gtest/gtest.h>
 

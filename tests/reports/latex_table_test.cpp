@@ -1,12 +1,12 @@
 // Tables for papers: chosen columns, decimal marks below each other, and a stated width.
-#include "reports/sheet/latex_table.hpp"
+#include "reports/document/latex_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "reports/sheet/chosen_columns.hpp"
-#include "reports/sheet/latex_width.hpp"
-#include "reports/sheet/sheet_latex.hpp"
+#include "reports/document/chosen_columns.hpp"
+#include "reports/document/latex_width.hpp"
+#include "reports/document/sheet_latex.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "reports/results/listed_design_text.hpp"
+#include "reports/exploration/listed_design_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "reports/json_text.hpp"
-#include "reports/results/design_list.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/output/json_text.hpp"
 
 namespace reeve {
 namespace {

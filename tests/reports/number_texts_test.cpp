@@ -1,4 +1,4 @@
-#include "reports/number_texts.hpp"
+#include "reports/output/number_texts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/csv_field.hpp"
-#include "reports/json.hpp"
+#include "reports/output/csv_field.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve {
 namespace {

@@ -1,11 +1,11 @@
 // One sheet, three writers.
-#include "reports/sheet/sheet.hpp"
+#include "reports/document/sheet.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reports/sheet/sheet_latex.hpp"
-#include "reports/sheet/sheet_markdown.hpp"
-#include "reports/sheet/sheet_text.hpp"
+#include "reports/document/sheet_latex.hpp"
+#include "reports/document/sheet_markdown.hpp"
+#include "reports/document/sheet_text.hpp"
 
 namespace reeve {
 namespace {

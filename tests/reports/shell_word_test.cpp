@@ -1,4 +1,4 @@
-#include "reports/shell_word.hpp"
+#include "reports/output/shell_word.hpp"
 
 #include <gtest/gtest.h>
 

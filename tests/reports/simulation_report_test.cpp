@@ -1,4 +1,4 @@
-#include "reports/results/simulation_report.hpp"
+#include "reports/simulation_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "causes/named_effect.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/data/measured_data.hpp"
+#include "readings/measured_data.hpp"
 #include "tests/support/planned.hpp"
 
 namespace reeve::testing {

@@ -1,5 +1,5 @@
 // What is said of where a dimension stands.
-#include "reports/sizing/sizing_report.hpp"
+#include "reports/sizing_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "reports/sheet/sheet_text.hpp"
+#include "reports/document/sheet_text.hpp"
 
 namespace reeve {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/stamp.hpp"
+#include "reports/output/stamp.hpp"
 
 #include <gtest/gtest.h>
 

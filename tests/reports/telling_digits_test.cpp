@@ -1,4 +1,4 @@
-#include "reports/telling_digits.hpp"
+#include "reports/output/telling_digits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/sheet/text_table.hpp"
+#include "reports/document/text_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "reports/sheet/text_width.hpp"
+#include "core/text.hpp"
+#include "reports/document/text_width.hpp"
 
 namespace reeve {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/decide/alike.hpp"
+#include "search/rank/alike.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "search/judge/archive.hpp"
+#include "search/rank/archive.hpp"
 
 #include <gtest/gtest.h>
 

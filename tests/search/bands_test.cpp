@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "tests/search/naive_exploration.hpp"
 

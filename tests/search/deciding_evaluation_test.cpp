@@ -1,4 +1,4 @@
-#include "search/judge/deciding_evaluation.hpp"
+#include "search/evaluate/deciding_evaluation.hpp"
 
 #include <gtest/gtest.h>
 

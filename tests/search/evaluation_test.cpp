@@ -1,4 +1,4 @@
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "search/decide/ladder_archive.hpp"
 #include "search/explore.hpp"
+#include "search/rank/ladder_archive.hpp"
 #include "tests/search/naive_exploration.hpp"
 #include "tests/search/naive_ladder.hpp"
 

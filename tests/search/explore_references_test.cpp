@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "search/explore.hpp"
-#include "search/judge/pareto.hpp"
+#include "search/rank/pareto.hpp"
 #include "tests/search/naive_exploration.hpp"
 
 namespace reeve::testing {

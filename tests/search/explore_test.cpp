@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "search/judge/pareto.hpp"
+#include "search/rank/pareto.hpp"
 #include "tests/search/naive_exploration.hpp"
 
 namespace reeve::testing {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/hand/hand_closing.hpp"
+#include "core/hand_closing.hpp"
 #include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/judge/evaluation.hpp"
 #include "tests/support/example_hand.hpp"
 
 namespace reeve {

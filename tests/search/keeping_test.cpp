@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
+#include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
 #include "search/explore.hpp"
-#include "search/judge/evaluation.hpp"
 #include "tests/search/kept_exploration.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "search/decide/ladder.hpp"
+#include "search/rank/ladder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "search/decide/ladder_archive.hpp"
+#include "search/rank/ladder_archive.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {

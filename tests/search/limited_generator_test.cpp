@@ -11,7 +11,7 @@
 
 #include "core/network.hpp"
 #include "core/performance.hpp"
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {

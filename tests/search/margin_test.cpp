@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 #include "tests/search/uncertain.hpp"
 

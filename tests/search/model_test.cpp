@@ -8,8 +8,8 @@
 #include "causes/library.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/judge/evaluation.hpp"
 #include "search/uncertainty/margin.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/judge/evaluation.hpp"
 
 namespace reeve::testing {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "search/decide/ladder.hpp"
+#include "search/rank/ladder.hpp"
 
 namespace reeve::testing {
 

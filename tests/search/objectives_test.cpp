@@ -1,4 +1,4 @@
-#include "search/judge/objectives.hpp"
+#include "search/evaluate/objectives.hpp"
 
 #include <gtest/gtest.h>
 

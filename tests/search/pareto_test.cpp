@@ -1,4 +1,4 @@
-#include "search/judge/pareto.hpp"
+#include "search/rank/pareto.hpp"
 
 #include <gtest/gtest.h>
 

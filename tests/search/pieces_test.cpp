@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "tests/search/kept_exploration.hpp"
 
 namespace reeve::testing {

@@ -1,5 +1,5 @@
 // Places that equal designs share: against comparing each with each.
-#include "search/decide/places.hpp"
+#include "search/rank/places.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve::testing {

@@ -1,4 +1,4 @@
-#include "search/judge/ranking.hpp"
+#include "search/rank/ranking.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -1,14 +1,14 @@
-#include "search/judge/score.hpp"
+#include "search/evaluate/score.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/explore.hpp"
-#include "search/judge/archive.hpp"
-#include "search/judge/evaluation.hpp"
-#include "search/judge/ranking.hpp"
+#include "search/rank/archive.hpp"
+#include "search/rank/ranking.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "tests/support/input_error.hpp"
 

@@ -1,4 +1,4 @@
-#include "search/judge/trees/shared_states.hpp"
+#include "search/evaluate/shared_states.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "tests/search/generated.hpp"
 #include "tests/search/uneven_model.hpp"
 

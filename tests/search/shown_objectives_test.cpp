@@ -1,4 +1,4 @@
-#include "search/judge/shown_objectives.hpp"
+#include "search/evaluate/shown_objectives.hpp"
 
 #include <gtest/gtest.h>
 

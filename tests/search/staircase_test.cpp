@@ -1,4 +1,4 @@
-#include "search/judge/staircase.hpp"
+#include "search/rank/staircase.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "search/judge/sweep_counter.hpp"
+#include "search/rank/sweep_counter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include "causes/library.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve::testing {

@@ -1,5 +1,5 @@
 // Against the solver that goes by way of a network, for every tendon there is.
-#include "search/judge/trees/tendon_sums.hpp"
+#include "search/evaluate/tendon_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/judge/trees/tree_states.hpp"
+#include "search/evaluate/tree_states.hpp"
 
 namespace reeve {
 namespace {

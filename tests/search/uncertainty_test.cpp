@@ -9,8 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "search/decide/places.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/places.hpp"
 #include "tests/search/uncertain.hpp"
 #include "tests/support/published_words.hpp"
 

@@ -1,4 +1,4 @@
-#include "search/decide/unmet.hpp"
+#include "search/rank/unmet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/judge/evaluation.hpp"
-#include "search/judge/ranking.hpp"
+#include "search/evaluate/evaluation.hpp"
+#include "search/rank/ranking.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve {

@@ -1,4 +1,4 @@
-#include "search/size/goal.hpp"
+#include "sizing/goal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How far all dimensions may be off at once, against closed forms and dense grids.
-#include "search/size/joint_tolerance.hpp"
+#include "sizing/joint_tolerance.hpp"
 
 #include <gtest/gtest.h>
 

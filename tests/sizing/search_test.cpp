@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "catalog/rig/hardware_file.hpp"
+#include "catalog/hardware_file.hpp"
 #include "core/mechanics.hpp"
 #include "core/tension/tension.hpp"
-#include "search/judge/evaluation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "tests/sizing/sizing_of.hpp"
 

@@ -1,8 +1,8 @@
-#include "search/size/size_space.hpp"
+#include "sizing/size_space.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/hand/hand.hpp"
+#include "core/hand.hpp"
 #include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
 

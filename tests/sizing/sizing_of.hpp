@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "search/size/size.hpp"
+#include "sizing/size.hpp"
 
 namespace reeve::testing {
 

@@ -11,7 +11,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "numerics/binomial.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/readings/read_data.hpp"
 #include "tests/support/closed_forms.hpp"
 
 namespace reeve::testing {

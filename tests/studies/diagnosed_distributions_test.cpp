@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "causes/library.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/readings/read_data.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve {

@@ -1,5 +1,5 @@
 // What a given motor does with a hand.
-#include "studies/hand/motor_reach.hpp"
+#include "studies/motor_reach.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "catalog/rig/hardware_file.hpp"
+#include "catalog/hardware_file.hpp"
 #include "core/notation.hpp"
-#include "studies/hand/shown_hand.hpp"
+#include "studies/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
 
 namespace reeve {

@@ -9,7 +9,7 @@
 
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/share_error.hpp"
-#include "tests/diagnosis/read_data.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 
 namespace reeve {

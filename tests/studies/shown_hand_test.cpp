@@ -1,4 +1,4 @@
-#include "studies/hand/shown_hand.hpp"
+#include "studies/shown_hand.hpp"
 
 #include <gtest/gtest.h>
 

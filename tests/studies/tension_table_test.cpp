@@ -1,4 +1,4 @@
-#include "studies/tensions/tension_table.hpp"
+#include "studies/tension_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "reports/schematic/schematic_layout.hpp"
-#include "reports/schematic/schematic_measures.hpp"
+#include "drawing/schematic/schematic_layout.hpp"
+#include "drawing/schematic/schematic_measures.hpp"
 #include "tests/support/drawn_lines.hpp"
 
 namespace reeve::testing {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/schematic/schematic_layout.hpp"
+#include "drawing/schematic/schematic_layout.hpp"
 
 namespace reeve::testing {
 

@@ -1,0 +1,132 @@
+#include "catalog/hand_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "catalog/hardware_tables.hpp"
+#include "core/hand.hpp"
+
+namespace reeve::catalog {
+namespace {
+
+// Core knows the ranges.
+double finite_number(const TomlNode& node) {
+  if (!node.is_number() || !std::isfinite(node.number)) node.fail_expected("a finite number");
+  return node.number;
+}
+
+double required(const TomlNode& joint, std::string_view key, std::string_view expected) {
+  return finite_number(joint.require(key, expected));
+}
+
+template <typename Number>
+void read_number_if_given(const TomlNode& table, std::string_view key, Number& number) {
+  if (const TomlNode* node = table.find(key)) number = finite_number(*node);
+}
+
+FingerJoint read_joint(const TomlNode& node) {
+  FingerJoint joint;
+  node.table().allow_only(
+      {"arm_mm", "range_deg", "lever_mm", "spring_Nmm_rad", "rest_deg", "held_deg"});
+  joint.arm_mm = required(node, "arm_mm", "the tendon's moment arm about the joint, in mm");
+  joint.range_deg = required(node, "range_deg", "the joint's range of flexion, in degrees");
+  joint.lever_mm = required(node, "lever_mm", "the fingertip force's lever about the joint, in mm");
+  read_number_if_given(node, "spring_Nmm_rad", joint.spring_Nmm_rad);
+  read_number_if_given(node, "rest_deg", joint.rest_deg);
+  read_number_if_given(node, "held_deg", joint.held_deg);
+  return joint;
+}
+
+std::string number_line(std::string_view key, const std::optional<double>& value) {
+  return value ? fmt::format("{} = {}\n", key, *value) : "";
+}
+
+// fmt's shortest form reads back as the same number.
+std::string joint_toml(const FingerJoint& joint) {
+  std::string text = fmt::format(
+      "  {{ arm_mm = {}, range_deg = {}, lever_mm = {}, spring_Nmm_rad = {}, rest_deg = {}",
+      joint.arm_mm, joint.range_deg, joint.lever_mm, joint.spring_Nmm_rad, joint.rest_deg);
+  if (joint.held_deg) text += fmt::format(", held_deg = {}", *joint.held_deg);
+  return text + " },\n";
+}
+
+}  // namespace
+
+FingerParts read_finger_parts(const TomlNode& table) {
+  constexpr std::string_view expected =
+      "from 1 to 16 joints, such as [{ arm_mm = 9, range_deg = 80, lever_mm = 75 }]";
+  constexpr std::size_t most = 16;
+  FingerParts parts;
+  if (const TomlNode* joints = table.find("joints")) {
+    const bool is_list = joints->kind == TomlKind::array;
+    if (!is_list || joints->children.empty() || joints->children.size() > most) {
+      joints->fail_expected(expected);
+    }
+    for (const TomlNode& joint : joints->children) parts.joints.push_back(read_joint(joint));
+  }
+  read_number_if_given(table, "force_N", parts.force_N);
+  return parts;
+}
+
+void read_hand(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("hand");
+  if (node == nullptr) return;
+  node->table().allow_only({"joints", "force_N"});
+  hardware.finger_parts = read_finger_parts(*node);
+  validate_at(*node, hardware);
+}
+
+void read_motor(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("motor");
+  if (node == nullptr) return;
+  node->table().allow_only({"spool_radius_mm", "close_s", "force_N", "stroke_mm"});
+  read_number_if_given(*node, "spool_radius_mm", hardware.motor.spool_radius_mm);
+  read_number_if_given(*node, "close_s", hardware.motor.close_s);
+  read_number_if_given(*node, "force_N", hardware.motor.force_N);
+  read_number_if_given(*node, "stroke_mm", hardware.motor.stroke_mm);
+  validate_at(*node, hardware);
+}
+
+void require_joints(const TomlNode& file, const Hardware& hardware) {
+  if (hand(hardware)) return;
+  const auto fail = [](const TomlNode& node) {
+    node.fail_at_key(
+        {.what = fmt::format("{} says something of a hand, and no finger has joints", node.name),
+         .expected = "joints in [hand] or in [finger.1], [finger.2], …"});
+  };
+  for (const char* name : {"hand", "motor"}) {
+    if (const TomlNode* node = file.find(name)) fail(*node);
+  }
+  const TomlNode* fingers = file.find("finger");
+  if (fingers == nullptr) return;
+  for (const TomlNode& finger : fingers->children) {
+    if (const TomlNode* force = finger.find("force_N")) fail(*force);
+  }
+}
+
+std::string finger_parts_toml(const FingerParts& parts) {
+  std::string text = number_line("force_N", parts.force_N);
+  if (parts.joints.empty()) return text;
+  text += "joints = [\n";
+  for (const FingerJoint& joint : parts.joints) text += joint_toml(joint);
+  return text + "]\n";
+}
+
+std::string hand_toml(const Hardware& hardware) {
+  std::string text;
+  if (hardware.finger_parts != FingerParts{}) {
+    text += "[hand]\n" + finger_parts_toml(hardware.finger_parts) + "\n";
+  }
+  const MotorParts& motor = hardware.motor;
+  if (motor != MotorParts{}) {
+    text += "[motor]\n" + number_line("spool_radius_mm", motor.spool_radius_mm) +
+            number_line("close_s", motor.close_s) + number_line("force_N", motor.force_N) +
+            number_line("stroke_mm", motor.stroke_mm) + "\n";
+  }
+  return text;
+}
+
+}  // namespace reeve::catalog

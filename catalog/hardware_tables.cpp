@@ -1,0 +1,234 @@
+#include "catalog/hardware_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "catalog/hand_tables.hpp"
+#include "core/error.hpp"
+#include "core/mechanics.hpp"
+#include "core/routing.hpp"
+
+namespace reeve::catalog {
+namespace {
+
+template <typename Number>
+void read_if_given(const TomlNode& table, std::string_view key, Number& number) {
+  if (const TomlNode* node = table.find(key)) number = node->number_from_zero();
+}
+
+void read_law(const TomlNode& node, ContactLaw& law) {
+  node.table().allow_only({"mu", "angle_rad", "known"});
+  read_if_given(node, "mu", law.mu);
+  read_if_given(node, "angle_rad", law.angle_rad);
+  if (const TomlNode* known = node.find("known")) law.known = known->truth();
+}
+
+void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,
+              Hardware& hardware) {
+  const TomlNode* node = file.find(key);
+  if (node == nullptr) return;
+  read_law(*node, hardware.*law);
+  validate_at(*node, hardware);
+}
+
+// What is not given of a block's sheave is as with the other bearings, which are read before.
+void read_block(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("block");
+  if (node == nullptr) return;
+  hardware.block = hardware.bearing;
+  read_law(*node, *hardware.block);
+  validate_at(*node, hardware);
+}
+
+void read_lengths(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("lengths");
+  if (node == nullptr) return;
+  node->table().allow_only({"strand_mm", "motor_side_mm", "hand_mm"});
+  read_if_given(*node, "strand_mm", hardware.strand_mm);
+  read_if_given(*node, "motor_side_mm", hardware.motor_side_mm);
+  read_if_given(*node, "hand_mm", hardware.hand_mm);
+  validate_at(*node, hardware);
+}
+
+int finger_number(const TomlNode& node) {
+  for (int finger = 1; finger <= max_fingers; ++finger) {
+    if (node.key == std::to_string(finger)) return finger;
+  }
+  node.fail_at_key({.what = "unknown table",
+                    .value = node.name,
+                    .expected = fmt::format("finger.1 to finger.{}", max_fingers)});
+}
+
+void read_finger(const TomlNode& node, Hardware& hardware) {
+  FingerHardware finger;
+  finger.finger = finger_number(node);
+  node.table().allow_only({"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad", "strand_mm",
+                           "closing", "joints", "force_N"});
+  read_if_given(node, "tip_mu", finger.tip_mu);
+  read_if_given(node, "tip_angle_rad", finger.tip_angle_rad);
+  read_if_given(node, "sheath_mu", finger.sheath_mu);
+  read_if_given(node, "sheath_angle_rad", finger.sheath_angle_rad);
+  read_if_given(node, "strand_mm", finger.strand_mm);
+  read_if_given(node, "closing", finger.closing);
+  finger.parts = read_finger_parts(node);
+  const bool has_joints = !finger.parts.joints.empty() || !hardware.finger_parts.joints.empty();
+  if (const TomlNode* closing = node.find("closing"); closing != nullptr && has_joints) {
+    closing->fail_at_key({.what = "closing stands beside joints",
+                          .expected = "one of them: how far fingers with "
+                                      "joints close follows from these"});
+  }
+  hardware.fingers.push_back(finger);
+  validate_at(node, hardware);
+}
+
+bool same_contact(const ContactHardware& a, const ContactHardware& b) {
+  return (a.segment == b.segment && a.other_segment == b.other_segment) ||
+         (a.segment == b.other_segment && a.other_segment == b.segment);
+}
+
+void read_contact(const TomlNode& node, Hardware& hardware) {
+  node.table().allow_only({"mu", "angle_rad"});
+  const std::size_t dash = node.key.find('-');
+  if (dash == std::string::npos) {
+    node.fail_at_key({.what = "contact",
+                      .value = node.key,
+                      .expected = "the two segments beside it, such as [contact.\"a-T1\"]"});
+  }
+  ContactHardware contact;
+  contact.segment = node.key.substr(0, dash);
+  contact.other_segment = node.key.substr(dash + 1);
+  read_if_given(node, "mu", contact.mu);
+  read_if_given(node, "angle_rad", contact.angle_rad);
+  for (const ContactHardware& other : hardware.contacts) {
+    if (same_contact(contact, other)) {
+      node.fail_at_key({.what = "contact", .value = node.key, .expected = "each contact once"});
+    }
+  }
+  hardware.contacts.push_back(contact);
+  Hardware alone;
+  alone.contacts = {contact};
+  validate_at(node, alone);
+}
+
+void read_range(const TomlNode& table, std::string_view key, MuRange& range) {
+  constexpr std::string_view expected =
+      "two friction coefficients, the least and the greatest, such as [0.05, 0.20]";
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  if (node->kind != TomlKind::array || node->children.size() != 2) node->fail_expected(expected);
+  range = {node->children[0].number_from_zero(), node->children[1].number_from_zero()};
+  if (range.low > range.high || range.high > 10) {
+    node->fail_at_value({.what = node->name,
+                         .value = fmt::format("[{}, {}]", range.low, range.high),
+                         .expected = fmt::format("{}, at most 10", expected),
+                         .form = InputForm::equals});
+  }
+}
+
+void read_relative(const TomlNode& table, std::string_view key, double& half_width) {
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  half_width = node->number_from_zero();
+  if (half_width > 1) node->fail_expected("a half-width from 0 to 1, as a part of the value");
+}
+
+UncertaintyRanges read_uncertainty(const TomlNode& file) {
+  UncertaintyRanges ranges;
+  const TomlNode* node = file.find("uncertainty");
+  if (node == nullptr) return ranges;
+  node->table().allow_only(
+      {"tube_mu", "sheath_mu", "bearing_mu_relative", "sheath_angle_relative"});
+  read_range(*node, "tube_mu", ranges.tube_mu);
+  read_range(*node, "sheath_mu", ranges.sheath_mu);
+  read_relative(*node, "bearing_mu_relative", ranges.bearing_mu_relative);
+  read_relative(*node, "sheath_angle_relative", ranges.sheath_angle_relative);
+  return ranges;
+}
+
+std::string place_of(const TomlNode& node) {
+  return fmt::format("{}:{}:{}", *node.file, node.key_at.line, node.key_at.column);
+}
+
+// A table of tables alone, such as the fingers, says nothing itself.
+bool says_something(const TomlNode& node) {
+  return std::any_of(node.children.begin(), node.children.end(),
+                     [](const TomlNode& child) { return child.kind != TomlKind::table; });
+}
+
+void add_places(const TomlNode& table, std::map<std::string, std::string>& places) {
+  for (const TomlNode& node : table.children) {
+    if (node.children.empty() || says_something(node)) places.emplace(node.name, place_of(node));
+    add_places(node, places);
+  }
+}
+
+VaryTable read_vary(const TomlNode& file) {
+  VaryTable vary;
+  const TomlNode* node = file.find("vary");
+  if (node == nullptr) return vary;
+  for (const TomlNode& entry : node->table().children) {
+    if (entry.key == "same") {
+      for (const TomlNode& item : entry.items())
+        vary.same.push_back({item.text(), place_of(item) + ": vary"});
+      continue;
+    }
+    if (entry.kind != TomlKind::array || entry.children.size() != 2) {
+      entry.fail_expected("the least and the greatest, such as [3, 9]");
+    }
+    vary.bounds.push_back({entry.key, entry.children[0].number_from_zero(),
+                           entry.children[1].number_from_zero(), place_of(entry) + ": vary"});
+  }
+  return vary;
+}
+
+}  // namespace
+
+std::shared_ptr<const HardwareOrigin> origin_of(const TomlNode& file) {
+  HardwareOrigin origin{*file.file, {}};
+  add_places(file, origin.places);
+  return std::make_shared<const HardwareOrigin>(std::move(origin));
+}
+
+void validate_at(const TomlNode& table, const Hardware& hardware) {
+  try {
+    const MechanicsBuilder checks_segment_names_too(hardware);
+  } catch (const InputError& error) {
+    table.fail_at_key(error.fault());
+  }
+}
+
+std::vector<std::string_view> hardware_table_names() {
+  return {"tube",    "bearing",     "block", "sheath", "lengths", "finger",
+          "contact", "uncertainty", "hand",  "motor",  "vary"};
+}
+
+HardwareFile read_hardware_tables(const TomlNode& file) {
+  HardwareFile result;
+  // The general laws first: those of a finger are checked together with them.
+  read_law(file, "tube", &Hardware::tube, result.hardware);
+  read_law(file, "bearing", &Hardware::bearing, result.hardware);
+  read_block(file, result.hardware);
+  read_law(file, "sheath", &Hardware::sheath, result.hardware);
+  read_lengths(file, result.hardware);
+  read_hand(file, result.hardware);
+  if (const TomlNode* fingers = file.find("finger")) {
+    for (const TomlNode& finger : fingers->table().children) read_finger(finger, result.hardware);
+  }
+  if (const TomlNode* contacts = file.find("contact")) {
+    for (const TomlNode& contact : contacts->table().children) {
+      read_contact(contact, result.hardware);
+    }
+  }
+  read_motor(file, result.hardware);
+  require_joints(file, result.hardware);
+  result.uncertainty = read_uncertainty(file);
+  result.vary = read_vary(file);
+  return result;
+}
+
+}  // namespace reeve::catalog

@@ -1,0 +1,130 @@
+#include "core/ledgers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace reeve::core {
+namespace {
+
+bool is_bar(std::size_t key) { return key >= static_cast<std::size_t>(max_blocks); }
+
+std::string block_name(std::size_t key) {
+  const auto first = is_bar(key) ? static_cast<std::size_t>(max_blocks) : 0;
+  return fmt::format("{}{}", is_bar(key) ? 'W' : 'Y', key - first + 1);
+}
+
+using Keys = std::array<bool, block_keys>;
+
+// Of each block: the blocks that the tendons of its tails pass, so on which it hangs.
+std::array<Keys, block_keys> hanging(const Routing& routing) {
+  std::array<Keys, block_keys> on{};
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& tail : tendon.walk) {
+      if (!is_tail(tail.kind)) continue;
+      for (const Token& token : tendon.walk) {
+        if (is_of_block(token.kind) && !is_tail(token.kind)) {
+          on[block_key(tail)][block_key(token)] = true;
+        }
+      }
+    }
+  }
+  return on;
+}
+
+}  // namespace
+
+void FingerLedger::pass(const PlacedWalk& walk) {
+  for (const PlacedToken& placed : walk) {
+    if (!is_of_finger(placed.token.kind)) continue;
+    if (std::exchange(passed_[placed.token.finger], true)) {
+      fail_word(
+          word_, placed.column,
+          {.what = fmt::format("finger {} is passed twice; a finger has two strands and one tendon",
+                               placed.token.finger)});
+    }
+    highest_ = std::max<int>(highest_, placed.token.finger);
+  }
+}
+
+void FingerLedger::require_no_gap() const {
+  for (std::size_t f = 1; f < static_cast<std::size_t>(highest_); ++f) {
+    if (passed_[f]) continue;
+    fail_word(word_, {.what = fmt::format(
+                          "finger {} is missing; fingers are numbered 1 to {} without a gap", f,
+                          highest_)});
+  }
+}
+
+void BlockLedger::pass(const PlacedWalk& walk) {
+  for (const PlacedToken& placed : walk) {
+    if (!is_of_block(placed.token.kind)) continue;
+    Entry& entry = entries_[block_key(placed.token)];
+    any_named_ = true;
+    if (!std::exchange(entry.named, true)) entry.column = placed.column;
+    if (is_tail(placed.token.kind)) {
+      entry.tail = true;
+    } else if (std::exchange(entry.pulled, true) && placed.token.kind == TokenKind::bar_arms) {
+      fail_word(word_, placed.column,
+                {.what = fmt::format("{} stands inside walks twice; a bar has two arms",
+                                     quoted_text(placed.text))});
+    }
+  }
+}
+
+void BlockLedger::require_parts(std::size_t key) const {
+  const Entry& entry = entries_[key];
+  const std::string name = block_name(key);
+  if (!entry.tail) {
+    fail_word(
+        word_, entry.column,
+        {.what = is_bar(key)
+                     ? fmt::format("bar {} has arms but nothing at its pivot: {} as the end of "
+                                   "a walk, as in M-{}+1x-{}-2x",
+                                   name, name, name, name)
+                     : fmt::format("block {} has no tail, so nothing holds it against the "
+                                   "strands that pass it: {} as the end of a walk, as in "
+                                   "M-{}+1x-{}-2x",
+                                   name, name, name, name)});
+  }
+  if (!entry.pulled) {
+    fail_word(word_, entry.column,
+              {.what = is_bar(key)
+                           ? fmt::format("bar {} has a pivot but no arms: they are its neighbours "
+                                         "inside a walk, as in 1x-{}-2x",
+                                         name, name)
+                           : fmt::format("block {} has a tail but nothing pulls the other way: "
+                                         "neither a pass ({} inside a walk) nor a becket ({}k)",
+                                         name, name, name)});
+  }
+}
+
+void BlockLedger::require_no_ring(const Routing& routing) const {
+  // Warshall's transitive closure.
+  std::array<Keys, block_keys> on = hanging(routing);
+  for (std::size_t via = 0; via < block_keys; ++via) {
+    for (std::size_t from = 0; from < block_keys; ++from) {
+      if (!on[from][via]) continue;
+      for (std::size_t to = 0; to < block_keys; ++to) on[from][to] |= on[via][to];
+    }
+  }
+  for (std::size_t key = 0; key < block_keys; ++key) {
+    if (!on[key][key]) continue;
+    fail_word(
+        word_, entries_[key].column,
+        {.what = fmt::format("{} {} hangs on itself: its tail is pulled by a tendon that {} "
+                             "carries, directly or over other blocks",
+                             is_bar(key) ? "bar" : "block", block_name(key), block_name(key))});
+  }
+}
+
+void BlockLedger::require_whole(const Routing& routing) const {
+  if (!any_named_) return;
+  for (std::size_t key = 0; key < block_keys; ++key) {
+    if (entries_[key].named) require_parts(key);
+  }
+  require_no_ring(routing);
+}
+
+}  // namespace reeve::core

@@ -1,0 +1,50 @@
+// What all walks of a word must add up to: fingers without a gap, each once; blocks and bars that
+// are whole and do not hang on themselves.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/word_fault.hpp"
+
+namespace reeve::core {
+
+class FingerLedger {
+ public:
+  explicit FingerLedger(std::string_view word) : word_(word) {}
+
+  // These throw InputError.
+  void pass(const PlacedWalk& walk);
+  void require_no_gap() const;
+
+ private:
+  std::string_view word_;
+  std::array<bool, max_fingers + 1> passed_{};
+  int highest_ = 0;
+};
+
+class BlockLedger {
+ public:
+  explicit BlockLedger(std::string_view word) : word_(word) {}
+
+  // These throw InputError.
+  void pass(const PlacedWalk& walk);
+  void require_whole(const Routing& routing) const;
+
+ private:
+  struct Entry {
+    bool named = false;
+    bool tail = false;
+    bool pulled = false;  // has a pass, a becket or arms
+    std::size_t column = 0;
+  };
+
+  void require_parts(std::size_t key) const;
+  void require_no_ring(const Routing& routing) const;
+
+  std::string_view word_;
+  std::array<Entry, block_keys> entries_{};
+  bool any_named_ = false;
+};
+
+}  // namespace reeve::core

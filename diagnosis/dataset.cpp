@@ -1,0 +1,133 @@
+#include "diagnosis/dataset.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace reeve::diagnosis {
+namespace {
+
+Conditions conditions(const MeasuredData& data, std::size_t index) {
+  const Reading& reading = data.readings[index];
+  Conditions result;
+  result.motor_tension_N = reading.motor_tension_N.value_or(result.motor_tension_N);
+  result.speed_mm_s = reading.speed_mm_s.value_or(result.speed_mm_s);
+  result.cycle = reading.cycle.value_or(result.cycle);
+  result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
+  const std::size_t last = data.readings.size() - 1;
+  result.order = last > 0 ? static_cast<double>(reading.taken) / static_cast<double>(last) : 0;
+  return result;
+}
+
+bool says_something(const std::vector<Cell>& cells, const Reading& reading) {
+  if (reading.motor_tension_N) return *reading.motor_tension_N > 0;
+  double sum_N = 0;
+  for (const Cell& cell : cells) sum_N += cell.measured_N;
+  return cells.size() >= 2 && sum_N > 0;
+}
+
+template <typename Member>
+bool any_given(const MeasuredData& data, Member member) {
+  return std::any_of(data.readings.begin(), data.readings.end(),
+                     [&](const Reading& reading) { return (reading.*member).has_value(); });
+}
+
+template <typename Member>
+bool varies(const MeasuredData& data, Member member) {
+  return std::any_of(data.readings.begin(), data.readings.end(), [&](const Reading& reading) {
+    return reading.*member != data.readings.front().*member;
+  });
+}
+
+// Some reading is less than half of another.
+bool is_wide(const MeasuredData& data, std::size_t channel) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (const Reading& reading : data.readings) {
+    const std::optional<double>& tension = reading.tension_N[channel];
+    if (!tension) continue;
+    least = std::min(least, *tension);
+    greatest = std::max(greatest, *tension);
+  }
+  return 2 * least < greatest;
+}
+
+}  // namespace
+
+double Dataset::degrees_of_freedom() const {
+  const auto free = std::count_if(rows.begin(), rows.end(),
+                                  [](const DatasetRow& row) { return !row.has_motor_tension; });
+  return static_cast<double>(cells.size()) - static_cast<double>(free);
+}
+
+Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings, Rows rows) {
+  using Key = std::tuple<std::size_t, std::uint64_t, Direction, std::optional<double>>;
+  Dataset result;
+  result.data = &data;
+  std::map<Key, std::size_t> blocks;
+  for (const std::size_t index : readings) {
+    const Reading& reading = data.readings[index];
+    std::vector<Cell> cells;
+    for (std::size_t c = 0; c < data.channels.size(); ++c) {
+      if (!reading.tension_N[c]) continue;
+      cells.push_back(
+          {index, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]});
+    }
+    if (rows == Rows::that_say_something && !says_something(cells, reading)) continue;
+    const Key key{reading.routing, reading.grasp.held, reading.direction, reading.sheath_angle_rad};
+    const auto [found, is_new] = blocks.emplace(key, result.blocks.size());
+    if (is_new) {
+      result.blocks.push_back(
+          {reading.routing, reading.grasp, reading.direction, reading.sheath_angle_rad, {}});
+    }
+    result.blocks[found->second].rows.push_back(result.rows.size());
+    result.rows.push_back({index, result.cells.size(), result.cells.size() + cells.size(),
+                           reading.motor_tension_N.has_value(), motor_deviation(data, reading),
+                           conditions(data, index)});
+    result.cells.insert(result.cells.end(), cells.begin(), cells.end());
+  }
+  return result;
+}
+
+double force_scale(const MeasuredData& data) {
+  std::vector<double> loads;
+  for (const Reading& reading : data.readings) {
+    double sum = 0;
+    for (const auto& tension : reading.tension_N) sum += std::max(tension.value_or(0), 0.0);
+    const double load = reading.motor_tension_N.value_or(sum);
+    if (load > 0) loads.push_back(load);
+  }
+  if (loads.empty()) return 1;
+  const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
+  std::nth_element(loads.begin(), middle, loads.end());
+  return *middle / range_load_N;
+}
+
+Survey survey(const MeasuredData& data) {
+  Survey result;
+  for (const MeasuredRouting& routing : data.routings) {
+    result.routings.push_back({routing.word, &routing.network, {}});
+  }
+  for (const Reading& reading : data.readings) {
+    std::vector<Grasp>& recorded = result.routings[reading.routing].recorded;
+    if (std::find(recorded.begin(), recorded.end(), reading.grasp) == recorded.end()) {
+      recorded.push_back(reading.grasp);
+    }
+  }
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    result.channels.push_back(data.channels[c].segment);
+    if (is_wide(data, c)) result.wide_channels.push_back(data.channels[c].segment);
+  }
+  result.has_speed = any_given(data, &Reading::speed_mm_s);
+  result.has_cycle = any_given(data, &Reading::cycle);
+  result.has_temperature = any_given(data, &Reading::temperature_C);
+  result.has_motor_tension = any_given(data, &Reading::motor_tension_N);
+  result.has_both_directions = varies(data, &Reading::direction);
+  result.sheath_angle_varies = varies(data, &Reading::sheath_angle_rad);
+  const std::vector<bool> below = reads_below_zero(data);
+  result.reads_below_zero = std::find(below.begin(), below.end(), true) != below.end();
+  return result;
+}
+
+}  // namespace reeve::diagnosis

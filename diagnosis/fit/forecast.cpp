@@ -1,0 +1,210 @@
+#include "diagnosis/fit/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "causes/model_solver.hpp"
+#include "core/error.hpp"
+#include "diagnosis/fit/sheath_angle.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+struct NoForecast {
+  std::size_t reading = 0;
+  std::string why;
+};
+
+Hardware hardware_of(const Model& model, const Block& block) {
+  return effective_hardware(block.sheath_angle_rad
+                                ? with_sheath_angle(model.hardware, *block.sheath_angle_rad)
+                                : model.hardware,
+                            model.effects);
+}
+
+class BlockForecast {
+ public:
+  BlockForecast(const Dataset& dataset, const Model& model, const Block& block,
+                const Hardware& hardware, Forecast& forecast)
+      : dataset_(dataset),
+        model_(model),
+        block_(block),
+        routing_(dataset.data->routings[block.routing]),
+        solver_(model, hardware, routing_.word, routing_.network),
+        grasp_(actual_grasp(model, routing_.word, block.recorded)),
+        by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
+        by_load_(reaches(model, Reach::load)),
+        linear_(reads_linearly(model)),
+        forecast_(forecast) {
+    for (std::size_t c = 0; c < routing_.segments.size(); ++c) {
+      if (!routing_.segments[c]) continue;
+      place_.resize(c + 1);
+      place_[c] = sensors_.size();
+      sensors_.push_back({routing_.network.segments[*routing_.segments[c]], 0, c});
+      segments_.push_back(*routing_.segments[c]);
+    }
+  }
+
+  // Whether the tensions of all its rows are in range.
+  bool run() {
+    const TensionState* state = nullptr;
+    for (const std::size_t r : block_.rows) {
+      const DatasetRow& row = dataset_.rows[r];
+      const Conditions conditions = row.has_motor_tension
+                                        ? at_tendon(model_, block_.direction, row.conditions)
+                                        : row.conditions;
+      if (state == nullptr || by_row_) state = &solve(conditions);
+      forecast_.jams[r] = state->jams;
+      if (row.has_motor_tension) {
+        read(row, *state, conditions.motor_tension_N);
+        if (row.motor_deviation_N > 0) {
+          of_row(forecast_.by_scale, row) = slope(row, *state, conditions.motor_tension_N);
+        }
+      } else {
+        read_scaled(row, *state);
+      }
+    }
+    return in_range_;
+  }
+
+ private:
+  const TensionState& solve(const Conditions& conditions) {
+    const TensionState& state = solver_.solve(grasp_, block_.direction, conditions);
+    in_range_ &= state.in_range;
+    return state;
+  }
+
+  // Of the row's cells; a sensor reads also what its neighbours carry that have no cell.
+  Eigen::VectorXd readings(const DatasetRow& row, const TensionState& state, double scale) {
+    for (std::size_t s = 0; s < sensors_.size(); ++s) {
+      sensors_[s].reading_N = scale * state.tension[segments_[s]];
+    }
+    causes::read(model_, row.conditions, sensors_);
+    Eigen::VectorXd result(static_cast<Eigen::Index>(row.last - row.first));
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      result[static_cast<Eigen::Index>(i - row.first)] =
+          sensors_[place_[dataset_.cells[i].channel]].reading_N;
+    }
+    return result;
+  }
+
+  void read(const DatasetRow& row, const TensionState& state, double motor_tension_N) {
+    of_row(forecast_.reading_N, row) = readings(row, state, motor_tension_N);
+  }
+
+  static Eigen::VectorBlock<Eigen::VectorXd> of_row(Eigen::VectorXd& cells, const DatasetRow& row) {
+    return cells.segment(static_cast<Eigen::Index>(row.first),
+                         static_cast<Eigen::Index>(row.last - row.first));
+  }
+
+  void read_scaled(const DatasetRow& row, const TensionState& first) {
+    constexpr int rounds = 30;
+    constexpr double settled = 1e-9;
+    const TensionState* state = &first;
+    double scale = fit_scale(row, *state);
+    for (int i = 0; by_load_ && i < rounds; ++i) {
+      Conditions conditions = row.conditions;
+      conditions.motor_tension_N = scale;
+      state = &solve(conditions);
+      const double last = std::exchange(scale, fit_scale(row, *state));
+      if (std::abs(scale - last) <= settled * scale) break;
+    }
+    read(row, *state, scale);
+    of_row(forecast_.by_scale, row) = slope(row, *state, scale);
+  }
+
+  // Of the row's readings against the scale.
+  Eigen::VectorXd slope(const DatasetRow& row, const TensionState& state, double scale) {
+    if (linear_) return readings(row, state, 1) - readings(row, state, 0);
+    constexpr double step = 1e-6;  // as a share of the scale
+    const double beside = scale > 0 ? step * scale : step;
+    return (readings(row, state, scale + beside) - readings(row, state, scale)) / beside;
+  }
+
+  double fit_scale(const DatasetRow& row, const TensionState& state) {
+    if (!linear_) return least_scale(row, state);
+    const Eigen::VectorXd zero = readings(row, state, 0);
+    const Eigen::VectorXd one = readings(row, state, 1);
+    double measured = 0;
+    double by_scale = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto at = static_cast<Eigen::Index>(i - row.first);
+      measured += dataset_.cells[i].measured_N - zero[at];
+      by_scale += one[at] - zero[at];
+    }
+    return by_scale > 0 && measured > 0 ? measured / by_scale : 0;
+  }
+
+  // Readings that do not fall with the scale, by halving: the least scale at which they add up to
+  // what was measured, or to the most that they reach.
+  double least_scale(const DatasetRow& row, const TensionState& state) {
+    constexpr double beyond_any_rig_N = 1e9;
+    constexpr int halvings = 100;
+    const auto sum = [&](double scale) { return readings(row, state, scale).sum(); };
+    double measured = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) measured += dataset_.cells[i].measured_N;
+    const double target = std::min(measured, sum(beyond_any_rig_N));
+    double low = 0;
+    double high = beyond_any_rig_N;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (low + high) / 2;
+      (sum(middle) < target ? low : high) = middle;
+    }
+    return high;
+  }
+
+  const Dataset& dataset_;
+  const Model& model_;
+  const Block& block_;
+  const MeasuredRouting& routing_;
+  ModelSolver solver_;
+  Grasp grasp_;
+  bool by_row_;
+  bool by_load_;
+  bool linear_;
+  std::vector<Sensor> sensors_;        // of the channels that the routing has
+  std::vector<std::size_t> segments_;  // parallel: in the network
+  std::vector<std::size_t> place_;     // of each channel, among the sensors
+  Forecast& forecast_;
+  bool in_range_ = true;
+};
+
+std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model) {
+  const auto n = static_cast<Eigen::Index>(dataset.cells.size());
+  Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
+                  std::vector<bool>(dataset.rows.size(), false)};
+  for (const Block& block : dataset.blocks) {
+    const std::size_t reading = dataset.rows[block.rows.front()].reading;
+    const Hardware hardware = hardware_of(model, block);
+    if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};
+    if (!BlockForecast(dataset, model, block, hardware, result).run()) {
+      return NoForecast{reading, "friction is so strong that tensions fall out of range"};
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model) {
+  auto result = attempt(dataset, model);
+  if (std::holds_alternative<NoForecast>(result)) return std::nullopt;
+  return std::get<Forecast>(std::move(result));
+}
+
+Forecast forecast(const Dataset& dataset, const Model& model) {
+  auto result = attempt(dataset, model);
+  if (const auto* none = std::get_if<NoForecast>(&result)) {
+    const Reading& reading = dataset.data->readings[none->reading];
+    throw OutOfRange(fmt::format("{}:{}: {}", dataset.data->file, reading.line, none->why));
+  }
+  return std::get<Forecast>(std::move(result));
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,34 @@
+// What the sensors should read, under a model, in each cell of a dataset.
+//
+//   with motor tension      p = reading(T_in t), T_in = at_tendon(T_M)
+//   without                 p = reading(S t); the scale S of the row is such that the forecasts add
+//                           up to the measured tensions, and du = dp/dS says how a cell follows it
+//
+// t: the model's tensions at T_in = 1 (for a load-dependent law: at the row's own tension). Where
+// readings are not linear in the tension, S is found by halving: the least one of that sum, which
+// is the most that the sensors can read together where more was measured.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/dataset.hpp"
+
+namespace reeve::diagnosis {
+
+struct Forecast {
+  Eigen::VectorXd reading_N;  // parallel to the cells
+  // By the motor tension, of cells whose row has none or one that scatters; of others 0.
+  Eigen::VectorXd by_scale;
+  std::vector<bool> jams;  // parallel to the rows
+};
+
+// Nothing where the model's tensions are out of range, or its hardware is none that there can be.
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model);
+// Throws OutOfRange that names the line.
+Forecast forecast(const Dataset& dataset, const Model& model);
+
+}  // namespace reeve::diagnosis

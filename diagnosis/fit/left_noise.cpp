@@ -1,0 +1,123 @@
+#include "diagnosis/fit/left_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/fit/null_model.hpp"
+#include "diagnosis/fit/problem.hpp"
+#include "diagnosis/fit/scatter_fit.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+// In newton, and so sure that no reading is near what a sensor cannot read below.
+constexpr double sure_N = 1e-6;
+
+// The weight of a reading beside the others before its noise is known.
+double weight(double reading_N, double middle_N) {
+  return 1 / (std::abs(reading_N) + 0.1 * middle_N);
+}
+
+// What a scattering motor tension does to the readings of one row, weighed and of length 1.
+struct MotorAxis {
+  std::vector<Eigen::Index> places;  // among the cells of a mounting
+  Eigen::VectorXd axis;
+};
+
+// Of the rows of a mounting with more than one reading: beside their axes nothing of them is known.
+std::vector<MotorAxis> motor_axes(const std::vector<Eigen::Index>& cells,
+                                  const std::vector<std::size_t>& row_of,
+                                  const Eigen::VectorXd& weighted_by_scale,
+                                  Eigen::VectorXd& known) {
+  std::map<std::size_t, MotorAxis> rows;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t row = row_of[static_cast<std::size_t>(cells[i])];
+    if (known[cells[i]] > 0) rows[row].places.push_back(static_cast<Eigen::Index>(i));
+  }
+  std::vector<MotorAxis> axes;
+  for (auto& [row, of] : rows) {
+    if (of.places.size() < 2) continue;
+    of.axis = weighted_by_scale(of.places).normalized();
+    for (const Eigen::Index place : of.places) known[cells[static_cast<std::size_t>(place)]] = 0;
+    axes.push_back(std::move(of));
+  }
+  return axes;
+}
+
+// What would be left of a column that is all along the axes is rounding.
+void take_out(const std::vector<MotorAxis>& axes, Eigen::MatrixXd& columns) {
+  constexpr double of_rounding = 1e-6;
+  const Eigen::RowVectorXd before = columns.colwise().norm();
+  for (const MotorAxis& of : axes) {
+    const Eigen::RowVectorXd along = of.axis.transpose() * columns(of.places, Eigen::all);
+    columns(of.places, Eigen::all) -= of.axis * along;
+  }
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+    if (columns.col(c).norm() <= of_rounding * before[c]) columns.col(c).setZero();
+  }
+}
+
+}  // namespace
+
+Noise noise_left_by(const Dataset& dataset, const Model& model) {
+  const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
+  Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  plain.motor_deviation_N.resize(0);  // that is part of what is left
+  const Forecast at = forecast(dataset, model);
+  return noise_of_residuals(dataset, at, sure_N * own_residuals(plain, at),
+                            static_cast<double>(parameter_count(model)));
+}
+
+std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const Model& model,
+                                                 const MountingModes& modes) {
+  const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
+  const Forecast at = forecast(dataset, model);
+  Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
+  plain.motor_deviation_N.resize(0);
+  const Eigen::VectorXd left = sure_N * own_residuals(plain, at);
+  const double scaled = dataset.degrees_of_freedom() / static_cast<double>(cells);
+  // A seized contact may leave a model in which nothing is pulled.
+  const double middle = std::max(at.reading_N.mean(), least_absolute(dataset));
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(cells);
+  std::vector<std::size_t> row_of;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto cell = static_cast<Eigen::Index>(i);
+      known[cell] = motor_variance(row, at.by_scale[cell]);
+      row_of.push_back(r);
+    }
+  }
+  const std::vector<bool> tells = tell_of_noise(dataset);
+  std::vector<ScatterSample> samples;
+  for (const Mounting& mounting : mountings(dataset)) {
+    Eigen::VectorXd weights = at.reading_N(mounting.cells);
+    for (double& of : weights) of = weight(of, middle);
+    const std::vector<MotorAxis> axes =
+        motor_axes(mounting.cells, row_of,
+                   weights.cwiseProduct(Eigen::VectorXd(at.by_scale(mounting.cells))), known);
+    // Out of both: what mountings could explain of scattering motor tensions is no row's axis.
+    Eigen::MatrixXd columns =
+        weights.asDiagonal() * Eigen::MatrixXd(modes.by_share_N(mounting.cells, Eigen::all));
+    Eigen::MatrixXd weighted = weights.cwiseProduct(Eigen::VectorXd(left(mounting.cells)));
+    take_out(axes, columns);
+    take_out(axes, weighted);
+    const Eigen::MatrixXd basis = orthonormal_basis(columns);
+    const Eigen::VectorXd own = weighted - basis * (basis.transpose() * weighted);
+    Eigen::VectorXd kept = (1 - basis.rowwise().squaredNorm().array()).matrix();
+    for (const MotorAxis& of : axes) kept(of.places) -= of.axis.cwiseAbs2();
+    for (Eigen::Index i = 0; i < own.size(); ++i) {
+      const Eigen::Index cell = mounting.cells[static_cast<std::size_t>(i)];
+      const std::size_t channel = dataset.cells[static_cast<std::size_t>(cell)].channel;
+      if (!tells[channel]) continue;
+      samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / weights[i], scaled * kept[i],
+                         known[cell], row_of[static_cast<std::size_t>(cell)]});
+    }
+  }
+  return noise_of_samples(dataset, std::move(samples));
+}
+
+}  // namespace reeve::diagnosis

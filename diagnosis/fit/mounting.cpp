@@ -1,0 +1,240 @@
+#include "diagnosis/fit/mounting.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "diagnosis/fit/forecast.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// The exponent of the n-th contact of a kind, in every routing: no cause that anybody would name,
+// but what differs between mountings.
+class OneExponent final : public Cause {
+ public:
+  OneExponent(ContactKind kind, std::size_t number) : kind_(kind), number_(number) {}
+
+  const char* name() const override { return "exponent_of_one_contact"; }
+  Reach reach() const override { return Reach::exponent; }
+  const char* meaning() const override { return "one contact's friction is another one"; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"change", "1", 0, {-1, 1}, {}}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return {}; }
+  double exponent(double phi, const ContactLoad& load, const Conditions&,
+                  const Effect& effect) const override {
+    const bool is_it = load.kind == kind_ && load.number == number_;
+    return is_it ? phi * (1 + effect.values[0]) : phi;
+  }
+
+ private:
+  ContactKind kind_;
+  std::size_t number_;
+};
+
+// The n-th contact of a kind.
+struct NumberedContact {
+  ContactKind kind = ContactKind::sheath;
+  std::size_t number = 0;
+};
+
+// Whether some routing has both: otherwise what they do together is what each does alone.
+bool stand_together(const Dataset& dataset, const NumberedContact& a, const NumberedContact& b) {
+  const auto has = [](const Network& network, const NumberedContact& contact) {
+    const auto count =
+        std::count_if(network.contacts.begin(), network.contacts.end(),
+                      [&](const Contact& other) { return other.kind == contact.kind; });
+    return static_cast<std::size_t>(count) > contact.number;
+  };
+  return std::any_of(dataset.blocks.begin(), dataset.blocks.end(), [&](const Block& block) {
+    const Network& network = dataset.data->routings[block.routing].network;
+    return has(network, a) && has(network, b);
+  });
+}
+
+// The exponents that differ between mountings, with their columns.
+class Exponents {
+ public:
+  Exponents(const Dataset& dataset, const Model& model, const VectorXd& at, Workers& workers)
+      : dataset_(dataset), model_(model), at_(at), workers_(workers) {
+    for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
+      for (std::size_t c = 0; c < contact_kinds; ++c) {
+        const auto contact = static_cast<ContactKind>(c);
+        if (mounted_kind(contact) == kind) list(kind, contact);
+      }
+    }
+    workers_.for_each_block(ones_.size(), 1,
+                            [&](const IndexBlock& block) { move(ones_[block.begin]); });
+    std::erase_if(ones_,
+                  [&](const One& one) { return !(one.change_N.norm() > 1e-9 * at_.norm()); });
+  }
+
+  void put(MountingModes& modes, std::vector<VectorXd>& columns) const {
+    for (const One& one : ones_) {
+      modes.kind.push_back(one.kind);
+      columns.push_back(one.change_N);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t a = 0; a < ones_.size(); ++a) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        if (stand_together(dataset_, ones_[a].contact, ones_[b].contact)) pairs.emplace_back(a, b);
+      }
+    }
+    std::vector<std::optional<MountingModes::Pair>> moved(pairs.size());
+    workers_.for_each_block(pairs.size(), 1, [&](const IndexBlock& block) {
+      moved[block.begin] =
+          together(ones_[pairs[block.begin].first], ones_[pairs[block.begin].second]);
+    });
+    for (auto& pair : moved) {
+      if (pair) modes.pairs.push_back(std::move(*pair));
+    }
+  }
+
+ private:
+  static constexpr double small = 1e-4;
+  static constexpr double wide = 0.02;  // so that rounding is no second derivative
+
+  struct One {
+    Mounted kind = Mounted::sheath;
+    NumberedContact contact;
+    std::unique_ptr<const OneExponent> cause;
+    VectorXd change_N;               // empty if there are no tensions beside it
+    std::optional<VectorXd> wide_N;  // after a wide step
+  };
+
+  std::optional<VectorXd> moved(std::initializer_list<std::pair<const Cause*, double>> by) const {
+    Model model = model_;
+    for (const auto& [cause, change] : by) add_effect(model, {cause, {}, {change}});
+    auto there = try_forecast(dataset_, model);
+    if (!there) return std::nullopt;
+    return std::move(there->reading_N);
+  }
+
+  void list(Mounted kind, ContactKind contact) {
+    const std::size_t most = most_of_a_kind(dataset_, contact);
+    for (std::size_t number = 0; number < most; ++number) {
+      ones_.push_back(
+          {kind, {contact, number}, std::make_unique<OneExponent>(contact, number), {}, {}});
+    }
+  }
+
+  void move(One& one) const {
+    const auto above = moved({{one.cause.get(), small}});
+    const auto below = moved({{one.cause.get(), -small}});
+    if (!above || !below) return;
+    one.change_N = (*above - *below) / (2 * small);
+    one.wide_N = moved({{one.cause.get(), wide}});
+  }
+
+  std::optional<MountingModes::Pair> together(const One& first, const One& second) const {
+    const bool alone = &first == &second;
+    const auto both = alone ? moved({{first.cause.get(), -wide}})
+                            : moved({{first.cause.get(), wide}, {second.cause.get(), wide}});
+    if (!first.wide_N || !second.wide_N || !both) return std::nullopt;
+    const VectorXd change = alone
+                                ? VectorXd((*both + *first.wide_N - 2 * at_) / std::numbers::sqrt2)
+                                : VectorXd(*both - *first.wide_N - *second.wide_N + at_);
+    return MountingModes::Pair{first.kind, second.kind, change / (wide * wide)};
+  }
+
+  const Dataset& dataset_;
+  const Model& model_;
+  const VectorXd& at_;
+  Workers& workers_;
+  std::vector<One> ones_;
+};
+
+void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& modes,
+               std::vector<VectorXd>& columns) {
+  const std::size_t channels = dataset.data->channels.size();
+  std::vector<VectorXd> own(channels, VectorXd::Zero(reading.size()));
+  VectorXd motor = VectorXd::Zero(reading.size());
+  for (const DatasetRow& row : dataset.rows) {
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      const auto k = static_cast<Index>(i);
+      own[dataset.cells[i].channel][k] = reading[k];
+      if (row.has_motor_tension) motor[k] = reading[k];
+    }
+  }
+  own.push_back(std::move(motor));
+  for (VectorXd& column : own) {
+    if (column.isZero(0)) continue;
+    modes.kind.push_back(Mounted::gain);
+    columns.push_back(std::move(column));
+  }
+}
+
+}  // namespace
+
+std::optional<Mounted> mounted_kind(ContactKind contact) {
+  if (is_bearing(contact)) return Mounted::bearing;
+  if (contact == ContactKind::sheath) return Mounted::sheath;
+  if (contact == ContactKind::tube) return Mounted::tube;
+  return std::nullopt;
+}
+
+std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
+  std::size_t most = 0;
+  for (const Block& block : dataset.blocks) {
+    const auto& contacts = dataset.data->routings[block.routing].network.contacts;
+    const auto count = std::count_if(contacts.begin(), contacts.end(),
+                                     [&](const auto& contact) { return contact.kind == kind; });
+    most = std::max(most, static_cast<std::size_t>(count));
+  }
+  return most;
+}
+
+const char* mounted_name(Mounted kind) {
+  switch (kind) {
+    case Mounted::sheath:
+      return "sheath";
+    case Mounted::tube:
+      return "tube";
+    case Mounted::bearing:
+      return "bearing";
+    case Mounted::gain:
+      return "gain";
+  }
+  return "";
+}
+
+std::vector<Mounting> mountings(const Dataset& dataset) {
+  std::map<std::pair<std::size_t, std::size_t>, Mounting> found;
+  for (const DatasetRow& row : dataset.rows) {
+    const Reading& reading = dataset.data->readings[row.reading];
+    Mounting& mounting = found[{reading.run, reading.routing}];
+    mounting.run = reading.run;
+    mounting.routing = reading.routing;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      mounting.cells.push_back(static_cast<Index>(i));
+    }
+  }
+  std::vector<Mounting> result;
+  for (auto& [key, mounting] : found) result.push_back(std::move(mounting));
+  return result;
+}
+
+MountingModes mounting_modes(const Dataset& dataset, const Model& model, Workers& workers) {
+  const auto at = try_forecast(dataset, model);
+  MountingModes modes;
+  modes.by_share_N.resize(static_cast<Index>(dataset.cells.size()), 0);
+  if (!at) return modes;
+  std::vector<VectorXd> columns;
+  Exponents(dataset, model, at->reading_N, workers).put(modes, columns);
+  put_gains(dataset, at->reading_N, modes, columns);
+  modes.by_share_N.resize(at->reading_N.size(), static_cast<Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    modes.by_share_N.col(static_cast<Index>(c)) = columns[c];
+  }
+  return modes;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,71 @@
+// What mounting a routing anew changes: the readings of one mounting (one routing in one run) share
+// what it did to the friction of each contact and to the gain of each channel.
+//
+//   φ_c = φ (1 + τ z_c),   T_j = T_j (1 + τ z_j),   z standard normal, new in each mounting
+//
+// to first order: with D the standard deviations of the readings' own noise and j_k the change of
+// the mounting's readings by the k-th of these, the readings of a mounting have the covariance
+//
+//   D² + Σ_k τ_k² j_k j_kᵀ
+//
+// of a linear mixed model. The scatter τ is one number for each kind of thing that is mounted.
+// Where friction is strong and readings are many, a second order can be seen: the change by two
+// exponents together, τ_a τ_b z_a z_b ∂²T/∂z_a∂z_b, is taken for one more thing that scatters with
+// the same variance.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/dataset.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve::diagnosis {
+
+// Exponents of sheaths, tubes and bearings, gains of channels (that of the motor tension is one).
+enum class Mounted : std::uint8_t { sheath, tube, bearing, gain };
+inline constexpr std::size_t mounted_kinds = 4;
+const char* mounted_name(Mounted kind);
+// As what a contact is mounted; none for those that no mounting changes.
+std::optional<Mounted> mounted_kind(ContactKind contact);
+
+// Relative, one standard deviation from mounting to mounting.
+using MountedScatter = std::array<double, mounted_kinds>;
+
+struct Mounting {
+  std::size_t run = 0;      // in MeasuredData::runs
+  std::size_t routing = 0;  // in MeasuredData::routings
+  std::vector<Eigen::Index> cells;
+};
+
+// Contacts of the kind in the routing that has the most of them.
+std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind);
+
+// In the order of run and routing.
+std::vector<Mounting> mountings(const Dataset& dataset);
+
+// One column for each thing that a mounting changes: the n-th contact of a kind in the routing's
+// network, or a channel. It acts in each mounting by itself.
+struct MountingModes {
+  std::vector<Mounted> kind;   // of each column
+  Eigen::MatrixXd by_share_N;  // of each cell: its change by a relative change of the thing
+
+  // Of two exponents; with itself: half the second derivative times √2, the deviation of z².
+  struct Pair {
+    Mounted first = Mounted::sheath;
+    Mounted second = Mounted::sheath;
+    Eigen::VectorXd by_shares_N;
+  };
+  std::vector<Pair> pairs;
+};
+
+// At these tensions of the model; things without effect have no column, and a model without
+// tensions a little beside it none at all.
+MountingModes mounting_modes(const Dataset& dataset, const Model& model, Workers& workers);
+
+}  // namespace reeve::diagnosis

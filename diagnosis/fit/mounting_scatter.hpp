@@ -1,0 +1,56 @@
+// How much mountings of a routing differ (mounting.hpp), estimated from the differences between
+// mountings of the same routing (mounted_comparison.hpp: A and b).
+//
+// With D = diag(τ²) the scatters are those of the greatest restricted likelihood (H. D. Patterson
+// and R. Thompson, Biometrika 58, 1971)
+//
+//   −2 ℓ = ln |I + D^{1/2} A D^{1/2}| − bᵀ D^{1/2} (I + D^{1/2} A D^{1/2})⁻¹ D^{1/2} b
+//
+// times τ e^{−τ/s}, a gamma density of shape 2 about the assumed scatter s: where readings tell
+// much it moves the estimate by about a standard error from 0, where they tell nothing (each
+// routing mounted once) the estimate is s (Y. Chung, S. Rabe-Hesketh, V. Dorie, A. Gelman, J. Liu,
+// Psychometrika 78, 2013).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "diagnosis/fit/mounting.hpp"
+#include "diagnosis/fit/problem.hpp"
+
+namespace reeve::diagnosis {
+
+// A rig that nobody knows. Exponents: ten lifts over one carabiner and one pulley, and strands of
+// one hand's routings, scatter by 3 to 9 % (docs/diagnosis.md); gains: what load cells are quoted
+// with.
+inline constexpr MountedScatter assumed_scatter{0.04, 0.04, 0.10, 0.005};
+
+// Times the assumed one: more than in any rig in print. A cause that is not in the model yet can
+// look like it, and so can contacts that stick in one mounting and slide in another, which is no
+// straight line.
+inline constexpr double most_believed_scatter = 3;
+
+struct MountingScatter {
+  MountedScatter relative{};  // τ
+  // How many independent differences tell of each; below 1 it is the assumed one.
+  std::array<double, mounted_kinds> told_by{};
+  std::array<bool, mounted_kinds> present{};  // in these data
+  std::size_t mounted_again = 0;              // mountings of routings beyond the first of each
+  bool given = false;                         // by the user
+  bool is_bounded = false;                    // to what is believed, where readings would say more
+};
+
+// Whether the readings tell it.
+bool is_told(const MountingScatter& scatter, Mounted kind);
+
+// Whether the readings seem to tell more than can be believed of mountings.
+bool is_beyond_belief(const MountingScatter& scatter);
+// No more than that.
+MountingScatter believed(MountingScatter scatter);
+
+// The problem's residuals must not be whitened yet. `given` is what the user knows of exponents; of
+// gains it is then as much less as of the assumed ones.
+MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
+                                 const MountingModes& modes, std::optional<double> given);
+
+}  // namespace reeve::diagnosis

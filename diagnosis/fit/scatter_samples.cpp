@@ -1,0 +1,203 @@
+#include "diagnosis/fit/scatter_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "numerics/matrices.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using CellGroup = std::vector<std::size_t>;  // cells
+
+// Of a reading that goes with the motor tension.
+double motor_variance_of_reading(const DatasetRow& row, double reading_N) {
+  return motor_variance(row, reading_N / row.conditions.motor_tension_N);
+}
+
+// Each run's rows have a column.
+Eigen::MatrixXd run_columns(const Dataset& dataset, const std::vector<std::size_t>& rows) {
+  std::map<std::size_t, Eigen::Index> place;
+  for (const std::size_t r : rows) {
+    const std::size_t run = dataset.data->readings[dataset.rows[r].reading].run;
+    place.emplace(run, static_cast<Eigen::Index>(place.size()));
+  }
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+                                                  static_cast<Eigen::Index>(place.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t run = dataset.data->readings[dataset.rows[rows[i]].reading].run;
+    columns(static_cast<Eigen::Index>(i), place.at(run)) = 1;
+  }
+  return columns;
+}
+
+// The columns of a regression of T / T_M that vary among these rows, centred.
+Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::size_t>& rows,
+                               Runs runs) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd all(n, 7);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const Conditions& at = row.conditions;
+    all.row(i) << 1 / at.motor_tension_N, std::log(at.motor_tension_N),
+        std::log(std::max(at.speed_mm_s, 0.01)), std::log1p(at.cycle / 100), at.temperature_C,
+        dataset.data->readings[row.reading].sheath_angle_rad.value_or(0),
+        static_cast<double>(dataset.data->readings[row.reading].taken);
+  }
+  const Eigen::MatrixXd levels =
+      runs == Runs::alike ? Eigen::MatrixXd::Ones(n, 1) : run_columns(dataset, rows);
+  Eigen::MatrixXd columns(n, levels.cols() + all.cols());
+  columns.leftCols(levels.cols()) = levels;
+  Eigen::Index used = levels.cols();
+  for (Eigen::Index c = 0; c < all.cols(); ++c) {
+    const Eigen::VectorXd centred = all.col(c).array() - all.col(c).mean();
+    const double size = centred.norm();
+    if (size > 1e-9 * (1 + all.col(c).norm())) columns.col(used++) = centred / size;
+  }
+  return columns.leftCols(used);
+}
+
+void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const CellGroup& cells,
+            double level, Runs runs, std::vector<ScatterSample>& samples) {
+  const Eigen::MatrixXd columns = smooth_columns(dataset, rows, runs);
+  if (columns.rows() < columns.cols() + 3) return;
+  Eigen::VectorXd ratio(columns.rows());
+  Eigen::VectorXd weight(columns.rows());
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
+    const double motor = dataset.rows[rows[static_cast<std::size_t>(i)]].conditions.motor_tension_N;
+    ratio[i] = measured / motor;
+    weight[i] = motor / (measured + 0.1 * level);
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
+  // What is the same in every row of a run is one with the runs' levels.
+  const Eigen::MatrixXd q = orthonormal_columns(weighted);
+  const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
+  const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
+  for (Eigen::Index i = 0; i < left.size(); ++i) {
+    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const double residual = left[i] / weight[i] * row.conditions.motor_tension_N;
+    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
+    const double expected = std::max(measured - residual, 0.0);
+    samples.push_back({expected, residual, 1 - q.row(i).squaredNorm(),
+                       motor_variance_of_reading(row, expected),
+                       rows[static_cast<std::size_t>(i)]});
+  }
+}
+
+}  // namespace
+
+double median_reading(const Dataset& dataset) {
+  std::vector<double> readings;
+  for (const Cell& cell : dataset.cells) {
+    if (cell.measured_N > 0) readings.push_back(cell.measured_N);
+  }
+  if (readings.empty()) return 1;
+  const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
+  std::nth_element(readings.begin(), middle, readings.end());
+  return *middle;
+}
+
+std::vector<bool> tell_of_noise(const Dataset& dataset) {
+  std::vector<bool> result = reads_zero_alone(*dataset.data);
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c] = !result[c] && !known_noise(*dataset.data, c);
+  }
+  return result;
+}
+
+double motor_variance(const DatasetRow& row, double by_scale) {
+  return std::pow(row.motor_deviation_N * by_scale, 2);
+}
+
+std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vector<char>& used) {
+  using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::uint64_t, Direction, double,
+                         double, double, double, std::optional<double>>;
+  const std::vector<bool> tells = tell_of_noise(dataset);
+  std::map<Key, CellGroup> groups;
+  std::vector<std::size_t> row_of(dataset.cells.size());
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    if (!row.has_motor_tension) continue;
+    const Reading& reading = dataset.data->readings[row.reading];
+    const Conditions& at = row.conditions;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      row_of[i] = r;
+      if (!tells[dataset.cells[i].channel]) continue;
+      groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
+              reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N,
+              at.speed_mm_s, at.cycle, at.temperature_C, reading.sheath_angle_rad}]
+          .push_back(i);
+    }
+  }
+  std::vector<ScatterSample> samples;
+  for (const auto& [key, group] : groups) {
+    const auto n = static_cast<double>(group.size());
+    if (group.size() < 2) continue;
+    double mean = 0;
+    for (const std::size_t i : group) mean += dataset.cells[i].measured_N / n;
+    for (const std::size_t i : group) {
+      samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n,
+                         motor_variance_of_reading(dataset.rows[row_of[i]], mean), row_of[i]});
+      used[i] = 1;
+    }
+  }
+  return samples;
+}
+
+std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
+                                     const std::vector<char>& used) {
+  const double level = median_reading(dataset);
+  const std::vector<bool> tells = tell_of_noise(dataset);
+  std::vector<ScatterSample> samples;
+  using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
+  std::map<Key, std::pair<std::vector<std::size_t>, CellGroup>> groups;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    if (!row.has_motor_tension) continue;
+    const Reading& reading = dataset.data->readings[row.reading];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      if (used[i] != 0 || !tells[dataset.cells[i].channel]) continue;
+      auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
+                                    reading.direction}];
+      rows.push_back(r);
+      cells.push_back(i);
+    }
+  }
+  for (const auto& [key, group] : groups) {
+    smooth(dataset, group.first, group.second, level, runs, samples);
+  }
+  return samples;
+}
+
+void take_out_motor(const Dataset& dataset, std::vector<ScatterSample>& samples) {
+  const double small_N = 0.1 * median_reading(dataset);
+  std::map<std::size_t, std::vector<ScatterSample*>> rows;
+  for (ScatterSample& sample : samples) {
+    if (sample.motor_variance_N2 > 0) rows[sample.row].push_back(&sample);
+  }
+  for (auto& [row, cells] : rows) {
+    if (cells.size() < 2) continue;
+    const auto per_level = [&](const ScatterSample& of) {
+      return of.level_N / std::pow(of.level_N + small_N, 2);
+    };
+    double weights = 0;
+    double share = 0;
+    for (const ScatterSample* sample : cells) {
+      weights += per_level(*sample) * sample->level_N;
+      share += per_level(*sample) * sample->residual_N;
+    }
+    share /= weights;
+    for (ScatterSample* sample : cells) {
+      sample->residual_N -= share * sample->level_N;
+      sample->kept *= 1 - per_level(*sample) * sample->level_N / weights;
+      sample->motor_variance_N2 = 0;
+    }
+  }
+}
+
+}  // namespace reeve::diagnosis

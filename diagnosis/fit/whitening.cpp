@@ -1,0 +1,67 @@
+#include "diagnosis/fit/whitening.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "numerics/matrices.hpp"
+#include "numerics/random.hpp"
+
+namespace reeve::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const MatrixXd& seen) {
+  // Of the readings' own noise: what scatters less than this is not worth an axis.
+  constexpr double least = 1e-6;
+  SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
+  const SymmetricAxes across = symmetric_axes(seen.transpose() * seen);
+  const VectorXd& squares = across.values;  // S², ascending
+  const Index all = squares.size();
+  Index used = 0;
+  while (used < all && squares[all - 1 - used] > least) ++used;
+  const VectorXd kept = squares.tail(used);
+  result.axes =
+      seen * across.vectors.rightCols(used) * kept.cwiseSqrt().cwiseInverse().asDiagonal();
+  result.shrunk = 1 - (1 + kept.array()).rsqrt();
+  return result;
+}
+
+void whiten(const Whitening& whitening, Eigen::Ref<VectorXd> residuals) {
+  std::size_t most = 0;
+  for (const SharedScatter& shared : whitening) most = std::max(most, shared.cells.size());
+  // One allocation. (Where there is no memory for a vector's new size, Eigen frees the old one
+  // twice.)
+  VectorXd memory(static_cast<Index>(most));
+  for (const SharedScatter& shared : whitening) {
+    if (shared.shrunk.size() == 0) continue;
+    auto own = memory.head(static_cast<Index>(shared.cells.size()));
+    for (Index i = 0; i < own.size(); ++i) {
+      own[i] = residuals[shared.cells[static_cast<std::size_t>(i)]];
+    }
+    const VectorXd along = shared.shrunk.cwiseProduct(shared.axes.transpose() * own);
+    own.noalias() -= shared.axes * along;
+    for (Index i = 0; i < own.size(); ++i) {
+      residuals[shared.cells[static_cast<std::size_t>(i)]] = own[i];
+    }
+  }
+}
+
+void whiten_columns(const Whitening& whitening, MatrixXd& columns) {
+  for (Index c = 0; c < columns.cols(); ++c) whiten(whitening, columns.col(c));
+}
+
+void add_shared_draws(const Whitening& whitening, std::uint64_t seed, std::uint32_t stream,
+                      std::uint64_t first, VectorXd& readings) {
+  for (const SharedScatter& shared : whitening) {
+    VectorXd z(shared.loadings.cols());
+    for (Index k = 0; k < z.size(); ++k) z[k] = normal(seed, stream, first++);
+    const VectorXd change = shared.loadings * z;
+    for (std::size_t i = 0; i < shared.cells.size(); ++i) {
+      readings[shared.cells[i]] += change[static_cast<Index>(i)];
+    }
+  }
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,266 @@
+#include "diagnosis/verdict/far_together.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "numerics/binomial.hpp"
+#include "numerics/student_t.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+// A few hundred readings cannot tell that their noise has no heavier tails.
+constexpr double most_degrees_of_far = 6;
+
+struct FarCount {
+  std::size_t all = 0;
+  std::size_t far = 0;
+
+  void add(bool is_far) {
+    ++all;
+    far += is_far ? 1 : 0;
+  }
+  FarCount without(const FarCount& part) const { return {all - part.all, far - part.far}; }
+};
+
+bool is_far(const JudgedCell& cell) { return std::abs(cell.z) > far_deviations; }
+
+using ChannelRun = std::pair<std::size_t, std::size_t>;
+
+struct FarCounts {
+  FarCount whole;
+  std::map<std::size_t, FarCount> channels;
+  std::map<ChannelRun, FarCount> runs;
+
+  double groups() const { return static_cast<double>(channels.size() + runs.size()); }
+};
+
+FarCounts counts_of(const std::vector<JudgedCell>& cells) {
+  FarCounts counts;
+  for (const JudgedCell& cell : cells) {
+    const bool far = is_far(cell);
+    counts.whole.add(far);
+    counts.channels[cell.channel].add(far);
+    counts.runs[{cell.channel, cell.run}].add(far);
+  }
+  return counts;
+}
+
+class FarChances {
+ public:
+  explicit FarChances(const Noise& noise)
+      : by_noise_(two_sided_p_value(
+            far_deviations, noise.tail_degrees > 0 ? noise.tail_degrees : most_degrees_of_far)) {}
+
+  double family_wise(const FarCount& part, const FarCounts& counts) const {
+    const FarCount others = counts.whole.without(part);
+    const double elsewhere =
+        static_cast<double>(others.far + 1) / static_cast<double>(others.all + 1);
+    return std::min(1.0, counts.groups() *
+                             at_least_so_many(part.far, part.all, std::max(by_noise_, elsewhere)));
+  }
+
+  double least(const FarCounts& counts) const {
+    double result = 1;
+    for (const auto& [channel, count] : counts.channels) {
+      result = std::min(result, family_wise(count, counts));
+    }
+    for (const auto& [run, count] : counts.runs) {
+      result = std::min(result, family_wise(count, counts));
+    }
+    return result;
+  }
+
+ private:
+  double by_noise_;
+};
+
+class FarFinder {
+ public:
+  FarFinder(const FarSearch& search, Workers& workers, const std::function<bool()>& stop)
+      : search_(search),
+        workers_(workers),
+        stop_(stop),
+        chances_(search.noise),
+        limit_(structure_share_of_alpha * search.alpha) {
+    add(search.training);
+    if (search.held_out != nullptr) add(*search.held_out);
+    for (const Part& part : parts_) {
+      const std::vector<JudgedCell> measured = part.cells.measured();
+      cells_.insert(cells_.end(), measured.begin(), measured.end());
+    }
+    std::stable_sort(cells_.begin(), cells_.end(), [](const JudgedCell& a, const JudgedCell& b) {
+      return a.reading < b.reading;
+    });
+    counts_ = counts_of(cells_);
+  }
+
+  FarReadings find() {
+    if (chances_.least(counts_) >= limit_) return {};
+    if (shares_scatter()) draw_mountings();
+    FarReadings result;
+    std::set<ChannelRun> taken;
+    for (const auto& [runs, channels] : channels_by_runs()) {
+      for (const std::size_t channel : channels) {
+        for (const std::size_t run : runs) taken.insert({channel, run});
+      }
+      result.together.push_back(together(channels, runs));
+    }
+    std::stable_sort(
+        result.together.begin(), result.together.end(),
+        [](const FarTogether& a, const FarTogether& b) { return a.p_value < b.p_value; });
+    for (const auto& [run, count] : counts_.runs) {
+      if (taken.count(run) > 0) continue;
+      result.elsewhere += count.all;
+      result.far_elsewhere += count.far;
+    }
+    return keep_to_something(result) ? result : FarReadings{};
+  }
+
+ private:
+  struct Part {
+    const Problem* problem;
+    JudgedCells cells;
+  };
+
+  void add(const Problem& problem) {
+    const Forecast at = forecast(*problem.dataset, search_.model);
+    parts_.push_back({&problem, JudgedCells(problem, at, search_.noise)});
+  }
+
+  bool shares_scatter() const {
+    return std::any_of(parts_.begin(), parts_.end(),
+                       [](const Part& part) { return !part.problem->shared.empty(); });
+  }
+
+  void draw_mountings() {
+    std::vector<MountedDraws> mountings;
+    for (const Part& part : parts_) {
+      mountings.emplace_back(*part.problem->dataset, search_.model, search_.mounting);
+    }
+    rarest_drawn_.assign(search_.replicates.count, 1);
+    constexpr std::size_t between_questions = 256;
+    for (std::size_t first = 0; first < rarest_drawn_.size(); first += between_questions) {
+      if (stop_()) return;
+      const std::size_t size = std::min(between_questions, rarest_drawn_.size() - first);
+      workers_.for_each_block(size, 1, [&](const IndexBlock& block) {
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          rarest_drawn_[first + i] = rarest_of(mountings, first + i);
+        }
+      });
+    }
+  }
+
+  double rarest_of(const std::vector<MountedDraws>& mountings, std::size_t replicate) const {
+    std::vector<JudgedCell> drawn;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const auto own = parts_[p].cells.drawn(mountings[p], search_.replicates.seed + p,
+                                             static_cast<std::uint32_t>(replicate));
+      drawn.insert(drawn.end(), own.begin(), own.end());
+    }
+    return chances_.least(counts_of(drawn));
+  }
+
+  // With what mountings do by themselves.
+  double chance_of(const FarCount& part) const {
+    const double chance = chances_.family_wise(part, counts_);
+    if (rarest_drawn_.empty() || chance >= limit_) return chance;
+    const auto as_rare = std::count_if(rarest_drawn_.begin(), rarest_drawn_.end(),
+                                       [&](double drawn) { return drawn <= chance; });
+    return std::max(
+        chance, static_cast<double>(as_rare + 1) / static_cast<double>(rarest_drawn_.size() + 1));
+  }
+
+  std::vector<std::size_t> runs_with(std::size_t channel) const {
+    std::vector<std::size_t> runs;
+    for (const auto& [run, count] : counts_.runs) {
+      if (run.first == channel) runs.push_back(run.second);
+    }
+    return runs;
+  }
+
+  // Where a channel has too many far readings beside the runs in which it has, too, it has them
+  // everywhere.
+  std::vector<std::size_t> runs_of(std::size_t channel) const {
+    std::vector<std::size_t> found;
+    FarCount rest = counts_.channels.at(channel);
+    for (const auto& [run, count] : counts_.runs) {
+      if (run.first != channel) continue;
+      if (chance_of(count) >= limit_) continue;
+      found.push_back(run.second);
+      rest = rest.without(count);
+    }
+    return rest.all > 0 && chance_of(rest) < limit_ ? runs_with(channel) : found;
+  }
+
+  std::map<std::vector<std::size_t>, std::vector<std::size_t>> channels_by_runs() const {
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> result;
+    for (const auto& [channel, count] : counts_.channels) {
+      std::vector<std::size_t> runs = runs_of(channel);
+      if (!runs.empty()) result[std::move(runs)].push_back(channel);
+    }
+    return result;
+  }
+
+  FarTogether together(const std::vector<std::size_t>& channels,
+                       const std::vector<std::size_t>& runs) const {
+    FarTogether result{channels, runs, true, 0, {}, 1, {}};
+    std::vector<JudgedCell> far;
+    for (const JudgedCell& cell : cells_) {
+      if (!std::binary_search(channels.begin(), channels.end(), cell.channel) ||
+          !std::binary_search(runs.begin(), runs.end(), cell.run)) {
+        continue;
+      }
+      ++result.readings;
+      if (is_far(cell)) far.push_back(cell);
+    }
+    for (const JudgedCell& cell : far) {
+      if (result.far_rows.empty() || result.far_rows.back() != cell.reading) {
+        result.far_rows.push_back(cell.reading);
+      }
+    }
+    result.sides = far_sides(far);
+    for (const std::size_t channel : channels) {
+      result.everywhere &= runs == runs_with(channel);
+      result.p_value = std::min(result.p_value, chance_of(counts_.channels.at(channel)));
+      for (const std::size_t run : runs) {
+        const auto count = counts_.runs.find({channel, run});
+        if (count != counts_.runs.end()) {
+          result.p_value = std::min(result.p_value, chance_of(count->second));
+        }
+      }
+    }
+    return result;
+  }
+
+  const FarSearch& search_;
+  Workers& workers_;
+  const std::function<bool()>& stop_;
+  FarChances chances_;
+  double limit_;
+  std::vector<Part> parts_;
+  std::vector<JudgedCell> cells_;
+  FarCounts counts_;
+  std::vector<double> rarest_drawn_;  // empty: no mountings were drawn
+};
+
+}  // namespace
+
+FarReadings far_readings_together(const FarSearch& search, Workers& workers,
+                                  const std::function<bool()>& stop) {
+  return FarFinder(search, workers, stop).find();
+}
+
+bool keep_to_something(const FarReadings& found) {
+  return static_cast<double>(found.far_elsewhere) <=
+         most_far_elsewhere * static_cast<double>(found.elsewhere);
+}
+
+bool follow_something(const FarTogether& together, double alpha) {
+  return !together.everywhere || together.sides.p_value < structure_share_of_alpha * alpha;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,193 @@
+#include "drawing/chart/chart_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawing/chart/chart_extent.hpp"
+
+namespace reeve::drawing::chart {
+namespace {
+
+constexpr double tick_length = 5;
+constexpr double beside_tick = tick_length + 3;  // from the frame to a tick's text
+constexpr double before_title = 5;
+constexpr double widest_category = 230;   // beside the y axis
+constexpr double longest_category = 150;  // turned, below the x axis
+constexpr double beyond_frame = 14;       // that a title may be wider than the frame
+constexpr std::size_t most_lines = 3;
+
+double lowest(const std::vector<ChartText>& texts, double least) {
+  for (const ChartText& text : texts) least = std::max(least, text.drawn.box.bottom);
+  return least;
+}
+
+void add_lines(const std::vector<ChartText>& lines, Point top, Align align,
+               std::vector<ChartText>& texts) {
+  for (const ChartText& line : lines) {
+    texts.push_back(at(line, top, align));
+    top.y += line_of(line.drawn.size);
+  }
+}
+
+std::vector<ChartText> tick_lines(const Tick& tick, double width, std::size_t most) {
+  return broken(tick.text, tick_size, Weight::normal, width, most);
+}
+
+// Whether each category has room for its text below its place.
+bool lie_flat(const std::vector<Tick>& ticks, double width) {
+  return std::all_of(ticks.begin(), ticks.end(), [&](const Tick& tick) {
+    const std::vector<ChartText> lines = tick_lines(tick, width, most_lines);
+    return std::all_of(lines.begin(), lines.end(),
+                       [](const ChartText& line) { return line.whole.empty(); });
+  });
+}
+
+void add_flat(const LaidPanel& laid, double width, std::vector<ChartText>& texts) {
+  for (const Tick& tick : laid.x.ticks) {
+    add_lines(tick_lines(tick, width, most_lines), {tick.at, laid.frame.bottom + beside_tick},
+              Align::middle, texts);
+  }
+}
+
+// Below each other if they are many: as many as have room.
+void add_turned(const LaidPanel& laid, double step, std::vector<ChartText>& texts) {
+  const double line = line_of(tick_size);
+  const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(line / step)));
+  for (std::size_t i = 0; i < laid.x.ticks.size(); i += every) {
+    const Tick& tick = laid.x.ticks[i];
+    texts.push_back(turned_at(cut(tick.text, tick_size, Weight::normal, longest_category),
+                              {tick.at - line / 2, laid.frame.bottom + beside_tick}, Align::end));
+  }
+}
+
+// From one category to the next; of a single one, all the room.
+double step_of(const std::vector<Tick>& ticks, double length) {
+  return ticks.size() < 2 ? length : std::abs(ticks[1].at - ticks[0].at);
+}
+
+void add_x_ticks(const LaidPanel& laid, std::vector<ChartText>& texts) {
+  if (laid.panel->x.categories.empty()) {
+    for (const Tick& tick : laid.x.ticks) {
+      if (tick.text.empty()) continue;
+      texts.push_back(at({{{}, tick.text, tick_size}, false, ""},
+                         {tick.at, laid.frame.bottom + beside_tick}, Align::middle));
+    }
+    return;
+  }
+  const double step = step_of(laid.x.ticks, laid.frame.right - laid.frame.left);
+  if (lie_flat(laid.x.ticks, step - 1)) {
+    add_flat(laid, step - 1, texts);
+  } else {
+    add_turned(laid, step, texts);
+  }
+}
+
+void add_y_ticks(const LaidPanel& laid, std::vector<ChartText>& texts) {
+  const double step = step_of(laid.y.ticks, laid.frame.bottom - laid.frame.top);
+  const double line = line_of(tick_size);
+  const bool categories = !laid.panel->y.categories.empty();
+  const auto lines =
+      static_cast<std::size_t>(std::clamp(step / line, 1.0, static_cast<double>(most_lines)));
+  const auto every =
+      static_cast<std::size_t>(categories ? std::max(1.0, std::ceil(line / step)) : 1);
+  for (std::size_t i = 0; i < laid.y.ticks.size(); i += every) {
+    const Tick& tick = laid.y.ticks[i];
+    if (tick.text.empty()) continue;
+    const std::vector<ChartText> parts = tick_lines(tick, widest_category, lines);
+    const double top = tick.at - static_cast<double>(parts.size()) * line / 2;
+    add_lines(parts, {laid.frame.left - beside_tick, top}, Align::end, texts);
+  }
+}
+
+void add_x_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
+  const Axis& axis = laid.panel->x;
+  if (axis.title.empty() || axis.hidden) return;
+  const double width = laid.frame.right - laid.frame.left;
+  const double top = lowest(texts, laid.frame.bottom) + before_title;
+  add_lines(broken(axis.title, title_text, Weight::normal, width, most_lines),
+            {(laid.frame.left + laid.frame.right) / 2, top}, Align::middle, texts);
+}
+
+void add_y_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
+  const Axis& axis = laid.panel->y;
+  if (axis.title.empty() || axis.hidden) return;
+  double left = laid.frame.left;
+  for (const ChartText& text : texts) left = std::min(left, text.drawn.box.left);
+  const std::vector<ChartText> lines = broken(axis.title, title_text, Weight::normal,
+                                              laid.frame.bottom - laid.frame.top, most_lines);
+  const double line = line_of(title_text);
+  left -= before_title + line * static_cast<double>(lines.size());
+  for (const ChartText& text : lines) {
+    texts.push_back(
+        turned_at(text, {left, (laid.frame.top + laid.frame.bottom) / 2}, Align::middle));
+    left += line;
+  }
+}
+
+void add_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
+  if (laid.panel->title.empty()) return;
+  const double width = laid.frame.right - laid.frame.left + beyond_frame;
+  const std::vector<ChartText> lines =
+      broken(laid.panel->title, title_text, Weight::bold, width, 2);
+  const double height = line_of(title_text) * static_cast<double>(lines.size());
+  add_lines(lines, {laid.frame.left, laid.frame.top - before_title - height}, Align::start, texts);
+}
+
+LaidAxis lay_axis(const Panel& panel, Along along, const Extent& extent, Stretch stretch) {
+  const Axis& of = axis(panel, along);
+  stretch.inset = inset(panel, along, std::abs(stretch.to - stretch.from));
+  if (!of.categories.empty()) {
+    // Categories are read from the top down.
+    if (along == Along::y) std::swap(stretch.from, stretch.to);
+    return lay_categories(of, stretch);
+  }
+  return lay_numbers(of, extent, stretch, along);
+}
+
+// The axis in another direction.
+LaidAxis turned(LaidAxis axis, const Scale& direction) {
+  axis.scale.from = direction.from;
+  axis.scale.to = direction.to;
+  for (Tick& tick : axis.ticks) tick.at = place(axis.scale, tick.value);
+  return axis;
+}
+
+}  // namespace
+
+LaidPanel lay_panel(const Panel& panel, const PanelFrame& frame) {
+  LaidPanel laid{&panel, {0, 0, frame.width, frame.height}, {}, {}, frame.numbers_at_y, {}};
+  laid.x = lay_axis(panel, Along::x, frame.x, {0, frame.width, {}});
+  laid.y = lay_axis(panel, Along::y, frame.y, {frame.height, 0, {}});
+  if (panel.one_scale) laid.y = turned(laid.x, laid.y.scale);
+  std::vector<ChartText> below;
+  std::vector<ChartText> beside;
+  if (!panel.x.hidden) add_x_ticks(laid, below);
+  add_x_title(laid, below);
+  if (!panel.y.hidden && frame.numbers_at_y) add_y_ticks(laid, beside);
+  if (frame.numbers_at_y) add_y_title(laid, beside);
+  add_title(laid, laid.texts);
+  laid.texts.insert(laid.texts.end(), below.begin(), below.end());
+  laid.texts.insert(laid.texts.end(), beside.begin(), beside.end());
+  return laid;
+}
+
+void shift(LaidPanel& panel, double dx, double dy) {
+  Box& frame = panel.frame;
+  frame = {frame.left + dx, frame.top + dy, frame.right + dx, frame.bottom + dy};
+  const auto move = [](LaidAxis& axis, double by) {
+    axis.scale.from += by;
+    axis.scale.to += by;
+    for (Tick& tick : axis.ticks) tick.at += by;
+  };
+  move(panel.x, dx);
+  move(panel.y, dy);
+  for (ChartText& text : panel.texts) shift(text, dx, dy);
+}
+
+Box bounds(const LaidPanel& panel) {
+  Box box = panel.frame;
+  for (const ChartText& text : panel.texts) box = around(box, text.drawn.box);
+  return box;
+}
+
+}  // namespace reeve::drawing::chart

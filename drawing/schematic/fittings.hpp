@@ -1,0 +1,98 @@
+// What a drawing with floating blocks, bars or anchored tips is made of, before anything has a
+// place: fittings (fingers, blocks and bars, joins at the hand, sheaths, pulleys on the carriage),
+// and their ports, at which segments of tendon end.
+//
+// A port faces down or up: that is where its line leaves. Passes, arms and beckets of a block face
+// one way and its tails the other; a block is drawn upright (its tails below) or inverted,
+// whichever lets more lines run straight on (facing.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/network.hpp"
+#include "drawing/schematic/schematic_plan.hpp"
+
+namespace reeve::drawing {
+
+enum class FittingKind : std::uint8_t { finger, block, join, sheath, pulley, clamp, bend };
+
+// A turn is one leg of what lies on a half circle: a pass of a block, a join, a pulley. A bend is
+// where a line turns back that would otherwise have to run upward, a clamp holds one end of what is
+// fixed at both.
+enum class PortRole : std::uint8_t {
+  strand,
+  turn,
+  arm,
+  becket,
+  tail,
+  pivot,
+  hand_side,
+  motor_side,
+  clamp,
+  bend,
+};
+
+constexpr bool is_tail(PortRole role) { return role == PortRole::tail || role == PortRole::pivot; }
+
+struct FittingPort {
+  std::size_t fitting = 0;
+  PortRole role = PortRole::strand;
+  std::size_t twin = nowhere;  // of a turn: its other leg
+  double offset = 0;           // from the fitting's middle, rightward
+};
+
+struct Fitting {
+  FittingKind kind = FittingKind::finger;
+  std::size_t index = 0;  // a finger's, counted from 0; of the network's blocks or contacts
+  bool inverted = false;  // blocks and joins
+  std::size_t level = 0;  // 0: the fingers; then downward
+  // Tails, and the others likewise, as they stand from left to right.
+  std::vector<std::size_t> ports;
+  // Of a sheath straight below a port: that port.
+  std::size_t carrier = nowhere;
+  // Of what lies between the two strands of one finger and joins them: that finger's fitting.
+  std::size_t inside = nowhere;
+};
+
+// What holds the end of a segment that has no port.
+enum class LooseEnd : std::uint8_t { fixed, tied };
+
+struct SegmentEnds {
+  std::array<std::size_t, 2> port{nowhere, nowhere};  // of its begin and its end
+  std::size_t via = nowhere;                          // the port of its bend
+  std::size_t tendon = 0;
+  LooseEnd loose = LooseEnd::fixed;
+};
+
+struct Fittings {
+  std::vector<Fitting> fittings;  // the fingers first
+  std::vector<FittingPort> ports;
+  std::vector<SegmentEnds> segments;              // parallel to the network's
+  std::vector<std::array<std::size_t, 2>> turns;  // of each contact: its ports, in walk order
+  std::vector<std::size_t> blocks;                // of each of the network's blocks: its fitting
+  std::size_t sheath_level = 1;
+
+  bool faces_down(std::size_t port) const;
+  const Fitting& of(std::size_t port) const { return fittings[ports[port].fitting]; }
+};
+
+// Whether the network needs such a drawing.
+bool has_floating_parts(const Network& network);
+bool is_anchored(const Network& network, int finger);
+
+Fittings fittings(const Network& network);
+
+// Gives the ports of a fitting their offsets, in their order.
+void place_ports(const Network& network, std::size_t fitting, Fittings& all);
+
+// How far from the middle of a block its first and its last tail leave it.
+struct Tails {
+  double first = 0;
+  double last = 0;
+};
+Tails tails_of(const Fittings& all, std::size_t fitting);
+
+}  // namespace reeve::drawing

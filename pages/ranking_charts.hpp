@@ -1,0 +1,26 @@
+// The charts of a ranking.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/shell/page.hpp"
+#include "reports/rank_report.hpp"
+
+namespace reeve::pages {
+
+// What the page calls each design, in their order: no two alike.
+using Labels = std::vector<std::string>;
+
+// Over the first two objectives that span the front; with only one, the mean uniformity or the mean
+// efficiency joins it.
+Figure pareto_figure(const RankReport& report, const Labels& labels);
+
+// Median and 5 % to 95 % of each design's rank. The report has distributions.
+Figure rank_figure(const RankReport& report, const Labels& labels);
+
+// Strand tensions of these designs in their g-th grasp.
+Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& labels,
+                       std::size_t grasp, std::size_t most);
+
+}  // namespace reeve::pages

@@ -1,0 +1,122 @@
+#include "pages/routing_page.hpp"
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "drawing/chart/chart_svg.hpp"
+#include "pages/figure_captions.hpp"
+#include "pages/figure_names.hpp"
+#include "pages/routing_parts.hpp"
+#include "pages/shell/glossary.hpp"
+#include "pages/shell/settings.hpp"
+#include "pages/shell/template.hpp"
+#include "pages/tension_charts.hpp"
+#include "reports/document/text_table.hpp"
+#include "reports/hand_report.hpp"
+#include "reports/shared_carriage.hpp"
+
+namespace reeve::pages {
+namespace {
+
+const char* verb(Direction direction) {
+  return direction == Direction::pull ? "pulls the tendons in" : "lets the fingers draw them out";
+}
+
+Figure tension_figure(const ShownRouting& report) {
+  std::string alt = "Bars of the strand tensions over the motor tension.";
+  for (const ShownGrasp& shown : report.grasps) {
+    alt += " " + grasp_words(shown.grasp) + ":";
+    for (const auto& [segment, tension] : strands(report.network, shown.state)) {
+      alt += " " + segment_name(segment) + " " + fixed(tension);
+    }
+    alt += ".";
+  }
+  chart::Chart chart = tension_chart(report);
+  chart.alt = alt;
+  return {"tensions", "Strand tensions in each grasp",
+          "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
+}
+
+// Of what the page rests on, the sentence that people look for first.
+std::string summary(const ShownRouting& report) {
+  const ObjectiveValues& values = report.values;
+  return fmt::format(
+      "Over the grasps below its mean uniformity is {} (worst {}) and its mean efficiency {} "
+      "(worst {}).",
+      fixed(value(values, Objective::uniformity_mean)),
+      fixed(value(values, Objective::uniformity_worst)),
+      fixed(value(values, Objective::efficiency_mean)),
+      fixed(value(values, Objective::efficiency_worst)));
+}
+
+Json jams(const ShownRouting& report) {
+  Json list = Json::array();
+  for (const ShownGrasp& shown : report.grasps) {
+    if (shown.state.jams) list.push_back(grasp_words(shown.grasp));
+  }
+  return list;
+}
+
+// False, which the template passes over, without one.
+Json hand_values(const ShownRouting& report) {
+  if (!report.hand) return false;
+  std::string tables;
+  Json lines = Json::array();
+  int number = 0;
+  for (const Section& section : hand_sections(*report.hand)) {
+    ++number;
+    tables += html({fmt::format("hand-table-{}", number), section.title, *section.table});
+    for (const SheetLine& line : section.lines) {
+      lines.push_back({{"text", line.text}, {"caveat", line.caveat}});
+    }
+  }
+  return {{"tables", tables}, {"lines", lines}};
+}
+
+GraspSet grasps(const ShownRouting& report) {
+  GraspSet grasps;
+  for (const ShownGrasp& shown : report.grasps) grasps.push_back({shown.grasp, 1});
+  return grasps;
+}
+
+}  // namespace
+
+RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
+  RoutingPage page;
+  std::string first;
+  std::string others;
+  const std::string stem = file_stems({{report.name, report.word}}).front();
+  for (const ShownGrasp& shown : report.grasps) {
+    const std::string file = schematic_name(stem, shown.grasp);
+    (first.empty() ? first : others) +=
+        schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
+    page.figures.push_back(schematic_file(file, report, shown));
+  }
+  Json values{{"name", report.name},
+              {"word", report.word},
+              {"canonical", report.canonical == report.word ? "" : report.canonical},
+              {"verb", verb(report.direction)},
+              {"summary", summary(report)},
+              {"shared", shared_carriage_text(report.network)},
+              {"jams", jams(report)},
+              {"objectives", html(routing_objectives(report))},
+              {"first", first},
+              {"others", others},
+              {"tensions", html(tension_table(report))},
+              {"contacts", html(contact_table(report))}};
+  values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
+  values["hand"] = hand_values(report);
+  values["has_strands"] = report.network.fingers > 0;
+  if (report.network.fingers > 0) {
+    const Figure tensions = tension_figure(report);
+    values["figure"] = figure_html(tensions);
+    values["shares"] = html(share_table(report));
+    page.figures.push_back(captioned(tensions, report.model));
+  }
+  values["settings"] = settings_html(report.model, report.unconverged, grasps(report), command);
+  const std::string title = report.name.empty() ? report.word : report.name + " " + report.word;
+  page.html = page_html({title, render("routing.mustache", values), "", Json::object()});
+  return page;
+}
+
+}  // namespace reeve::pages

@@ -1,0 +1,34 @@
+// Pieces of pages about a routing that was solved in some grasps: its schematics, and what `show`
+// says of it as tables.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pages/routing_labels.hpp"
+#include "pages/shell/figure_files.hpp"
+#include "pages/shell/html_table.hpp"
+#include "pages/shell/page.hpp"
+#include "reports/show_report.hpp"
+
+namespace reeve::pages {
+
+// Counts without decimals, others with three: of a cost as many more as tell it.
+std::string objective_text(Objective objective, double value);
+
+// In the order T1 … T2n.
+std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state);
+
+// For the page, with buttons to save it under that file's name, and for figures/.
+std::string schematic_html(const std::string& id, const ShownRouting& report,
+                           const ShownGrasp& shown, const std::string& file);
+FigureFile schematic_file(const std::string& file, const ShownRouting& report,
+                          const ShownGrasp& shown);
+
+HtmlTable tension_table(const ShownRouting& report);
+HtmlTable share_table(const ShownRouting& report);
+HtmlTable contact_table(const ShownRouting& report);
+HtmlTable routing_objectives(const ShownRouting& report);
+
+}  // namespace reeve::pages

@@ -1,0 +1,206 @@
+#include "readings/column_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "readings/words.hpp"
+
+namespace reeve::readings {
+namespace {
+
+struct KnownName {
+  const char* letters;
+  const char* plain;
+  DataRole role;
+};
+
+// Clocks in docs: seconds, where the name says no other unit.
+constexpr std::array plain_clocks{"time_s", "t_s", "t", "time", "timestamp", "time_ms", "t_ms"};
+
+constexpr std::array known_names{
+    KnownName{"run", "run", DataRole::run},
+    KnownName{"routing", "routing", DataRole::routing},
+    KnownName{"held", "held", DataRole::held},
+    KnownName{"direction", "direction", DataRole::direction},
+    KnownName{"motortension", "motor_tension_N", DataRole::motor_tension},
+    KnownName{"motortensionsd", "motor_tension_sd_N", DataRole::motor_deviation},
+    KnownName{"speed", "speed_mm_s", DataRole::speed},
+    KnownName{"cycle", "cycle", DataRole::cycle},
+    KnownName{"temperature", "temperature_C", DataRole::temperature},
+    KnownName{"sheathangle", "sheath_angle_rad", DataRole::sheath_angle},
+    KnownName{"readings", "readings", DataRole::readings},
+    KnownName{"time", "time_s", DataRole::time},
+    KnownName{"timestamp", "time_s", DataRole::time},
+    KnownName{"t", "time_s", DataRole::time},
+    KnownName{"position", "position_mm", DataRole::position},
+    KnownName{"pos", "position_mm", DataRole::position},
+};
+
+bool is_plain_clock(std::string_view text) {
+  return std::find(plain_clocks.begin(), plain_clocks.end(), text) != plain_clocks.end();
+}
+
+bool all_of(std::string_view text, int (*is)(int)) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+    return is(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+// Has the form of a tension's name without T: 1, a, ab, h1. A motor-side segment has two letters at
+// most: 702 of them are more than 64 fingers can have.
+bool looks_like_a_segment(std::string_view letters) {
+  if (all_of(letters, std::isalpha)) return letters.size() <= 2;
+  if (letters.starts_with('h')) letters.remove_prefix(1);
+  return all_of(letters, std::isdigit);
+}
+
+// "01" → T1, "ab" → ab, "h1" → h1.
+std::optional<Segment> segment_of(std::string_view letters) {
+  if (all_of(letters, std::isalpha)) return segment_named(letters);
+  const bool hand = letters.starts_with('h');
+  std::string_view digits = letters.substr(hand ? 1 : 0);
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  return segment_named((hand ? "h" : "T") + std::string(digits));
+}
+
+// `letters` begin with t, and are in small letters.
+std::optional<ColumnName> tension_named(std::string_view letters, const std::optional<Unit>& unit) {
+  ColumnName result{DataRole::tension, {}, unit, false};
+  if (letters.starts_with("at")) {
+    letters.remove_prefix(2);
+    result.place.beside = true;
+  }
+  if (!letters.starts_with('t')) return std::nullopt;
+  letters.remove_prefix(1);
+  // "tsd" itself is a segment of two letters.
+  if (letters.size() > 2 && letters.ends_with("sd")) {
+    result.role = DataRole::deviation;
+    letters.remove_suffix(2);
+  }
+  if (!looks_like_a_segment(letters)) return std::nullopt;
+  const bool is_strand = all_of(letters, std::isdigit);
+  if (result.place.beside && !is_strand) return std::nullopt;
+  const std::optional<Segment> segment = segment_of(letters);
+  if (!segment) {
+    if (!unit) return std::nullopt;
+    throw InputError({.expected =
+                          "a tension written as T1_N (strand), Ta_N (motor-side segment), Th1_N "
+                          "(stretch at the hand) or at_T1_N (the motor-side segment at T1)"});
+  }
+  result.place.segment = *segment;
+  result.needs_unit = !is_strand;
+  return result;
+}
+
+std::optional<ColumnName> named_by(const std::string& letters, const std::optional<Unit>& unit) {
+  for (const KnownName& known : known_names) {
+    if (letters == known.letters) return ColumnName{known.role, {}, unit, false};
+  }
+  return tension_named(letters, unit);
+}
+
+// What the letters mean before they are read as a name with that unit.
+Dimension dimension_of_letters(const std::string& letters) {
+  for (const KnownName& known : known_names) {
+    if (letters == known.letters) return dimension_of(known.role);
+  }
+  return Dimension::force;
+}
+
+}  // namespace
+
+std::optional<ColumnName> column_named(std::string_view name) {
+  NameWords words = words_of(name);
+  if (words.bracketed && (words.bracketed->empty() || *words.bracketed == "-")) {
+    words.bracketed.reset();
+  }
+  const std::size_t count = words.words.size();
+  if (words.bracketed) {
+    const std::string letters = joined(words, count);
+    const auto unit = find_unit(*words.bracketed, dimension_of_letters(letters));
+    return unit ? named_by(letters, unit) : std::nullopt;
+  }
+  // "speed_mm_s": the unit may be two words. First the most: "Ta_N" is no "tan".
+  for (const std::size_t of_unit : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
+    if (count <= of_unit) continue;
+    const std::string letters = joined(words, count - of_unit);
+    if (letters == "t" && !is_plain_clock(trimmed(name))) continue;  // T_min may be a tension
+    std::optional<Unit> unit;
+    if (of_unit > 0) {
+      const std::string& last = words.words[count - 1];
+      unit = find_unit(of_unit == 1 ? last : words.words[count - 2] + "/" + last,
+                       dimension_of_letters(letters));
+      if (!unit) continue;
+    }
+    if (auto found = named_by(letters, unit)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<ColumnName> try_column_named(std::string_view name) {
+  try {
+    return column_named(name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Dimension dimension_of(DataRole role) {
+  switch (role) {
+    case DataRole::motor_tension:
+    case DataRole::tension:
+    case DataRole::deviation:
+    case DataRole::motor_deviation:
+      return Dimension::force;
+    case DataRole::speed:
+      return Dimension::speed;
+    case DataRole::temperature:
+      return Dimension::temperature;
+    case DataRole::sheath_angle:
+      return Dimension::angle;
+    case DataRole::time:
+      return Dimension::time;
+    case DataRole::position:
+      return Dimension::length;
+    default:
+      return Dimension::none;
+  }
+}
+
+bool is_of_sensor(DataRole role) {
+  return role == DataRole::motor_tension || role == DataRole::tension;
+}
+
+bool is_of_numbers(DataRole role) {
+  switch (role) {
+    case DataRole::run:
+    case DataRole::routing:
+    case DataRole::held:
+    case DataRole::direction:
+    case DataRole::group:
+    case DataRole::no_name:
+    case DataRole::covariate:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::string plain_name(const ColumnName& name) {
+  for (const KnownName& known : known_names) {
+    if (known.role == name.role) return known.plain;
+  }
+  const bool is_strand = name.place.segment.kind == SegmentKind::strand;
+  return std::string(name.place.beside ? "at_" : "") + (is_strand ? "" : "T") +
+         segment_name(name.place.segment) + (name.role == DataRole::deviation ? "_sd" : "") + "_N";
+}
+
+bool is_plain(std::string_view text, const ColumnName& name) {
+  return name.role == DataRole::time ? is_plain_clock(text) : text == plain_name(name);
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,79 @@
+// What a column's name says that it holds, in whatever spelling (words.hpp).
+//
+//   run, routing, held, direction     text
+//   motor_tension, speed, cycle, temperature, sheath_angle, readings
+//   time, timestamp, position, pos    of the log of a rig; a letter alone is a time as t, t_s, t_ms
+//                                     or with a unit in brackets, since T_min may be a tension
+//   T1, T2, …                         tensions of strands
+//   Ta, Tb, … and Th1, …              of motor-side segments and of stretches at the hand; only
+//                                     with a unit of force, since Ta may be a temperature
+//   at_T1, …                          of the motor-side segment at that strand's sheath
+//   T1_sd, Ta_sd, at_T1_sd, …         standard deviations of those, and motor_tension_sd
+//
+// The unit follows: T1_N, T1 [lbf], temperature_F. Its dimension must be that of the name, so that
+// "T1 [°C]" is no tension.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/network.hpp"
+#include "readings/units.hpp"
+
+namespace reeve::readings {
+
+enum class DataRole : std::uint8_t {
+  run,
+  routing,
+  held,
+  direction,
+  motor_tension,
+  speed,
+  cycle,
+  temperature,
+  sheath_angle,
+  tension,
+  covariate,
+  readings,   // that a row is the mean of
+  deviation,  // of those
+  motor_deviation,
+  group,  // named by who reads the file
+  no_name,
+  time,  // of a log, as the next
+  position,
+};
+
+// Which tension a column is of.
+struct MeasuredPlace {
+  Segment segment;
+  bool beside = false;  // the motor-side segment at this strand, whatever its letter
+
+  friend bool operator==(const MeasuredPlace&, const MeasuredPlace&) = default;
+};
+
+struct ColumnName {
+  DataRole role = DataRole::covariate;
+  MeasuredPlace place;       // tensions and their deviations only
+  std::optional<Unit> unit;  // if the name says one
+  bool needs_unit = false;   // else it is a covariate
+};
+
+// Nothing of a name that is none of these. Throws InputError of one that looks like a tension's and
+// is none, such as T0_N.
+std::optional<ColumnName> column_named(std::string_view name);
+// Nothing of one that cannot be read, either.
+std::optional<ColumnName> try_column_named(std::string_view name);
+
+Dimension dimension_of(DataRole role);
+// Whether whoever reads a row needs numbers there; covariates may turn out to be words.
+bool is_of_numbers(DataRole role);
+// Whether a sensor of force reads it, which has a zero.
+bool is_of_sensor(DataRole role);
+// As the name is written in docs: motor_tension_N, T1_N, at_T1_N, Ta_sd_N.
+std::string plain_name(const ColumnName& name);
+// Whether `text`, which means that, is written as in docs: a clock has several names there.
+bool is_plain(std::string_view text, const ColumnName& name);
+
+}  // namespace reeve::readings

@@ -1,0 +1,283 @@
+#include "readings/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/input_file.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "readings/words.hpp"
+
+namespace reeve::readings {
+namespace {
+
+[[noreturn]] void fail_too_large(const std::string& name) {
+  throw InputError({.where = name,
+                    .what = "is larger than 512 MiB",
+                    .expected = "a CSV file with one row per reading"});
+}
+
+std::string read_file(const std::filesystem::path& path, const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error) &&
+      std::filesystem::file_size(path, error) > max_csv_size && !error) {
+    fail_too_large(name);
+  }
+  std::string text = read_input(path, max_csv_size, "a CSV file");
+  if (text.size() > max_csv_size) fail_too_large(name);
+  return text;
+}
+
+// "the byte FC ('ü' in Latin-1)". Below A0 the encodings differ.
+std::string byte_words(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  std::string words = fmt::format("the byte {:02X}", byte);
+  if (byte < 0xA0) return words;
+  const std::array character{static_cast<char>(0xC0 | byte >> 6),
+                             static_cast<char>(0x80 | (byte & 0x3F))};
+  return words +
+         fmt::format(" ('{}' in Latin-1)", std::string_view(character.data(), character.size()));
+}
+
+bool is_blank(const std::string& field) { return trimmed(field).empty(); }
+
+}  // namespace
+
+bool says_simulated(std::string_view text) {
+  return lower(text).find("simulated") != std::string::npos;
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
+  return text;
+}
+
+std::string for_message(std::string_view text) {
+  constexpr std::size_t most = 40;
+  std::size_t end = std::min(text.size(), most);
+  // Not in the middle of a UTF-8 character.
+  while (end < text.size() && end > 0 && (text[end] & '\xC0') == '\x80') --end;
+  const std::string shown = one_line(std::string(text.substr(0, end)));
+  return end < text.size() ? shown + "…" : shown;
+}
+
+InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
+                      std::string_view column, std::string_view text) {
+  return InputError(changed(error.fault(), one_line))
+      .at(InputFault{.where = fmt::format("{}:{}", file, line),
+                     .what = fmt::format("column '{}'", for_message(column)),
+                     .value = for_message(text),
+                     .form = InputForm::cell});
+}
+
+CsvReader::CsvReader(std::string text, std::string name)
+    : text_(std::move(text)), name_(std::move(name)) {
+  if (text_.starts_with("\xEF\xBB\xBF")) at_ = line_begin_ = 3;
+  require_text();
+  read_header();
+}
+
+CsvReader CsvReader::open(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return {read_file(path, name), name};
+}
+
+void CsvReader::read_header() {
+  bool found = false;
+  while (!found && at_row()) {
+    separator_ = find_separator();
+    found = read_row(header_);
+  }
+  if (!found) {
+    throw InputError(
+        {.where = name_, .what = "is empty", .expected = "a header and rows below it"});
+  }
+  columns_ = header_.fields.size();
+  for (std::size_t i = 0; i < columns_; ++i) {
+    if (!is_blank(header_.fields[i])) named_ = i + 1;
+  }
+}
+
+bool CsvReader::next(CsvRow& row) {
+  while (at_row()) {
+    if (read_row(row)) return true;
+  }
+  return false;
+}
+
+InputFault CsvReader::fault(Place place, std::string what, std::string expected) const {
+  return {.where = fmt::format("{}:{}:{}", name_, place.line, place.column),
+          .what = std::move(what),
+          .expected = std::move(expected)};
+}
+
+void CsvReader::fail(Place place, std::string what, std::string expected) const {
+  throw InputError(fault(place, std::move(what), std::move(expected)));
+}
+
+// Before any row is read.
+CsvReader::Place CsvReader::place_of(std::size_t at) const {
+  const std::string_view before = std::string_view(text_).substr(line_begin_, at - line_begin_);
+  const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t last = before.rfind('\n');
+  return {lines + 1, last == std::string_view::npos ? at + 1 - line_begin_ : before.size() - last};
+}
+
+// What a spreadsheet keeps for itself.
+void CsvReader::require_no_workbook() const {
+  const bool is_zip = text_.starts_with("PK\x03\x04");
+  if (!is_zip && !text_.starts_with("\xD0\xCF\x11\xE0")) return;
+  throw InputError({.where = name_,
+                    .what = fmt::format("is a workbook of a spreadsheet ({}), not text",
+                                        is_zip ? ".xlsx, .ods or another zip archive" : ".xls"),
+                    .expected = "its sheet saved as CSV"});
+}
+
+void CsvReader::require_text() const {
+  require_no_workbook();
+  const std::size_t nul = text_.find('\0');
+  if (nul != std::string::npos) {
+    fail(place_of(nul), "a NUL byte", "text in UTF-8 (UTF-16 must be converted)");
+  }
+  if (const auto bad = first_not_utf8(text_)) {
+    fail(place_of(*bad), byte_words(text_[*bad]),
+         "text in UTF-8. The file looks like Latin-1 or Windows-1252, as spreadsheets on Windows "
+         "write: save it as 'CSV UTF-8', or convert it by iconv -f WINDOWS-1252 -t UTF-8");
+  }
+}
+
+char CsvReader::find_separator() const {
+  std::size_t commas = 0, semicolons = 0, tabs = 0;
+  bool quoted = false;
+  for (std::size_t i = at_; i < text_.size(); ++i) {
+    const char c = text_[i];
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '\n') break;
+    commas += c == ',' ? 1 : 0;
+    semicolons += c == ';' ? 1 : 0;
+    tabs += c == '\t' ? 1 : 0;
+  }
+  if (commas > 0 && semicolons > 0) {
+    fail(here(),
+         fmt::format("the header has {} commas and {} semicolons outside quotes", commas,
+                     semicolons),
+         "one of them, as separator");
+  }
+  if (commas == 0 && semicolons == 0 && tabs > 0) return '\t';
+  return semicolons > 0 ? ';' : ',';
+}
+
+std::string CsvReader::as_many_as_the_header() const {
+  return fmt::format("{}, as many as the header in line {} has", columns_, header_.line);
+}
+
+// Passes comments and empty lines.
+bool CsvReader::at_row() {
+  while (at_ < text_.size()) {
+    if (text_[at_] == '#') {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      comments_.push_back({line_, text_.substr(at_ + 1, end - at_ - 1)});
+      at_ = end;
+    } else if (!at_line_end()) {
+      return true;
+    }
+    if (at_ < text_.size()) end_line();
+  }
+  return false;
+}
+
+// False if no field has anything in it. However long a row is, no more fields than the header has
+// are kept.
+bool CsvReader::read_row(CsvRow& row) {
+  row.line = line_;
+  row.ragged.reset();
+  std::size_t count = 0;
+  bool blank = true;
+  std::string beyond;
+  do {
+    const Place begin = here();
+    const bool kept = columns_ == 0 || count < columns_;
+    if (kept && count == row.fields.size()) row.fields.emplace_back();
+    std::string& field = kept ? row.fields[count] : beyond;
+    read_field(field);
+    blank = blank && is_blank(field);
+    if (!kept && !row.ragged && !is_blank(field)) {
+      row.ragged = fault(begin, "a further field", as_many_as_the_header());
+    }
+    ++count;
+    if (columns_ == 0 && count > max_csv_columns) {
+      fail(begin, "a further field", fmt::format("at most {}", max_csv_columns));
+    }
+  } while (take_separator());
+  if (columns_ != 0 && count < named_) {
+    row.ragged = fault(
+        here(), fmt::format("the row ends after {} {}", count, count == 1 ? "field" : "fields"),
+        as_many_as_the_header());
+  }
+  row.fields.resize(columns_ == 0 ? count : columns_);
+  for (std::size_t i = count; i < row.fields.size(); ++i) row.fields[i].clear();
+  if (at_ < text_.size()) end_line();
+  return !blank;
+}
+
+// Leaves the reader at a separator or a line end.
+void CsvReader::read_field(std::string& field) {
+  if (at_ < text_.size() && text_[at_] == '"') return read_quoted(field);
+  const std::size_t begin = at_;
+  while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
+         text_[at_] != '\r') {
+    if (text_[at_] == '"') {
+      fail(here(), "a quote inside a field", "the whole field in quotes, and the quote twice");
+    }
+    ++at_;
+  }
+  field.assign(text_, begin, at_ - begin);
+}
+
+void CsvReader::read_quoted(std::string& field) {
+  const Place opening = here();
+  field.clear();
+  for (++at_;; ++at_) {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != '"') {
+      if (text_[at_++] != '\n') continue;
+      ++line_;
+      line_begin_ = at_;
+    }
+    field.append(text_, begin, at_ - begin);
+    if (at_ == text_.size()) fail(opening, "the quote is not closed", "another one");
+    if (++at_ == text_.size() || text_[at_] != '"') break;
+    field += '"';
+  }
+  if (at_ < text_.size() && text_[at_] != separator_ && !at_line_end()) {
+    fail(here(), fmt::format("'{}' behind the closing quote", for_message(text_.substr(at_, 1))),
+         fmt::format("'{}' or the end of the line", separator_));
+  }
+}
+
+bool CsvReader::at_line_end() const {
+  return text_[at_] == '\n' ||
+         (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n');
+}
+
+void CsvReader::end_line() {
+  at_ += text_[at_] == '\r' ? 2 : 1;
+  ++line_;
+  line_begin_ = at_;
+}
+
+bool CsvReader::take_separator() {
+  if (at_ == text_.size() || at_line_end()) return false;
+  if (text_[at_] == '\r') fail(here(), "a carriage return alone", "LF or CRLF at line ends");
+  ++at_;
+  return true;
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,109 @@
+// Reads a CSV file (RFC 4180) row by row, and keeps line numbers, so that whoever reads the fields
+// can name the place of what is wrong.
+//
+//   - The first row is the header; every other row has as many fields as it. Separators behind the
+//     last field are passed over: fields beyond the header must be blank, and a row may end before
+//     columns that have no name.
+//   - Fields may be quoted ("a ""quoted"" field"), over several lines too. A quote elsewhere in a
+//     field is an error.
+//   - Lines end with LF or CRLF. A UTF-8 byte order mark at the beginning is passed over.
+//   - A line that begins with # is a comment (a first field that begins with # must be quoted);
+//     lines that are empty or have nothing but separators are passed over.
+//   - The separator is what the header has outside quotes: commas, semicolons, or else tabs. A
+//     header with commas and semicolons is refused.
+//   - A spreadsheet's own file is refused by name, and so is what is no UTF-8.
+//
+// Time is linear in the size. Errors are "file:line:column: …", columns counted in bytes from 1.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace reeve::readings {
+
+struct CsvRow {
+  std::size_t line = 0;             // where it begins, from 1
+  std::vector<std::string> fields;  // as many as the header has
+  // Set if the row has another number of them, and means nothing.
+  std::optional<InputFault> ragged;
+};
+
+struct CsvComment {
+  std::size_t line = 0;
+  std::string text;  // behind the #
+};
+
+// 512 MiB. A wrong path (a recording, a device) is refused, not swallowed.
+inline constexpr std::size_t max_csv_size = std::size_t{1} << 29;
+inline constexpr std::size_t max_csv_columns = 10000;
+
+class CsvReader {
+ public:
+  // Both read the header, and throw InputError. `name` stands for the file in messages.
+  CsvReader(std::string text, std::string name);
+  static CsvReader open(const std::filesystem::path& path);
+
+  const std::string& name() const { return name_; }
+  char separator() const { return separator_; }
+  const CsvRow& header() const { return header_; }
+  // Those passed so far.
+  const std::vector<CsvComment>& comments() const { return comments_; }
+
+  // The next row below the header; false at the end. Keeps the memory of `row`. Throws InputError
+  // where the rest of the file cannot be parted into fields.
+  bool next(CsvRow& row);
+
+ private:
+  struct Place {
+    std::size_t line = 1;
+    std::size_t column = 1;
+  };
+
+  Place here() const { return {line_, at_ - line_begin_ + 1}; }
+  InputFault fault(Place place, std::string what, std::string expected) const;
+  [[noreturn]] void fail(Place place, std::string what, std::string expected) const;
+
+  std::string as_many_as_the_header() const;
+  Place place_of(std::size_t at) const;
+  void require_no_workbook() const;
+  void require_text() const;
+  char find_separator() const;
+  bool at_row();
+  void read_header();
+  bool read_row(CsvRow& row);
+  void read_field(std::string& field);
+  void read_quoted(std::string& field);
+  bool at_line_end() const;
+  void end_line();
+  bool take_separator();
+
+  std::string text_;
+  std::string name_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_begin_ = 0;
+  char separator_ = ',';
+  CsvRow header_;
+  std::size_t columns_ = 0;  // 0 while the header is read
+  std::size_t named_ = 0;    // up to the last column that has a name
+  std::vector<CsvComment> comments_;
+};
+
+// Whether a comment marks the data as simulated: it has the word, in any case.
+bool says_simulated(std::string_view text);
+
+// The text with what would break a message of one line replaced.
+std::string one_line(std::string text);
+// The same, shortened to some forty bytes.
+std::string for_message(std::string_view text);
+// What is wrong with a cell, behind its place, its column and its text; on one line.
+InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
+                      std::string_view column, std::string_view text);
+
+}  // namespace reeve::readings

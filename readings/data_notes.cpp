@@ -1,0 +1,132 @@
+#include "readings/data_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "numerics/robust.hpp"
+#include "readings/below_zero.hpp"
+#include "readings/column_name.hpp"
+#include "readings/copies.hpp"
+#include "readings/directions.hpp"
+#include "readings/inverted.hpp"
+#include "readings/log/recognise_series.hpp"
+#include "readings/taken_order.hpp"
+
+namespace reeve::readings {
+namespace {
+
+void add_motor_side(const MeasuredData& data, std::vector<DataNote>& notes) {
+  DataNote note{NoteKind::motor_side_above_motor, "", {}};
+  for (const Reading& reading : data.readings) {
+    if (!reading.motor_tension_N) continue;
+    bool above = false;
+    for (std::size_t i = 0; i < data.channels.size(); ++i) {
+      above |=
+          data.channels[i].segment.kind == SegmentKind::motor_side &&
+          reading.tension_N[i].value_or(0) > (1 + motor_side_tolerance) * *reading.motor_tension_N;
+    }
+    if (above) note.lines.push_back(reading.line);
+  }
+  if (note.lines.empty()) return;
+  note.text = fmt::format(
+      "a motor-side segment carries over {:.0f} % more than motor_tension_N, which is the sum of all "
+      "of them: check the units and the zeros of the sensors",
+      100 * motor_side_tolerance);
+  notes.push_back(std::move(note));
+}
+
+void add_units(const std::string& what, double median, double low, double high,
+               const std::string& unit, std::vector<DataNote>& notes) {
+  if (std::isnan(median) || (median >= low && median <= high)) return;
+  notes.push_back(
+      {NoteKind::units,
+       fmt::format("the median of {} is {:.3g}{}, and from {} to {} is plausible: is it "
+                   "in another unit than newton?",
+                   what, median, unit, low, high),
+       {}});
+}
+
+// A third below zero: what is above it is noise about nothing, too, and has no unit.
+bool reads_nothing(std::size_t above_zero, std::size_t below_zero) {
+  return below_zero > 0 && 2 * below_zero >= above_zero;
+}
+
+// Zeros are left out: a slack strand says nothing about units.
+void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
+  const auto add_tension = [&](const std::string& what, const std::vector<double>& tensions) {
+    add_units(what, middle_of(tensions), least_plausible_tension_N, greatest_plausible_tension_N,
+              " N", notes);
+  };
+  std::vector<double> motor;
+  for (const Reading& reading : data.readings) {
+    if (reading.motor_tension_N.value_or(0) > 0) motor.push_back(*reading.motor_tension_N);
+  }
+  add_tension("motor_tension_N", motor);
+  for (std::size_t i = 0; i < data.channels.size(); ++i) {
+    const std::string column =
+        plain_name({DataRole::tension, {data.channels[i].segment, false}, {}, false});
+    std::vector<double> tensions, ratios;
+    std::size_t below_zero = 0;
+    for (const Reading& reading : data.readings) {
+      const double tension = reading.tension_N[i].value_or(0);
+      below_zero += tension < 0 ? 1 : 0;
+      if (tension > 0) tensions.push_back(tension);
+      if (tension > 0 && reading.motor_tension_N.value_or(0) > 0) {
+        ratios.push_back(tension / *reading.motor_tension_N);
+      }
+    }
+    if (reads_nothing(tensions.size(), below_zero)) continue;
+    add_tension(column, tensions);
+    add_units(column + " over motor_tension_N", middle_of(ratios), least_plausible_ratio,
+              greatest_plausible_ratio, "", notes);
+  }
+}
+
+// The clock gives rows their order, and is no news to whoever logged it.
+void add_covariates(const MeasuredData& data, std::vector<DataNote>& notes) {
+  const std::optional<std::size_t> clock = clock_of(data);
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    if (c == clock) continue;
+    notes.push_back(
+        {NoteKind::covariate,
+         fmt::format("column '{}' is read as a covariate, which the model does not know",
+                     for_message(data.covariates[c])),
+         {}});
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
+  const EqualRows equal = equal_rows(data);
+  std::vector<std::size_t> repeated = equal.copies;
+  repeated.insert(repeated.end(), equal.copies_across.begin(), equal.copies_across.end());
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
+std::vector<DataNote> data_notes(const MeasuredData& data,
+                                 const std::vector<CsvComment>& comments_below_the_header) {
+  std::vector<DataNote> notes;
+  if (auto series = recognise_series(data)) notes.push_back(std::move(*series));
+  for (DataNote& note : notes_on_equal_rows(data)) notes.push_back(std::move(note));
+  add_motor_side(data, notes);
+  add_units(data, notes);
+  for (DataNote& note : notes_on_directions(data)) notes.push_back(std::move(note));
+  for (DataNote& note : notes_below_zero(data)) notes.push_back(std::move(note));
+  if (auto inverted = note_inverted(data)) notes.push_back(std::move(*inverted));
+  add_covariates(data, notes);
+  if (!comments_below_the_header.empty()) {
+    DataNote note{NoteKind::comment,
+                  "lines below the header begin with # and are taken as comments, not as readings",
+                  {}};
+    for (const CsvComment& comment : comments_below_the_header) note.lines.push_back(comment.line);
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+}  // namespace reeve::readings

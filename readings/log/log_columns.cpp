@@ -1,0 +1,208 @@
+#include "readings/log/log_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "readings/header_columns.hpp"
+#include "readings/log/motion_names.hpp"
+#include "readings/log/tension_names.hpp"
+
+namespace reeve::readings {
+namespace {
+
+using Columns = std::vector<DataColumn>;
+
+// Far above any rig, and squares of them stay numbers; of a clock, a date in microseconds.
+CellRange range_in_log(DataRole role) {
+  switch (role) {
+    case DataRole::time:
+      return {-1e15, 1e15};
+    case DataRole::motor_tension:
+    case DataRole::tension:
+    case DataRole::position:
+    case DataRole::speed:
+      return {-1e9, 1e9};
+    default:
+      return {};
+  }
+}
+
+constexpr FileKind log_of_a_rig{[](DataRole) { return true; }, range_in_log};
+
+bool has(const Columns& columns, DataRole role) { return find_column(columns, role).has_value(); }
+
+// What samples are averaged to has columns of its own.
+bool is_of_means(DataRole role) {
+  return role == DataRole::readings || role == DataRole::deviation ||
+         role == DataRole::motor_deviation;
+}
+
+// Whoever reads the samples does more with it than to average it, or to cut where it changes.
+bool is_used(const DataColumn& column) {
+  switch (column.role) {
+    case DataRole::tension:
+      return !column.place.beside;  // its segment is a matter of the routing
+    case DataRole::cycle:
+    case DataRole::temperature:
+    case DataRole::sheath_angle:
+      return false;
+    default:
+      return true;
+  }
+}
+
+// What the user names goes before what docs name, and that before others: first those that say
+// their unit.
+int rank_of_clock(const DataColumn& column) {
+  const auto named = try_column_named(column.name);
+  if (!named || named->role != DataRole::time) return 3;
+  if (is_plain(column.name, *named)) return 2;
+  return named->unit ? 1 : 0;
+}
+
+constexpr const char* clock_names =
+    "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms";
+
+std::string names_of(const Columns& columns) {
+  constexpr std::size_t most = 10;
+  std::string list;
+  std::size_t count = 0;
+  for (const DataColumn& column : columns) {
+    if (column.name.empty() || ++count > most) continue;
+    list += fmt::format("{}'{}'", list.empty() ? "" : ", ", for_message(column.name));
+  }
+  if (count > most) list += fmt::format(", and {} more", count - most);
+  return list;
+}
+
+// It may be there under another name.
+std::string clock_or_its_name(const Columns& columns, const std::string& map_option) {
+  const std::string names = names_of(columns);
+  if (map_option.empty() || names.empty()) return clock_names;
+  return fmt::format("{}; it has {}, and {} 'COLUMN=time_s' says which of them is one", clock_names,
+                     names, map_option);
+}
+
+void choose_clock(HeaderColumns& header, const std::string& map_option, HeaderFaults& faults) {
+  std::vector<std::size_t> clocks;
+  int highest = 0;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    if (header.columns[i].role != DataRole::time) continue;
+    const int rank = rank_of_clock(header.columns[i]);
+    if (rank > highest) {
+      for (const std::size_t other : clocks) make_covariate(header, other);
+      clocks.clear();
+    }
+    highest = std::max(highest, rank);
+    if (rank < highest) {
+      make_covariate(header, i);
+    } else {
+      clocks.push_back(i);
+    }
+  }
+  if (clocks.size() == 1) return;
+  faults.add(
+      {.what =
+           fmt::format("the header has {} column of time", clocks.empty() ? "no" : "more than one"),
+       .expected = clocks.empty() ? clock_or_its_name(header.columns, map_option) : clock_names});
+}
+
+// One tension alone can be compared with nothing.
+void require_comparable(const Columns& columns, HeaderFaults& faults) {
+  const auto tensions = std::count_if(columns.begin(), columns.end(), [](const DataColumn& column) {
+    return column.role == DataRole::tension;
+  });
+  if (tensions >= 2 || (tensions == 1 && has(columns, DataRole::motor_tension))) return;
+  faults.add({.what = tensions == 0 ? "the header has no column of tensions"
+                                    : "the header has one column of tensions",
+              .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
+                          "(motor-side segment) or Th1_N (stretch at the hand), or two "
+                          "without it"});
+}
+
+// Without a motion other samples are steady than with one, so that none may be missed.
+void require_no_missed_motion(HeaderColumns& header, HeaderFaults& faults) {
+  if (has(header.columns, DataRole::position) || has(header.columns, DataRole::speed)) return;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    const DataColumn& column = header.columns[i];
+    if (column.role != DataRole::covariate) continue;
+    if (says_motion(column.name)) {
+      faults.add_column(
+          i, fmt::format("the carriage's position with a unit of length ({}), its speed with one "
+                         "of speed ({}), or another name if it is neither",
+                         unit_names(Dimension::length), unit_names(Dimension::speed)));
+    } else if (has_unit_of_motion(column.name)) {
+      header.notes.push_back(
+          {NoteKind::covariate,
+           fmt::format("column '{}' is in a unit of length or speed: it is not read as the "
+                       "carriage's position or speed, which are position_mm and speed_mm_s",
+                       for_message(column.name)),
+           {}});
+    }
+  }
+}
+
+// Without the motor tension other samples are steady than with it, and what is left are shares. Of
+// another tension it is enough to say that readings will not have it.
+void require_no_missed_tension(HeaderColumns& header, HeaderFaults& faults) {
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    const std::string& name = header.columns[i].name;
+    if (header.columns[i].role != DataRole::covariate) continue;
+    const auto meant = tension_in_no_unit_of_force(name);
+    if (!meant) continue;
+    const std::string units = unit_names(Dimension::force);
+    if (meant->role == DataRole::motor_tension && !has(header.columns, DataRole::motor_tension)) {
+      faults.add_column(i, fmt::format("the motor tension with a unit of force ({}), or another "
+                                       "name if it is none",
+                                       units));
+      continue;
+    }
+    header.notes.push_back(
+        {NoteKind::covariate,
+         fmt::format("column '{}' has the name of a tension and no unit of force ({}): it is "
+                     "averaged as it is, and readings do not have it as {}",
+                     for_message(name), units, plain_name(*meant)),
+         {}});
+  }
+}
+
+void refuse_columns_of_means(Columns& columns, HeaderFaults& faults) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!is_of_means(columns[i].role)) continue;
+    faults.add_column(i,
+                      "another name: readings have a column of that name, for what "
+                      "samples are averaged to");
+    columns[i].role = DataRole::no_name;
+  }
+}
+
+}  // namespace
+
+std::optional<double> clock_unit(std::string_view column) {
+  const auto named = try_column_named(column);
+  if (!named || named->role != DataRole::time) return std::nullopt;
+  return named->unit ? named->unit->factor : 1;
+}
+
+DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
+                             const ReadingOptions& options, FaultList& faults) {
+  HeaderFaults at_header(csv, faults);
+  HeaderColumns header = read_header(csv, units, options, log_of_a_rig, at_header);
+  choose_clock(header, options.map_option, at_header);
+  refuse_columns_of_means(header.columns, at_header);
+  for (DataColumn& column : header.columns) {
+    if (!is_used(column)) column.role = DataRole::covariate;
+  }
+  // It may be the one that cannot be read.
+  if (!header.has_bad_column) require_comparable(header.columns, at_header);
+  require_no_missed_motion(header, at_header);
+  require_no_missed_tension(header, at_header);
+  return {std::move(header.columns), header_notes(header, units)};
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,307 @@
+#include "readings/log/logged_series.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "readings/beginning.hpp"
+#include "readings/csv.hpp"
+#include "readings/log/coarse_clock.hpp"
+#include "readings/log/fast_clock.hpp"
+#include "readings/log/log_columns.hpp"
+#include "readings/log/log_words.hpp"
+#include "readings/log/recordings.hpp"
+#include "readings/log/wall_clock.hpp"
+#include "readings/row_cells.hpp"
+#include "readings/tare.hpp"
+#include "readings/words.hpp"
+
+namespace reeve::readings {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+bool is_label(DataRole role) {
+  return role == DataRole::run || role == DataRole::routing || role == DataRole::held ||
+         role == DataRole::direction;
+}
+
+// Row by row into columns; what is wrong goes to the list of faults.
+class LogReader {
+ public:
+  // All must outlive the reader.
+  LogReader(const CsvReader& csv, const std::vector<DataColumn>& columns, FaultList& faults)
+      : csv_(csv),
+        columns_(columns),
+        faults_(faults),
+        cells_(csv, columns, faults),
+        clock_(find_column(columns, DataRole::time)),
+        tare_(columns.size()),
+        values_(columns.size()) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      values_[c].is_text = is_label(columns[c].role);
+    }
+  }
+
+  void read(const CsvRow& row) {
+    if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
+    if (clock_ && is_date_or_time(trimmed(row.fields[*clock_]))) {
+      refuse_date(row);
+      CsvRow rest = row;  // all else that is wrong there is told, too
+      rest.fields[*clock_] = "0";
+      return read_cells(rest);
+    }
+    read_cells(row);
+  }
+
+  LoggedSeries finish() {
+    series_.file = csv_.name();
+    set_labels();
+    for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
+    if (!cells_.lines_without_name().empty()) {
+      series_.notes.push_back({NoteKind::passed_over,
+                               "cells in columns without a name are not read",
+                               cells_.lines_without_name()});
+    }
+    for (DataNote& note : tare_.notes()) series_.notes.push_back(std::move(note));
+    return std::move(series_);
+  }
+
+ private:
+  struct Values {
+    bool is_text = false;
+    bool is_decided = false;      // of covariates
+    std::vector<double> numbers;  // of none, if it is text
+    LogWords words;
+  };
+
+  // Once, since the column has them throughout.
+  void refuse_date(const CsvRow& row) {
+    if (has_dates_) return;
+    has_dates_ = true;
+    const InputError refused(
+        {.expected = "the time of each sample as a number, such as its seconds: dates and times of "
+                     "day are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in "
+                     "column A)"});
+    faults_.add(row.line, in_column(columns_[*clock_]), cells_.fault(row, *clock_, refused));
+  }
+
+  void read_cells(const CsvRow& row) {
+    RowCells::Numbers numbers = cells_.numbers(row);
+    if (is_tare(cells_, row)) return add_zeros(row, numbers);
+    tare_.close();
+    take_zeros(tare_, columns_, numbers);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const DataRole role = columns_[i].role;
+      if (role == DataRole::time) require_time(row, i);
+      if (role == DataRole::covariate) {
+        read_covariate(row, i);
+      } else if (is_label(role)) {
+        values_[i].words.add(label(row, i));
+      } else if (is_of_numbers(role)) {
+        values_[i].numbers.push_back(numbers[i].value_or(missing));
+      }
+    }
+    series_.lines.push_back(row.line);
+  }
+
+  void add_zeros(const CsvRow& row, const RowCells::Numbers& zeros) {
+    const std::size_t next = series_.lines.size();
+    if (series_.zeroed_at.empty() || series_.zeroed_at.back() != next) {
+      series_.zeroed_at.push_back(next);
+    }
+    tare_.add(row.line, zeros);
+  }
+
+  void require_time(const CsvRow& row, std::size_t column) {
+    cells_.at(row, column, [](std::string_view text) {
+      if (is_missing(text)) throw InputError({.expected = "the time of the sample, a number"});
+      return true;
+    });
+  }
+
+  std::string_view label(const CsvRow& row, std::size_t column) {
+    return cells_
+        .at(row, column,
+            [](std::string_view text) {
+              require_short_name(text);
+              return text;
+            })
+        .value_or("");
+  }
+
+  // The first cell that is not empty tells numbers from text.
+  void read_covariate(const CsvRow& row, std::size_t column) {
+    Values& values = values_[column];
+    const std::string_view text = trimmed(row.fields[column]);
+    if (!values.is_decided && !is_missing(text)) {
+      values.is_decided = true;
+      values.is_text = !is_number(row, column);
+      if (values.is_text) values.words.add("", series_.lines.size());
+    }
+    if (values.is_text) {
+      values.words.add(text);
+    } else {
+      const auto number =
+          cells_.at(row, column, [&](std::string_view) { return cells_.covariate(row, column); });
+      values.numbers.push_back(number.value_or(std::nullopt).value_or(missing));
+    }
+  }
+
+  bool is_number(const CsvRow& row, std::size_t column) {
+    try {
+      cells_.covariate(row, column);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  bool parts_the_log(std::size_t column) const {
+    const bool is_covariate = columns_[column].role == DataRole::covariate;
+    return values_[column].is_text && (!is_covariate || values_[column].words.are_labels());
+  }
+
+  void set_labels() {
+    std::vector<std::size_t> parting;  // columns
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (parts_the_log(i)) parting.push_back(i);
+    }
+    std::map<std::vector<std::uint32_t>, std::size_t> known;
+    std::vector<std::uint32_t> ids(parting.size());
+    for (std::size_t sample = 0; sample < series_.lines.size(); ++sample) {
+      for (std::size_t k = 0; k < parting.size(); ++k) {
+        ids[k] = values_[parting[k]].words.id(sample);
+      }
+      const auto [found, is_new] = known.emplace(ids, series_.labels.size());
+      if (is_new) series_.labels.push_back(labels(sample));
+      series_.label.push_back(found->second);
+    }
+  }
+
+  LogLabels labels(std::size_t sample) const {
+    const auto word = [&](DataRole role) {
+      const auto column = find_column(columns_, role);
+      return column ? values_[*column].words.word(sample) : std::string();
+    };
+    return {word(DataRole::run), word(DataRole::routing), word(DataRole::held),
+            word(DataRole::direction)};
+  }
+
+  void take(std::size_t column) {
+    const DataColumn& of = columns_[column];
+    LoggedSignal signal{of.meaning, std::move(values_[column].numbers), of.name};
+    switch (of.role) {
+      case DataRole::time:
+        series_.time_s = std::move(signal.values);
+        break;
+      case DataRole::position:
+        series_.position_mm = std::move(signal);
+        break;
+      case DataRole::speed:
+        series_.speed_mm_s = std::move(signal);
+        break;
+      case DataRole::motor_tension:
+        series_.motor_tension_N = std::move(signal);
+        break;
+      case DataRole::tension:
+        series_.tensions_N.push_back(std::move(signal));
+        break;
+      case DataRole::run:
+        series_.has_runs = true;
+        break;
+      case DataRole::routing:
+        series_.has_routings = true;
+        break;
+      case DataRole::held:
+        series_.has_held = true;
+        break;
+      case DataRole::covariate:
+        if (!values_[column].is_text) {
+          series_.others.push_back(std::move(signal));
+        } else {
+          note_text(column);
+        }
+        break;
+      default:
+        break;
+    }
+  }
+
+  void note_text(std::size_t column) {
+    const std::string name = for_message(columns_[column].name);
+    if (parts_the_log(column)) {
+      series_.notes.push_back(
+          {NoteKind::covariate,
+           fmt::format("column '{}' holds text: the log is cut where it changes, and readings "
+                       "do not have it",
+                       name),
+           {}});
+    } else {
+      series_.notes.push_back(
+          {NoteKind::passed_over,
+           fmt::format("column '{}' holds times of day, or text that changes every few samples: "
+                       "it is not read",
+                       name),
+           {}});
+    }
+  }
+
+  const CsvReader& csv_;
+  const std::vector<DataColumn>& columns_;
+  FaultList& faults_;
+  RowCells cells_;
+  std::optional<std::size_t> clock_;
+  bool has_dates_ = false;
+  Tare tare_;
+  std::vector<Values> values_;  // by column
+  LoggedSeries series_;
+};
+
+void take_comments(const CsvReader& csv, LoggedSeries& series) {
+  for (const CsvComment& comment : csv.comments()) {
+    series.simulated |= says_simulated(comment.text);
+    if (comment.line < csv.header().line) series.comments.push_back(comment.text);
+  }
+}
+
+LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
+  FaultList faults;
+  const Beginning beginning = read_beginning(csv, options, faults);
+  DataColumns columns = read_log_columns(csv, beginning.units, options, faults);
+  LogReader rows(csv, columns.columns, faults);
+  each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
+  faults.throw_any(csv.name());
+  LoggedSeries series = rows.finish();
+  require_rows(csv, series.lines.size(), series.notes);
+  series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
+  take_comments(csv, series);
+  if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));
+  const DataColumn& clock = columns.columns[*find_column(columns.columns, DataRole::time)];
+  if (clock.unit_is_assumed) {
+    auto doubt = doubt_of_seconds(series, clock.name, options.map_option);
+    if (doubt) series.notes.push_back(std::move(*doubt));
+  }
+  if (auto doubt = doubt_of_fast_clock(series, clock, options)) {
+    series.notes.push_back(std::move(*doubt));
+  }
+  return series;
+}
+
+}  // namespace
+
+LoggedSeries read_logged_series(const std::filesystem::path& path, const ReadingOptions& options) {
+  return read(CsvReader::open(path), options);
+}
+
+LoggedSeries parse_logged_series(std::string text, const std::string& name,
+                                 const ReadingOptions& options) {
+  return read(CsvReader(std::move(text), name), options);
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,77 @@
+#include "readings/log/recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "numerics/robust.hpp"
+#include "readings/csv.hpp"
+
+namespace reeve::readings {
+namespace {
+
+constexpr std::size_t samples_per_set_back = 20;
+
+void require_a_clock(const LoggedSeries& series, const std::vector<std::size_t>& set_back) {
+  if (set_back.size() * samples_per_set_back <= series.size() || set_back.size() < 2) return;
+  throw InputError(
+      {.where = fmt::format("{}:{}", series.file, set_back.front()),
+       .what = fmt::format("the time is less than in the row before, and so in {} of {} rows",
+                           set_back.size(), series.size()),
+       .expected = "rows in the order of their time"});
+}
+
+// Of a clock that counts seconds since 1970, as most do that show a date.
+double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
+
+}  // namespace
+
+Recordings recordings(const LoggedSeries& series) {
+  Recordings result;
+  std::size_t zeros = 0;  // passed
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const bool back = i > 0 && series.time_s[i] < series.time_s[i - 1];
+    if (back) result.clock_set_back.push_back(series.lines[i]);
+    const bool zeroed = zeros < series.zeroed_at.size() && series.zeroed_at[zeros] == i;
+    zeros += zeroed ? 1 : 0;
+    if (i == 0 || back || zeroed || series.label[i] != series.label[i - 1]) {
+      result.parts.push_back({i, i, series.label[i]});
+    }
+    result.parts.back().end = i + 1;
+  }
+  require_a_clock(series, result.clock_set_back);
+  return result;
+}
+
+double usual_step(const LoggedSeries& series, const std::vector<Recording>& parts) {
+  std::vector<double> steps;
+  for (const Recording& part : parts) {
+    for (std::size_t i = part.begin + 1; i < part.end; ++i) {
+      const double step = series.time_s[i] - series.time_s[i - 1];
+      if (step > 0) steps.push_back(step);
+    }
+  }
+  return steps.empty() ? 0 : middle_of(std::move(steps));
+}
+
+std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
+                                         const std::string& map_option) {
+  constexpr double long_step_s = 1;  // twice as long as a reading lasts at least
+  constexpr double last_year = 2100;
+  const double step_s = usual_step(series, {{0, series.size(), 0}});
+  const double year = year_at(*std::max_element(series.time_s.begin(), series.time_s.end()));
+  if (step_s < long_step_s && year <= last_year) return std::nullopt;
+  std::string text = fmt::format(
+      "the clock '{}' has no unit: in seconds its samples are mostly "
+      "{:.3g} s apart",
+      for_message(clock), step_s);
+  if (year > last_year) text += fmt::format(", and it shows the year {:.0f}", year);
+  text += ". If it counts milliseconds, it is time_ms";
+  if (!map_option.empty()) {
+    text += fmt::format(", and {} '{}=time_ms' says so", map_option, for_message(clock));
+  }
+  return DataNote{NoteKind::clock, text, {}};
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,55 @@
+// What whoever reads the results should know about the data: noted, never mended silently.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::readings {
+
+enum class NoteKind : std::uint8_t {
+  time_series,             // samples of a logger in place of readings (recognise_series.hpp)
+  duplicate,               // copies of a row of the same run
+  duplicate_across_runs,   // … of another run
+  equal_by_chance,         // rows equal in every tension, as coarse sensors make them
+  motor_side_above_motor,  // a motor-side segment carries more than the whole carriage
+  units,                   // tensions that no sheath or no hand explains
+  covariate,               // a column that the model does not know
+  comment,                 // comment lines below the header, which may be rows switched off
+  column_names,            // how names and units of columns were taken, if not as docs write them
+  passed_over,             // rows and columns that have no readings
+  tare,                    // zeros that were taken off
+  known_noise,             // what readings are told to scatter by
+  assumed,                 // what the file leaves open
+  not_as_pulled,           // tensions that no pulling carriage gives
+  letters,                 // of segments that another source may use otherwise
+  outlier,                 // cells far from all others of their kind
+  below_zero,              // tensions that a slack strand or a drifted zero gives
+  inverted,                // channels that read the more below zero, the more is pulled
+  jams,                    // grasps in which the carriage is blocked (comparison.hpp)
+  not_compared,            // values that there is nothing to compare with (comparison.hpp)
+  clock,                   // of a time series: set back (steady_readings.hpp)
+  no_direction,            // of a time series: it moves, and may pull or release
+  no_motion,               // of a time series: it does not say when the carriage moves
+  groups_differ,           // what is said of all groups together does not hold of each
+  runs_of_groups,          // runs of one name in several groups
+  far_forecast,            // held-out readings that the model is far from (far_forecasts.hpp)
+  other_direction,         // rows that read as the other direction (other_direction.hpp)
+  far_together,            // readings far off, of one channel in some runs (far_together.hpp)
+  not_following,           // of a time series: a tension stays where the load changes
+  reversed,                // of a time series: pulling looks like releasing
+  against_motion,          // of a time series: its column direction says otherwise than it moves
+  sparse,                  // of a time series: tensions that too few samples have
+};
+const char* note_kind_name(NoteKind kind);
+
+struct DataNote {
+  NoteKind kind = NoteKind::duplicate;
+  std::string text;
+  std::vector<std::size_t> lines;  // ascending; empty if it is about the whole file
+};
+
+}  // namespace reeve::readings

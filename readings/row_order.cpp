@@ -1,0 +1,150 @@
+#include "readings/row_order.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace reeve::readings {
+namespace {
+
+std::vector<std::size_t> counted(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+// `order` lists the old places; a list that was left empty stays so.
+template <typename T>
+void rearrange(std::vector<T>& all, const std::vector<std::size_t>& order) {
+  if (all.empty()) return;
+  std::vector<T> result;
+  result.reserve(order.size());
+  for (const std::size_t i : order) result.push_back(std::move(all[i]));
+  all = std::move(result);
+}
+
+// For each old place its new one.
+std::vector<std::size_t> new_places(const std::vector<std::size_t>& order) {
+  std::vector<std::size_t> places(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) places[order[i]] = i;
+  return places;
+}
+
+void order_channels(MeasuredData& data) {
+  std::vector<std::size_t> order = counted(data.channels.size());
+  const auto key = [&](std::size_t c) {
+    const Segment& segment = data.channels[c].segment;
+    return std::tie(segment.kind, segment.number);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  if (std::is_sorted(order.begin(), order.end())) return;
+  rearrange(data.channels, order);
+  rearrange(data.known_noise, order);
+  for (MeasuredRouting& routing : data.routings) rearrange(routing.segments, order);
+  for (Reading& reading : data.readings) {
+    rearrange(reading.tension_N, order);
+    rearrange(reading.error_N, order);
+  }
+}
+
+void order_runs(MeasuredData& data) {
+  std::vector<std::size_t> order = counted(data.runs.size());
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return natural_less(data.runs[a], data.runs[b]); });
+  const std::vector<std::size_t> places = new_places(order);
+  rearrange(data.runs, order);
+  for (Reading& reading : data.readings) reading.run = places[reading.run];
+}
+
+void order_readings(MeasuredData& data) {
+  const auto key = [&](const Reading& r) {
+    return std::tie(r.run, r.cycle, data.routings[r.routing].word, r.grasp.held, r.direction,
+                    r.motor_tension_N, r.sheath_angle_rad, r.speed_mm_s, r.temperature_C,
+                    r.tension_N, r.taken);
+  };
+  std::sort(data.readings.begin(), data.readings.end(),
+            [&](const Reading& a, const Reading& b) { return key(a) < key(b); });
+}
+
+// The old places of what readings number, as the readings first have them.
+template <typename Number>
+std::vector<std::size_t> as_met(const MeasuredData& data, std::size_t count, Number number_of) {
+  std::vector<std::size_t> order;
+  std::vector<bool> met(count, false);
+  const auto meet = [&](std::size_t i) {
+    if (!met[i]) order.push_back(i);
+    met[i] = true;
+  };
+  for (const Reading& reading : data.readings) {
+    if (const std::optional<std::size_t> number = number_of(reading)) meet(*number);
+  }
+  for (std::size_t i = 0; i < count; ++i) meet(i);
+  return order;
+}
+
+void order_routings(MeasuredData& data) {
+  const auto order = as_met(data, data.routings.size(),
+                            [](const Reading& reading) { return std::optional(reading.routing); });
+  const std::vector<std::size_t> places = new_places(order);
+  rearrange(data.routings, order);
+  for (Reading& reading : data.readings) reading.routing = places[reading.routing];
+}
+
+void order_groups(MeasuredData& data) {
+  const auto order = as_met(data, data.groups.size(), [](const Reading& r) { return r.group; });
+  const std::vector<std::size_t> places = new_places(order);
+  rearrange(data.groups, order);
+  for (Reading& reading : data.readings) {
+    if (reading.group) reading.group = places[*reading.group];
+  }
+}
+
+// Without the zeros before it; none if the text begins with another character.
+std::string_view take_number(std::string_view& text) {
+  std::size_t end = 0;
+  while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0) ++end;
+  std::string_view digits = text.substr(0, end);
+  text.remove_prefix(end);
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  return digits;
+}
+
+}  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+  const std::string_view whole_a = a;
+  const std::string_view whole_b = b;
+  while (!a.empty() && !b.empty()) {
+    const std::string_view x = take_number(a);
+    const std::string_view y = take_number(b);
+    if (!x.empty() && !y.empty()) {
+      if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
+      continue;
+    }
+    if (x.empty() != y.empty()) return !x.empty();
+    // As the same numbers on every machine, whatever the sign of its char.
+    if (a.front() != b.front()) {
+      return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
+    }
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  if (a.empty() != b.empty()) return a.empty();
+  return whole_a < whole_b;
+}
+
+MeasuredData in_order_of_contents(MeasuredData data) {
+  order_channels(data);
+  order_runs(data);
+  order_readings(data);
+  order_routings(data);
+  order_groups(data);
+  return data;
+}
+
+}  // namespace reeve::readings

@@ -1,0 +1,22 @@
+// Readings in an order that follows from what they say, not from their places in a file.
+//
+// A diagnosis draws by number: which runs it holds out, what noise its replicates have, which runs
+// it resamples. A table that somebody has sorted or shuffled must not draw otherwise, nor one with
+// its columns exchanged. So runs come by their names (numbers in them as numbers: 2 before 10), the
+// readings of a run by cycle, routing, grasp, direction, conditions and tensions, routings and
+// groups as these readings first have them, and channels by their segment. When a row was taken is
+// another question (taken_order.hpp).
+#pragma once
+
+#include <string_view>
+
+#include "readings/measured_data.hpp"
+
+namespace reeve::readings {
+
+MeasuredData in_order_of_contents(MeasuredData data);
+
+// Whether a comes before b, digits in a row being one number.
+bool natural_less(std::string_view a, std::string_view b);
+
+}  // namespace reeve::readings

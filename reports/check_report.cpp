@@ -1,0 +1,153 @@
+#include "reports/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reports/check_words.hpp"
+#include "reports/output/json.hpp"
+
+namespace reeve::reports {
+namespace {
+
+std::string number_text(double value) { return fmt::format("{:.4g}", value); }
+
+std::string published_text(const CheckItem& item) {
+  return item.printed.empty() ? number_text(item.published) : item.printed;
+}
+
+std::string place(const CheckItem& item) {
+  return fmt::format("{}{}, {}", item.routing.empty() ? "" : item.routing + " ", item.source,
+                     quantity_text(item));
+}
+
+Section reasons(const CheckReport& report, const char* title, bool open) {
+  Section section{title, std::nullopt, {}};
+  for (const CheckItem& item : report.items) {
+    if (item.reason.empty() || (item.status == CheckStatus::open) != open) continue;
+    section.lines.push_back({fmt::format("{}: {}", place(item), item.reason)});
+  }
+  return section;
+}
+
+Section inferences(const CheckReport& report) {
+  Section section{"Coefficients that a printed number gave", std::nullopt, {}};
+  std::vector<std::pair<std::string, std::string>> uses;  // which number, by which mechanisms
+  for (const CheckItem& item : report.items) {
+    if (item.inferred_from.empty()) continue;
+    const auto same = std::find_if(
+        uses.begin(), uses.end(), [&](const auto& use) { return use.first == item.inferred_from; });
+    if (same == uses.end()) {
+      uses.emplace_back(item.inferred_from, item.routing);
+    } else if (!same->second.ends_with(item.routing)) {
+      same->second += ", " + item.routing;
+    }
+  }
+  for (const auto& [number, mechanisms] : uses) {
+    section.lines.push_back({fmt::format("{}: {}", number, mechanisms)});
+  }
+  return section;
+}
+
+Section misprints(const CheckReport& report) {
+  Section section{"Misprints that change no number", std::nullopt, {}};
+  for (const CheckedMisprint& misprint : report.misprints) {
+    section.lines.push_back(
+        {fmt::format("{} {}: {}", misprint.routing, misprint.source, misprint.text)});
+  }
+  return section;
+}
+
+Tint tint(CheckStatus status) {
+  switch (status) {
+    case CheckStatus::agrees:
+    case CheckStatus::used:
+      return Tint::none;
+    case CheckStatus::explained:
+    case CheckStatus::open:
+      return Tint::notable;
+    case CheckStatus::differs:
+      return Tint::bad;
+  }
+  return Tint::none;
+}
+
+std::string counts_text(const CheckReport& report, const std::string& family) {
+  const auto count = [&](CheckStatus status) { return report.count(status, family); };
+  std::string text = fmt::format("{} agree", count(CheckStatus::agrees));
+  if (const auto used = count(CheckStatus::used); used > 0) text += fmt::format(", {} used", used);
+  text += fmt::format(", {} explained", count(CheckStatus::explained));
+  if (const auto open = count(CheckStatus::open); open > 0) text += fmt::format(", {} open", open);
+  return text + fmt::format(", {} differ", count(CheckStatus::differs));
+}
+
+Section family_section(const CheckReport& report, const std::string& family) {
+  Table table{{text_column("routing"), text_column("source"), text_column("quantity"),
+               number_column("published"), number_column("computed"), text_column("status")},
+              {}};
+  for (const CheckItem& item : report.items) {
+    if (item.family != family) continue;
+    table.add({item.routing.empty() ? "-" : item.routing, item.source, quantity_text(item),
+               published_text(item), number_text(item.computed), status_name(item.status)},
+              tint(item.status));
+  }
+  return {family, table, {{counts_text(report, family)}}};
+}
+
+Json item_json(const CheckItem& item) {
+  return {{"family", item.family},
+          {"routing", text_or_null(item.routing)},
+          {"source", item.source},
+          {"quantity", quantity_text(item)},
+          {"published", number(item.published)},
+          {"computed", number(item.computed)},
+          {"status", status_name(item.status)},
+          {"inferred_from", text_or_null(item.inferred_from)},
+          {"reason", text_or_null(item.reason)}};
+}
+
+}  // namespace
+
+Sheet check_sheet(const CheckReport& report) {
+  Sheet sheet;
+  for (const std::string& family : report.families()) {
+    sheet.add(family_section(report, family));
+  }
+  sheet.add(reasons(report, "Why they differ", false));
+  sheet.add(reasons(report, "Open: they differ, and it is not known why", true));
+  sheet.add(inferences(report));
+  sheet.add(misprints(report));
+  sheet.add({"", std::nullopt, {{counts_text(report, "")}}});
+  return sheet;
+}
+
+std::string check_json(const CheckReport& report) {
+  Json json;
+  json["checks"] = Json::array();
+  for (const CheckItem& item : report.items) {
+    json["checks"].push_back(item_json(item));
+  }
+  json["misprints"] = Json::array();
+  for (const CheckedMisprint& misprint : report.misprints) {
+    json["misprints"].push_back({{"family", misprint.family},
+                                 {"routing", misprint.routing},
+                                 {"source", misprint.source},
+                                 {"text", misprint.text}});
+  }
+  for (const CheckStatus status : check_statuses) {
+    json[status_name(status)] = report.count(status);
+  }
+  json["families"] = Json::array();
+  for (const std::string& family : report.families()) {
+    Json counts{{"family", family}};
+    for (const CheckStatus status : check_statuses) {
+      counts[status_name(status)] = report.count(status, family);
+    }
+    json["families"].push_back(counts);
+  }
+  json["version"] = version_json();
+  return print(json);
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,76 @@
+// A result for people as a value: lines and tables, in order. It is made once; sheet_text.hpp,
+// sheet_markdown.hpp and sheet_latex.hpp write it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numerics/floors.hpp"
+
+namespace reeve::reports {
+
+struct TableColumn {
+  std::string heading;
+  std::string unit;          // "" if there is none, or if each cell bears its own
+  bool is_text = false;      // to the left; numbers go to the right
+  unsigned dispensable = 0;  // where room is short the greatest is left out first; 0: never
+  std::string key = "";      // by which it is chosen; "": by its heading
+};
+
+TableColumn text_column(const std::string& heading);
+TableColumn number_column(const std::string& heading, const std::string& unit = "",
+                          unsigned dispensable = 0);
+
+// "motor (N)".
+std::string heading_text(const TableColumn& column);
+
+// A unit where room is short: "" of shares and of ratios, which read as numbers.
+std::string shown_unit(const std::string& unit);
+
+// Beside a word that says the same.
+enum class Tint : std::uint8_t { none, good, notable, bad };
+
+struct TableRow {
+  std::vector<std::string> cells;
+  Tint tint = Tint::none;
+};
+
+struct Table {
+  std::vector<TableColumn> columns;
+  std::vector<TableRow> rows;
+  bool chosen = false;  // somebody asked for just these columns
+
+  void add(std::vector<std::string> cells, Tint tint = Tint::none);
+};
+
+struct SheetLine {
+  std::string text;
+  bool caveat = false;  // whoever reads the tables must see it too
+};
+
+// A title, what it is the title of, and lines below. Each may be missing.
+struct Section {
+  std::string title;
+  std::optional<Table> table;
+  std::vector<SheetLine> lines;
+};
+
+struct Sheet {
+  std::vector<Section> sections;
+
+  // Nothing, if it holds neither a table nor a line.
+  void add(Section section);
+};
+
+// Appends the lines of a text as lines.
+void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat = false);
+
+std::string percent(double share);  // "72.1 %"; "-" if it is none
+
+// Of draws: as percent(), but that some or most do not read as none or all: "under 0.1 %".
+std::string share_text(double share);
+
+}  // namespace reeve::reports

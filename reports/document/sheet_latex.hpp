@@ -1,0 +1,31 @@
+// A sheet as LaTeX: each table a whole tabular with the rules of booktabs, to be read in with
+// \input. Caveats are typeset; titles and other lines are comments. It needs no other package:
+// numbers of a column stand with their decimal marks below each other since the shorter ones are
+// filled up with phantoms.
+//
+// With a width, tables are in \footnotesize and no wider: headings go over several lines, and texts
+// are wrapped, routings at their dashes. Of what is still too wide columns that nobody chose are
+// left out, as in a narrow window, or columns stand in a further table below, with the first again.
+// What can be known to be too wide before the work is done is refused then (require_fits).
+#pragma once
+
+#include <string>
+
+#include "reports/document/sheet.hpp"
+
+namespace reeve::reports {
+
+std::string latex(const Sheet& sheet, double width_pt = 0);  // 0: any
+
+// What the widest of the tables takes if everything is done to make it narrow: below, it stands
+// out.
+double least_width_pt(const Sheet& sheet);
+
+// Of a sheet with the shortest cells that it may come to have. Throws InputError that says what it
+// takes.
+void require_fits(const Sheet& sheet, double width_pt);
+
+// Text as LaTeX typesets it, with any engine.
+std::string latex_escaped(const std::string& text);
+
+}  // namespace reeve::reports

@@ -1,0 +1,53 @@
+#include "reports/document/sheet_text.hpp"
+
+#include <algorithm>
+
+#include "reports/document/text_width.hpp"
+
+namespace reeve::reports {
+namespace {
+
+// What is indented, or an entry of a list, goes on below its own beginning.
+std::string line_text(const std::string& line, Ink ink, const Look& look) {
+  if (look.width == 0) return inked(line, ink, look) + '\n';
+  std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  if (line.compare(indent, 2, "- ") == 0) indent += 2;
+  if (2 * indent > look.width) indent = 0;
+  std::string text;
+  for (const std::string& piece : wrap_words(line.substr(indent), look.width - indent)) {
+    const std::string start = text.empty() ? line.substr(0, indent) : std::string(indent, ' ');
+    text += inked(start + piece, ink, look) + '\n';
+  }
+  return text;
+}
+
+// Titles are broken where they are written so, unless the window breaks them elsewhere.
+std::string title_text(std::string title, const Look& look) {
+  if (look.width > 0) std::replace(title.begin(), title.end(), '\n', ' ');
+  std::vector<SheetLine> lines;
+  add_lines(lines, title);
+  std::string text;
+  for (const SheetLine& line : lines) text += line_text(line.text, Ink::strong, look);
+  return text;
+}
+
+std::string section_text(const Section& section, const Look& look) {
+  std::string result = title_text(section.title, look);
+  if (section.table) result += text(*section.table, look);
+  for (const SheetLine& line : section.lines) {
+    result += line_text(line.text, line.caveat ? Ink::notable : Ink::plain, look);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string text(const Sheet& sheet, const Look& look) {
+  std::string text;
+  for (const Section& section : sheet.sections) {
+    text += (text.empty() ? "" : "\n") + section_text(section, look);
+  }
+  return text;
+}
+
+}  // namespace reeve::reports

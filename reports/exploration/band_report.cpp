@@ -1,0 +1,177 @@
+#include "reports/exploration/band_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/text.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/output/csv_field.hpp"
+#include "reports/shown_value.hpp"
+#include "search/uncertainty/sweep.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t sharers_named = 4;
+
+std::string place_range(const RankDistribution& ranks) {
+  return fixed(ranks.low, 0) + "–" + fixed(ranks.high, 0);
+}
+
+std::string short_name(const ListedDesign& design) {
+  return design.name.empty() ? design.ranked.design.word : design.name;
+}
+
+// Which of those shown holds in nearly all draws: the first need not.
+std::string surest_text(const std::vector<ListedDesign>& shown) {
+  constexpr double nearly_all = 0.95;
+  const auto sure = std::find_if(shown.begin(), shown.end(), [](const ListedDesign& design) {
+    return design.constraints_met.value_or(0) >= nearly_all;
+  });
+  if (sure == shown.begin()) return "";
+  const std::string start =
+      fmt::format("{} meets all of them in {} of the draws; ", short_name(shown.front()),
+                  share_text(*shown.front().constraints_met));
+  if (sure == shown.end()) {
+    return start + fmt::format("none of those shown does in {} or more", percent(nearly_all));
+  }
+  return start + fmt::format("the first that does in {} or more is {}, rank {}",
+                             percent(nearly_all), short_name(*sure), sure->ranked.rank);
+}
+
+std::vector<SheetLine> met_lines(const std::vector<ListedDesign>& shown) {
+  if (shown.empty() || !shown.front().constraints_met) return {};
+  std::vector<SheetLine> lines{
+      {"Meets all: in how many of the draws a design meets all constraints; which designs are "
+       "listed, the nominal coefficients decide"}};
+  if (std::string text = surest_text(shown); !text.empty()) lines.push_back({std::move(text)});
+  return lines;
+}
+
+std::string band_cell(const ListedDesign& design, Objective objective) {
+  const Band* band = find_band(design.bands, objective);
+  if (band == nullptr) return shown_value(objective, value(design.ranked.design.values, objective));
+  return band_text(*band, row(objective).decimals);
+}
+
+}  // namespace
+
+std::string range_text(const Band& band, int decimals) {
+  const std::string low = fixed(band.low, decimals);
+  const std::string high = fixed(band.high, decimals);
+  if (low == high) return "";
+  if (!std::isfinite(band.high)) return low + " or more";
+  return low + (band.low < 0 ? " to " : "–") + high;
+}
+
+std::string band_text(const Band& band, int decimals) {
+  std::string median = fixed(band.median, decimals);
+  const std::string range = range_text(band, decimals);
+  return range.empty() ? median : fmt::format("{} ({})", median, range);
+}
+
+std::string first_share_text(const RankDistribution& ranks) {
+  std::string text = share_text(ranks.first);
+  if (ranks.first_shared == 0) return text;
+  if (ranks.first_shared == ranks.first) return text + ", shared";
+  return fmt::format("{}, {} shared", text, share_text(ranks.first_shared));
+}
+
+Table band_table(const std::vector<ListedDesign>& designs,
+                 const std::vector<Objective>& objectives) {
+  Table table{{number_column("rank"), text_column("name"), text_column("routing")}, {}};
+  for (const Objective objective : objectives) {
+    table.columns.push_back(number_column(objective_heading(objective), objective_unit(objective)));
+  }
+  const bool constrained = !designs.empty() && designs.front().constraints_met.has_value();
+  if (constrained) table.columns.push_back(number_column("meets all"));
+  table.columns.push_back(number_column("first", "", 1));
+  table.columns.push_back(number_column("median place", "", 2));
+  table.columns.push_back(number_column("5–95 %", "", 2));
+  for (const ListedDesign& design : designs) {
+    std::vector<std::string> cells{std::to_string(design.ranked.rank),
+                                   design.name.empty() ? "-" : design.name,
+                                   design.ranked.design.word};
+    for (const Objective objective : objectives) cells.push_back(band_cell(design, objective));
+    if (constrained) {
+      cells.push_back(design.constraints_met ? share_text(*design.constraints_met) : "");
+    }
+    if (design.distribution) {
+      cells.push_back(first_share_text(*design.distribution));
+      cells.push_back(fixed(design.distribution->median, 0));
+      cells.push_back(place_range(*design.distribution));
+    }
+    cells.resize(table.columns.size());
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
+                     const UncertaintyOptions& options) {
+  if (shown.empty() || !shown.front().distribution) return {};
+  return {fmt::format("Median (5–95 %) over {} draws of the coefficients from their ranges",
+                      options.draws),
+          band_table(shown, swept_objectives(order)), met_lines(shown)};
+}
+
+std::vector<SheetLine> shared_first_lines(const std::vector<ListedDesign>& designs) {
+  std::vector<std::string> names;
+  bool only_alike = true;
+  for (const ListedDesign& design : designs) {
+    if (design.place != 1) continue;
+    const std::string& first = designs.front().ranked.design.word;
+    only_alike = only_alike && (design.ranked.design.word == first || design.same_as == first);
+    names.push_back(short_name(design));
+  }
+  const bool drawn = !designs.empty() && designs.front().distribution.has_value();
+  if (names.size() < 2 || (only_alike && !drawn)) return {};
+  std::string text = "First place is shared by " + names.front();
+  const std::size_t named = std::min(names.size(), sharers_named);
+  const std::size_t more = names.size() - named;
+  for (std::size_t i = 1; i < named; ++i) {
+    text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  if (more > 0) text += fmt::format(" and {} more", more);
+  text += ", which are equal in all that is ranked";
+  if (drawn) {
+    text += fmt::format("; it is shared in {} of the draws",
+                        share_text(designs.front().distribution->first_shared));
+  }
+  return {{text}};
+}
+
+std::string band_headings(const Bands& bands) {
+  std::string text;
+  for (const ObjectiveBand& entry : bands) {
+    for (const char* part : {"median", "p5", "p95"}) {
+      text += fmt::format(",{}_{}", row(entry.objective).name, part);
+    }
+  }
+  return text;
+}
+
+std::string band_cells(const Bands& bands) {
+  std::string text;
+  for (const ObjectiveBand& entry : bands) {
+    for (const double number : {entry.band.median, entry.band.low, entry.band.high}) {
+      text += "," + csv_number(number);
+    }
+  }
+  return text;
+}
+
+Json bands_json(const Bands& bands) {
+  Json json = Json::object();
+  for (const ObjectiveBand& entry : bands) {
+    json[row(entry.objective).name] = {{"median", number(entry.band.median)},
+                                       {"p5", number(entry.band.low)},
+                                       {"p95", number(entry.band.high)}};
+  }
+  return json;
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/document/sheet.hpp"
+#include "search/enumerate/counting.hpp"
+#include "search/limits/limited_counts.hpp"
+
+namespace reeve::reports {
+
+struct CountReport {
+  PartSet parts;
+  RoutingCounts counts;
+  std::vector<Constraint> constraints;
+  std::optional<LimitedCounts> limited;  // if there are constraints
+};
+
+Sheet count_sheet(const CountReport& report);
+std::string count_json(const CountReport& report);
+
+}  // namespace reeve::reports

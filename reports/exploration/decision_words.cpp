@@ -1,0 +1,247 @@
+#include "reports/exploration/decision_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "reports/data_text.hpp"
+#include "reports/output/telling_digits.hpp"
+#include "reports/shown_value.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t named_at_most = 4;
+
+struct MeasureWords {
+  Objective measure;
+  const char* one;     // "sheath"; "" of what is not counted
+  const char* more;    // "more sheaths"
+  const char* fewest;  // "fewest sheaths"
+  const char* less;    // "fewer sheaths"
+};
+
+constexpr MeasureWords measures[] = {
+    {Objective::sheaths, "sheath", "more sheaths", "fewest sheaths", "fewer sheaths"},
+    {Objective::blocks, "floating block", "more floating blocks", "fewest floating blocks",
+     "fewer floating blocks"},
+    {Objective::pulleys, "pulley", "more pulleys", "fewest pulleys", "fewer pulleys"},
+    {Objective::parts, "part", "more parts", "fewest parts", "fewer parts"},
+    {Objective::cost, "", "a higher cost", "least cost", "a lower cost"}};
+
+const MeasureWords& words_of(Objective measure) {
+  return *std::find_if(std::begin(measures), std::end(measures),
+                       [&](const MeasureWords& words) { return words.measure == measure; });
+}
+
+// "more sheaths buy"
+std::string buys(Objective measure) {
+  return fmt::format("{} buy{}", words_of(measure).more, measure == Objective::cost ? "s" : "");
+}
+
+std::string value_text(Objective objective, const ObjectiveValues& values,
+                       const std::string& cost_unit) {
+  if (!std::isfinite(value(values, objective))) {
+    return objective_heading(objective) + " infinite";
+  }
+  const std::string unit = shown_unit(objective_unit(objective, cost_unit));
+  return fmt::format("{} {}{}{}", objective_heading(objective),
+                     shown_value(objective, value(values, objective)), unit.empty() ? "" : " ",
+                     unit);
+}
+
+// "uniformity 0.985 (-1.1 %)": the change against the first, whichever way is better.
+std::string change_text(Objective objective, const ObjectiveValues& values,
+                        const ObjectiveValues& first, const std::string& cost_unit) {
+  const double before = value(first, objective);
+  const double now = value(values, objective);
+  std::string text = value_text(objective, values, cost_unit);
+  const bool have_change = std::isfinite(before) && std::isfinite(now);
+  if (before == now || before == 0 || !have_change) return text;
+  return fmt::format("{} ({})", text, signed_percent((now - before) / std::abs(before)));
+}
+
+// "4 sheaths", "cost 61.90 EUR"
+std::string measure_text(const ListedLadder& ladder, double amount) {
+  const MeasureWords& words = words_of(ladder.ladder.options.by);
+  if (*words.one != '\0') return plural(static_cast<std::size_t>(amount), words.one);
+  const std::string unit = ladder.cost_unit.empty() ? "" : " " + ladder.cost_unit;
+  return fmt::format("cost {}{}", shown_value(Objective::cost, amount), unit);
+}
+
+bool stays_open(const ObjectiveValues& values) {
+  return has_hand(values) && value(values, Objective::closure) < 1;
+}
+
+// What it has of the measure, and the ranked objectives as changes against the first.
+std::string values_text(const ListedLadder& ladder, const ObjectiveValues& values) {
+  const Objective by = ladder.ladder.options.by;
+  std::string text = measure_text(ladder, value(values, by));
+  for (const Objective objective : ladder.ladder.objectives) {
+    if (objective == by) continue;
+    text += ", " + change_text(objective, values, ladder.ladder.first.values, ladder.cost_unit);
+  }
+  // Nobody ranks by it, and nobody wants less than all.
+  if (stays_open(values)) {
+    text += fmt::format(", the hand closes to {} of its range only",
+                        percent(value(values, Objective::closure)));
+  }
+  return text;
+}
+
+std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
+  return fmt::format("First: {}{}: {}", design_name(first), alike_text(first),
+                     values_text(ladder, first.ranked.design.values));
+}
+
+std::string affordable_text(const ListedLadder& listed) {
+  const Ladder& ladder = listed.ladder;
+  const MeasureWords& words = words_of(ladder.options.by);
+  const std::string within = within_text(ladder.options);
+  if (!listed.affordable) {
+    return fmt::format("No design {} of it has {}", within, words.less);
+  }
+  return fmt::format("With {} {} of it: {}: {}", words.fewest, within,
+                     design_name(*listed.affordable),
+                     values_text(listed, ladder.affordable->values));
+}
+
+std::optional<double> finite(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+// "the least is 1", "the least is 37.66 N": rounded away from the bound, so that a design meets the
+// constraint with this bound.
+std::string nearest_text(const Constraint& constraint, const Nearest& reached,
+                         const std::string& cost_unit) {
+  const Nearest nearest{finite(reached.above), finite(reached.below)};
+  const bool is_any_reached = reached.above || reached.below;
+  if (is_any_reached && !nearest.above && !nearest.below) return "in all of them it is infinite";
+  const bool below = constraint.comparison.front() == '<';
+  const bool above = constraint.comparison.front() == '>';
+  const std::string own = objective_unit(constraint.objective, cost_unit);
+  const std::string unit = own.empty() ? "" : " " + own;
+  const auto low = [&] { return rounded_text(*nearest.below, Rounding::down); };
+  const auto high = [&] { return rounded_text(*nearest.above, Rounding::up) + unit; };
+  if (below && nearest.above) return "the least is " + high();
+  if (above && nearest.below) return "the greatest is " + low() + unit;
+  if (nearest.above && nearest.below) {
+    return fmt::format("the nearest are {} and {}", low(), high());
+  }
+  if (nearest.above) return "the nearest is " + high();
+  return nearest.below ? "the nearest is " + low() + unit : "";
+}
+
+}  // namespace
+
+std::string design_name(const ListedDesign& design) {
+  const std::string& word = design.ranked.design.word;
+  return design.name.empty() ? word : design.name + " (" + word + ")";
+}
+
+std::string objective_heading(Objective objective) {
+  const ObjectiveRow& about = row(objective);
+  return about.part == std::string_view("worst") ? std::string("worst ") + about.heading
+                                                 : about.heading;
+}
+
+std::string cost_unit(const std::optional<PartPrices>& prices) {
+  return prices ? prices->unit : "";
+}
+
+std::string objective_unit(Objective objective, const std::string& cost_unit) {
+  if (objective == Objective::cost) return cost_unit;
+  const ObjectiveRow& about = row(objective);
+  return about.is_count() || about.unit == std::string_view("1") ? "" : about.unit;
+}
+
+std::string signed_percent(double share) { return fmt::format("{:+.1f} %", 100 * share); }
+
+std::string within_text(const LadderOptions& options) {
+  return fmt::format("within {:.4g} %", 100 * options.within);
+}
+
+std::string ladder_title(const Ladder& ladder) {
+  const ObjectiveRow& about = row(ladder.options.by);
+  return fmt::format("What {}: the best design with at most so {}", buys(ladder.options.by),
+                     about.is_count() ? "many" : "much");
+}
+
+std::string advised_text(const LadderOptions& options) {
+  std::string text = fmt::format("{} {}", words_of(options.by).fewest, within_text(options));
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+std::string alike_text(const ListedDesign& design) {
+  if (design.alike.empty()) return "";
+  return fmt::format(", and {} more with other bearings, which change nothing",
+                     design.alike.size());
+}
+
+std::vector<SheetLine> answer_lines(const std::vector<ListedDesign>& designs,
+                                    const ListedLadder& ladder) {
+  if (designs.empty() || ladder.rungs.empty()) return {};
+  std::vector<SheetLine> lines{{first_text(designs.front(), ladder)}, {affordable_text(ladder)}};
+  if (ladder.ladder.knee) {
+    const Rung& rung = ladder.ladder.rungs[*ladder.ladder.knee];
+    lines.push_back(
+        {fmt::format("Knee of the ladder: {} at {}", design_name(ladder.rungs[*ladder.ladder.knee]),
+                     measure_text(ladder, rung.at_most))});
+  }
+  if (stays_open(designs.front().ranked.design.values)) {
+    lines.push_back({"Hands that close all the way: --constraint 'closure>=1'"});
+  }
+  return lines;
+}
+
+std::vector<SheetLine> alike_lines(const std::vector<ListedDesign>& shown) {
+  std::vector<SheetLine> lines;
+  for (const ListedDesign& design : shown) {
+    if (design.alike.empty()) continue;
+    std::string text = fmt::format("Rank {} is also", design.ranked.rank);
+    for (std::size_t i = 0; i < std::min(named_at_most, design.alike.size()); ++i) {
+      text += (i == 0 ? " " : ", ") + design.alike[i];
+    }
+    if (design.alike.size() > named_at_most) {
+      text += fmt::format(" and {} more", design.alike.size() - named_at_most);
+    }
+    lines.push_back({text + ": other bearings, which change nothing here"});
+  }
+  return lines;
+}
+
+std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreResult& result) {
+  std::vector<SheetLine> alone;
+  std::vector<SheetLine> together;
+  const std::string unit = cost_unit(options.prices);
+  for (std::size_t c = 0; c < result.unmet.size(); ++c) {
+    const Constraint& constraint = options.constraints[c];
+    const ConstraintReach& reach = result.unmet[c];
+    const std::string least = nearest_text(constraint, reach.of_all, unit);
+    if (!reach.met && !least.empty()) {
+      alone.push_back({fmt::format("No design meets {}: {}", constraint.text, least), true});
+    }
+    const std::string others = nearest_text(constraint, reach.of_those_that_meet_the_others, unit);
+    if (!others.empty()) {
+      together.push_back(
+          {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});
+    }
+  }
+  if (result.unmet.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
+    return {{"No design of this shard meets the constraints", true}};
+  }
+  if (!alone.empty() || result.unmet.empty()) return alone;
+  together.insert(
+      together.begin(),
+      {fmt::format("Each of these constraints is met by some design, but {} by none",
+                   result.unmet.size() == 2 ? std::string("both")
+                                            : fmt::format("all {}", result.unmet.size())),
+       true});
+  return together;
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,326 @@
+#include "reports/exploration/explore_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/text.hpp"
+#include "reports/exploration/band_report.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/exploration/exploration_id.hpp"
+#include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/listed_design_text.hpp"
+#include "reports/exploration/range_notes.hpp"
+#include "reports/exploration/sweep_report.hpp"
+#include "reports/model_text.hpp"
+#include "reports/output/json_text.hpp"
+#include "search/evaluate/shown_objectives.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t shown_at_most = 10;
+
+// Not only counted.
+std::uint64_t made(const ExploreResult& result) {
+  return result.made_all ? result.evaluated : result.evaluated - result.pruned;
+}
+
+double rate(const ExploreResult& result) {
+  return result.seconds > 0 ? static_cast<double>(made(result)) / result.seconds : 0;
+}
+
+// Each routing in one class, so that the numbers add up to those generated.
+std::string counts_text(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  std::string text = fmt::format("{} of {} routings generated in {:.2f} s:", result.generated,
+                                 result.total, result.seconds);
+  for (const Rejection& rejection : result.rejected) {
+    text += fmt::format(" {} {},", rejection.count,
+                        rejection.constraint
+                            ? "fail " + report.options.constraints[*rejection.constraint].text
+                            : "not actuated");
+  }
+  return text + fmt::format(" {} ranked", ranked_designs(report));
+}
+
+std::string evaluated_text(const ExploreResult& result) {
+  if (made(result) == result.evaluated) {
+    return fmt::format("{} evaluated, {:.0f} a second", result.evaluated, rate(result));
+  }
+  // Shards that are put together do not say whether these were evaluated, too.
+  return fmt::format(
+      "Of the {} that are actuated {} fail by their parts alone; the other {} evaluated, {:.0f} a "
+      "second",
+      result.evaluated, result.pruned, made(result), rate(result));
+}
+
+std::vector<Objective> objectives_to_show(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  return search::shown_objectives(options.order, options.score, options.constraints);
+}
+
+Section front_section(const ExploreReport& report, const ListColumns& columns) {
+  std::string text = fmt::format("Pareto front over {}: {} design{}",
+                                 objective_names(report.options.order.objectives),
+                                 report.front.size(), report.front.size() == 1 ? "" : "s");
+  if (report.result.front_equals_left_out > 0) {
+    text +=
+        fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
+  }
+  const auto lines = static_cast<std::size_t>(
+      std::count_if(report.front.begin(), report.front.end(),
+                    [](const ListedDesign& design) { return design.same_as.empty(); }));
+  if (lines < report.front.size()) {
+    text += fmt::format(", {} but for bearings that change nothing", lines);
+  }
+  if (lines > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
+  return {
+      text,
+      design_table(one_of_each(report.front, shown_at_most), objectives_to_show(report), columns),
+      {}};
+}
+
+std::string rank_cell(const ExploreReport& report, const ReferenceStanding& reference) {
+  if (reference.rank > 0) return std::to_string(reference.rank);
+  const bool is_beyond = reference.generated && !reference.rejected_by;
+  return is_beyond ? fmt::format(">{}", report.options.top) : "-";
+}
+
+// Why it has no rank; "" if it has.
+std::string why_unranked(const ExploreReport& report, const ReferenceStanding& reference) {
+  if (!reference.generated) return "not among them";
+  if (!reference.rejected_by) return "";
+  return "fails " + report.options.constraints[*reference.rejected_by].text;
+}
+
+Section known_section(const ExploreReport& report) {
+  if (report.result.references.empty()) return {};
+  Table table{{text_column("name"), text_column("routing"), number_column("rank"),
+               number_column("front", "", 1), number_column("dominated by", "", 2),
+               number_column("uniformity"), number_column("efficiency")},
+              {}};
+  const std::vector<ReferenceStanding>& references = report.result.references;
+  const bool some_unranked = std::any_of(
+      references.begin(), references.end(),
+      [&](const ReferenceStanding& known) { return !why_unranked(report, known).empty(); });
+  if (some_unranked) table.columns.push_back(text_column("no rank since"));
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const ReferenceStanding& reference = references[i];
+    const std::string why = why_unranked(report, reference);
+    std::vector<std::string> cells{
+        report.reference_names[i], reference.design.word, rank_cell(report, reference),
+        reference.front > 0 ? std::to_string(reference.front) : "-",
+        // Of what is out, it says nothing by how many others it would be beaten.
+        reference.rejected_by ? "-" : std::to_string(reference.dominated_by),
+        fixed(value(reference.design.values, Objective::uniformity_mean)),
+        fixed(value(reference.design.values, Objective::efficiency_mean))};
+    if (some_unranked) cells.push_back(why);
+    table.add(std::move(cells));
+  }
+  return {"Where the known routings stand", table, {}};
+}
+
+std::vector<SheetLine> opening_lines(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  std::vector<SheetLine> lines{{counts_text(report)}, {evaluated_text(result)}};
+  const std::string note = partial_note(report);
+  if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
+  for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
+  for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
+    lines.push_back(line);
+  }
+  if (report.options.order.by_score) {
+    lines.push_back({order_text(report.options.order, report.options.score)});
+  }
+  lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
+                   to_text(report.options.grasps)});
+  return lines;
+}
+
+Section answer_section(const ExploreReport& report) {
+  std::vector<SheetLine> lines = unmet_lines(report.options, report.result);
+  for (const SheetLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  for (const SheetLine& line : shared_first_lines(report.top)) lines.push_back(line);
+  return {"", std::nullopt, lines};
+}
+
+Json known_json(const ExploreReport& report) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < report.result.references.size(); ++i) {
+    const ReferenceStanding& reference = report.result.references[i];
+    Json entry{{"name", report.reference_names[i]},
+               {"routing", reference.design.word},
+               {"rank", reference.rank > 0 ? Json(reference.rank) : Json(nullptr)},
+               {"front", reference.front > 0 ? Json(reference.front) : Json(nullptr)},
+               {"dominated_by", reference.dominated_by},
+               {"generated", reference.generated},
+               {"rejected_by", value_or_null(reference.rejected_by, [&](std::size_t constraint) {
+                  return Json(report.options.constraints[constraint].text);
+                })}};
+    add_objectives(entry, reference.design.values);
+    if (!report.reference_bands.empty()) entry["bands"] = bands_json(report.reference_bands[i]);
+    json.push_back(entry);
+  }
+  return json;
+}
+
+Json nearest_json(const Nearest& nearest) {
+  const auto json = [](double value) { return number(value); };
+  return {{"below", value_or_null(nearest.below, json)},
+          {"above", value_or_null(nearest.above, json)}};
+}
+
+Json unmet_json(const ExploreReport& report) {
+  Json json = Json::array();
+  for (std::size_t c = 0; c < report.result.unmet.size(); ++c) {
+    const ConstraintReach& reach = report.result.unmet[c];
+    json.push_back(
+        {{"constraint", report.options.constraints[c].text},
+         {"met_by_any", reach.met},
+         {"nearest", nearest_json(reach.of_all)},
+         {"nearest_with_the_others_met", nearest_json(reach.of_those_that_meet_the_others)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+Sheet explore_sheet(const ExploreReport& report, const ListColumns& wanted) {
+  const ListColumns columns = priced(wanted, report.options.prices);
+  const std::vector<ListedDesign> top = one_of_each(report.top, shown_at_most);
+  const Section best{fmt::format("Top {}", top.size()),
+                     design_table(top, objectives_to_show(report), columns), list_notes(top)};
+  Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
+  if (!columns.chosen.empty()) {
+    sheet.add(best);
+    return sheet;
+  }
+  // What constraints leave nothing of, the answer says.
+  if (!top.empty()) {
+    sheet.add(front_section(report, columns));
+    sheet.add(best);
+    if (report.uncertainty) {
+      sheet.add(band_section(top, report.options.order, *report.uncertainty));
+    }
+  }
+  sheet.add(ladder_section(report.ladder));
+  sheet.add(known_section(report));
+  if (report.sweep) {
+    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+  }
+  return sheet;
+}
+
+std::vector<std::string> notes(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const Hardware hardware = effective_hardware(options.model);
+  const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
+                     treats_fingers_alike(hardware, options.generator.fingers);
+  std::vector<std::string> notes = absent_finger_notes(options.model, options.generator.fingers);
+  if (report.uncertainty) {
+    for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
+      notes.push_back(std::move(note));
+    }
+  }
+  if (alike || options.generator.identity == FingerIdentity::distinct) return notes;
+  notes.insert(notes.begin(),
+               "the grasps or the hardware tell the fingers apart, but routings were listed for "
+               "identical fingers: each was evaluated with the finger numbers of its word only; "
+               "--distinct-fingers evaluates all");
+  return notes;
+}
+
+std::string partial_note(const ExploreReport& report) {
+  if (report.draws_stopped) {
+    return "stopped while drawing coefficients; ranks and objectives have no distributions";
+  }
+  if (report.sweep_over && !report.sweep && !report.result.partial) {
+    return "stopped while sweeping; there is no sweep";
+  }
+  if (!report.result.partial) return "";
+  if (report.result.generated == report.result.total) {
+    return "stopped while it was worked out how near designs come to the constraints";
+  }
+  return fmt::format("stopped after {} of {} routings; ranks are among these",
+                     report.result.generated, report.result.total);
+}
+
+std::uint64_t ranked_designs(const ExploreReport& report) {
+  std::uint64_t count = report.result.evaluated;
+  for (const Rejection& rejection : report.result.rejected) {
+    if (rejection.constraint) count -= rejection.count;
+  }
+  return count;
+}
+
+std::string rejection_text(const Rejection& rejection, const ExploreOptions& options) {
+  if (!rejection.constraint) return "not actuated";
+  return "constraint " + options.constraints[*rejection.constraint].text;
+}
+
+Json explore_settings(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  const GeneratorOptions& generator = options.generator;
+  Json json{{"fingers", generator.fingers},
+            {"identical_fingers", generator.identity == FingerIdentity::identical},
+            {"parts",
+             {{"tips", tips_text(generator.parts)},
+              {"joins", joins_text(generator.parts)},
+              {"ends", ends_text(generator.parts)},
+              {"anchored", generator.parts.anchored},
+              {"blocks", generator.parts.blocks}}},
+            {"tendons", generator.one_tendon ? "one" : "any"},
+            {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
+            {"top", options.top}};
+  json["constraints"] = Json::array();
+  for (const Constraint& constraint : options.constraints) {
+    json["constraints"].push_back(constraint.text);
+  }
+  json.update(settings_json(options.order, options.score, options.grasps, options.model,
+                            report.result.unconverged));
+  json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  add_ladder_settings(json, options.ladder, options.prices);
+  json["sweep"] = sweep_settings(report.sweep_over);
+  return json;
+}
+
+std::string explore_summary_json(const ExploreReport& report) {
+  const ExploreResult& result = report.result;
+  Json json{{"generated", result.generated}};
+  json["rejected"] = Json::object();
+  for (const Rejection& rejection : result.rejected) {
+    json["rejected"][rejection_text(rejection, report.options)] = rejection.count;
+  }
+  json["evaluated"] = result.evaluated;
+  json["pruned"] = result.pruned;
+  json["ranked"] = ranked_designs(report);
+  json["partial"] = !partial_note(report).empty();
+  json["notes"] = notes(report);
+  json["total"] = result.total;
+  json["seconds"] = result.seconds;
+  json["designs_per_second"] = rate(result);
+  json["front_equals_left_out"] = result.front_equals_left_out;
+  ObjectText text;
+  text.add_members(json);
+  ListedDesignText designs;
+  const auto listed = [&](std::string& to, const ListedDesign& design) {
+    designs.append(to, design);
+  };
+  text.add_text_list("front", report.front, listed);
+  text.add_text_list("top", report.top, listed);
+  json = {{"best", to_json(report.result.best)}};
+  json["known"] = known_json(report);
+  json["ladder"] = ladder_json(report.ladder);
+  json["unmet"] = unmet_json(report);
+  if (report.sweep_over) json["sweep"] = value_or_null(report.sweep, sweep_json);
+  json["exploration"] = exploration_id(report);
+  json["settings"] = explore_settings(report);
+  json["version"] = version_json();
+  text.add_members(json);
+  return std::move(text).text();
+}
+
+}  // namespace reeve::reports

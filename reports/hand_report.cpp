@@ -1,0 +1,269 @@
+#include "reports/hand_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/text.hpp"
+
+namespace reeve::reports {
+namespace {
+
+Table force_table(const ShownHand& hand) {
+  Table table{{text_column("held")}, {}};
+  for (const ShownHandFinger& finger : hand.fingers) {
+    table.columns.push_back(number_column(fmt::format("finger {}", finger.finger), "N/N"));
+  }
+  table.columns.push_back(number_column("motor", "N"));
+  table.columns.push_back(number_column("asked by"));
+  table.columns.push_back(number_column("frictionless", "N"));
+  for (const ShownHandGrasp& grasp : hand.grasps) {
+    std::vector<std::string> cells{to_text(grasp.grasp)};
+    for (const ShownFingerForce& force : grasp.fingers) cells.push_back(fixed(force.per_motor_N));
+    cells.push_back(fixed(grasp.motor_force_N, 1));
+    cells.push_back(fmt::format("finger {}", grasp.weakest));
+    cells.push_back(fixed(grasp.frictionless_N, 1));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+// Of the finger at this place, over the grasps.
+template <typename Get>
+double least_force(const ShownHand& hand, std::size_t place, Get get) {
+  double least = get(hand.grasps.front().fingers[place]);
+  for (const ShownHandGrasp& grasp : hand.grasps) {
+    least = std::min(least, get(grasp.fingers[place]));
+  }
+  return least;
+}
+
+Table finger_table(const ShownHand& hand) {
+  Table table{{number_column("finger"), number_column("excursion", "mm"),
+               number_column("closes", "%"), number_column("wanted", "N")},
+              {}};
+  const bool has_force = std::isfinite(hand.demand.force_N);
+  if (has_force) {
+    table.columns.push_back(number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1))));
+  }
+  const std::optional<double> limit = hand.motor.force_N;
+  if (limit) table.columns.push_back(number_column(fmt::format("at {:.4g} N", *limit)));
+  for (std::size_t f = 0; f < hand.fingers.size(); ++f) {
+    const ShownHandFinger& finger = hand.fingers[f];
+    const auto at_demand = [](const ShownFingerForce& force) { return force.force_N; };
+    const auto at_limit = [](const ShownFingerForce& force) { return *force.at_limit_N; };
+    std::vector<std::string> cells{std::to_string(finger.finger), fixed(finger.excursion_mm, 1),
+                                   fixed(100 * finger.closed, 1), fixed(finger.wanted_N, 1)};
+    if (has_force) cells.push_back(fixed(least_force(hand, f, at_demand), 2));
+    if (limit) cells.push_back(fixed(least_force(hand, f, at_limit), 2));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
+  if (!std::isfinite(demand.force_N)) {
+    lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
+                                 "strands, since the carriage is blocked",
+                                 to_text(demand.grasp), demand.weakest),
+                     true});
+    return;
+  }
+  if (demand.force_N == 0) {
+    lines.push_back({"Motor force 0 N: no finger is to press, and no spring is to be overcome"});
+    return;
+  }
+  lines.push_back(
+      {fmt::format("Motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
+                   "held {}. Friction costs {} of it: without, {:.4g} N would do",
+                   demand.force_N, demand.weakest, demand.joint + 1, to_text(demand.grasp),
+                   percent(demand.friction_cost()), demand.frictionless_N)});
+}
+
+void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
+  const MotorDemand& demand = hand.demand;
+  if (!demand.can_move()) {
+    lines.push_back({"No stroke: the carriage is blocked, and no finger can close", true});
+    return;
+  }
+  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
+                               hand.motor.close_s, demand.speed_mm_s)});
+  if (demand.closure < 1) {
+    lines.push_back({fmt::format("The carriage is then blocked, and the hand not closed: the last "
+                                 "finger stands at {} of its range",
+                                 percent(demand.closure)),
+                     true});
+  }
+  if (!std::isfinite(demand.force_N)) return;
+  lines.push_back({fmt::format(
+      "Work at most {:.3g} J, of which the springs keep {:.3g} J, friction "
+      "takes {:.3g} J, and {:.3g} J are left to the fingers; power at "
+      "most {:.3g} W",
+      demand.work_J, demand.springs_J, demand.friction_J, demand.fingers_J, demand.power_W)});
+  if (!demand.torque_Nm) return;
+  lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
+                               *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
+}
+
+void add_limit_line(const char* what, const char* unit, double asked,
+                    const std::optional<double>& limit, const char* where_enough,
+                    std::vector<SheetLine>& lines) {
+  // That no force is enough, or that there is no stroke, is said already.
+  if (!limit || !std::isfinite(asked)) return;
+  const bool enough = asked <= *limit;
+  lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
+                               *limit, unit, enough ? where_enough : "not enough",
+                               percent(asked / *limit), enough ? "are" : "would be"),
+                   !enough});
+}
+
+// ": finger 2 closes least"; nothing where all close alike.
+std::string last_text(const StrokeReach& reach) {
+  if (reach.last.size() == reach.closed.size()) return "";
+  if (reach.last.size() == 1) return fmt::format(": finger {} closes least", reach.last.front());
+  return fmt::format(": fingers {} close least", fmt::join(reach.last, ", "));
+}
+
+// What the motor that there is does, where it does not meet the wish, and where it does more.
+void add_reach_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
+  if (hand.force_reach && hand.force_reach->weakest > 0) {
+    const ForceReach& reach = *hand.force_reach;
+    const std::string where = fmt::format("finger {} is the weakest, at its joint {}, with held {}",
+                                          reach.weakest, reach.joint + 1, to_text(reach.grasp));
+    lines.push_back(
+        {reach.share > 0
+             ? fmt::format("With {:.4g} N the fingers press with {} of all wanted forces or more: "
+                           "{}, {:.3g} N",
+                           reach.motor_N, percent(reach.share), where, reach.force_N)
+             : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
+                           where)});
+  }
+  if (!hand.stroke_reach) return;
+  const StrokeReach& reach = *hand.stroke_reach;
+  if (reach.closure < hand.demand.closure) {
+    lines.push_back({fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range{}",
+                                 *hand.motor.stroke_mm, percent(reach.closure), last_text(reach))});
+  }
+}
+
+Json force_reach_json(const ForceReach& reach) {
+  Json json{{"motor_N", reach.motor_N}, {"share_of_wanted", number(reach.share)}};
+  if (reach.weakest == 0) {
+    json["weakest"] = nullptr;
+    return json;
+  }
+  json["weakest"] = {{"finger", reach.weakest},
+                     {"joint", reach.joint + 1},
+                     {"held", held_fingers(reach.grasp)},
+                     {"force_N", reach.force_N}};
+  return json;
+}
+
+Json stroke_reach_json(const StrokeReach& reach) {
+  return {{"stroke_mm", reach.stroke_mm}, {"closure", reach.closure}, {"closed", reach.closed}};
+}
+
+Json fingers_json(const ShownHand& hand) {
+  Json json = Json::array();
+  for (const ShownHandFinger& finger : hand.fingers) {
+    json.push_back({{"finger", finger.finger},
+                    {"wanted_N", finger.wanted_N},
+                    {"excursion_mm", finger.excursion_mm},
+                    {"closed", finger.closed}});
+  }
+  return json;
+}
+
+Json force_json(const ShownFingerForce& force, bool has_force) {
+  return {{"finger", force.finger},
+          {"pull_per_motor", number(force.pull_per_motor_N)},
+          {"force_per_motor", number(force.per_motor_N)},
+          {"asks_motor_N", number(force.asks_motor_N)},
+          {"force_N", has_force ? number(force.force_N) : Json(nullptr)},
+          {"joint", has_force ? Json(force.gives + 1) : Json(nullptr)},
+          {"force_at_limit_N", value_or_null(force.at_limit_N, number)}};
+}
+
+Json grasps_json(const ShownHand& hand) {
+  const bool has_force = std::isfinite(hand.demand.force_N);
+  Json json = Json::array();
+  for (const ShownHandGrasp& grasp : hand.grasps) {
+    Json entry{{"held", held_fingers(grasp.grasp)},
+               {"motor_force_N", number(grasp.motor_force_N)},
+               {"frictionless_N", number(grasp.frictionless_N)},
+               {"weakest", grasp.weakest}};
+    entry["fingers"] = Json::array();
+    for (const ShownFingerForce& force : grasp.fingers) {
+      entry["fingers"].push_back(force_json(force, has_force));
+    }
+    json.push_back(entry);
+  }
+  return json;
+}
+
+Json enough(double asked, const std::optional<double>& limit) {
+  return value_or_null(limit, [&](double most) { return Json(asked <= most); });
+}
+
+Json motor_json(const ShownHand& hand) {
+  const MotorDemand& demand = hand.demand;
+  const auto of_motion = [&](double value) {
+    return demand.can_move() ? number(value) : Json(nullptr);
+  };
+  return {
+      {"force_N", number(demand.force_N)},
+      {"frictionless_N", number(demand.frictionless_N)},
+      {"friction_cost", number(demand.friction_cost())},
+      {"weakest",
+       {{"finger", demand.weakest},
+        {"joint", demand.joint + 1},
+        {"held", held_fingers(demand.grasp)}}},
+      {"stroke_mm", of_motion(demand.stroke_mm)},
+      {"closure", demand.closure},
+      {"speed_mm_s", of_motion(demand.speed_mm_s)},
+      {"power_W", number(demand.power_W)},
+      {"work_J", number(demand.work_J)},
+      {"springs_J", number(demand.springs_J)},
+      {"friction_J", number(demand.friction_J)},
+      {"fingers_J", number(demand.fingers_J)},
+      {"torque_Nm", value_or_null(demand.torque_Nm, number)},
+      {"spool_rpm", demand.can_move() ? value_or_null(demand.spool_rpm, number) : Json(nullptr)},
+      {"force_is_enough", enough(demand.force_N, hand.motor.force_N)},
+      {"stroke_is_enough",
+       demand.can_move() ? enough(demand.stroke_mm, hand.motor.stroke_mm) : Json(nullptr)},
+      {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
+      {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
+}
+
+}  // namespace
+
+std::vector<Section> hand_sections(const ShownHand& hand) {
+  std::vector<SheetLine> lines;
+  add_force_lines(hand.demand, lines);
+  add_motion_lines(hand, lines);
+  add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, "enough", lines);
+  if (hand.demand.can_move()) {
+    add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm,
+                   hand.demand.closure < 1 ? "enough for as far as the hand closes" : "enough",
+                   lines);
+  }
+  add_reach_lines(hand, lines);
+  return {
+      {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
+       "that meets all wanted forces",
+       force_table(hand),
+       {}},
+      {"Hand: fingers, and the least force at their tips in any of these grasps",
+       finger_table(hand), lines}};
+}
+
+void add_hand(Json& target, const ShownHand& hand) {
+  target["fingers"] = fingers_json(hand);
+  target["grasps"] = grasps_json(hand);
+  target["motor"] = motor_json(hand);
+}
+
+}  // namespace reeve::reports

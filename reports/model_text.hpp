@@ -1,0 +1,27 @@
+// A model beside the results that depend on it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "reports/document/sheet.hpp"
+#include "reports/output/json.hpp"
+
+namespace reeve::reports {
+
+// `unconverged`: how many of the tension solves behind the results did not converge.
+//
+// null for the plain friction model, which the hardware says all about.
+Json model_json(const Model& model, std::uint64_t unconverged);
+
+// None for the plain friction model.
+std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged);
+
+// A sentence for each finger of the hardware, and each effect on one, that routings of so many
+// fingers do not have.
+std::vector<std::string> absent_finger_notes(const Model& model, int fingers);
+std::vector<SheetLine> absent_finger_lines(const Model& model, int fingers);
+
+}  // namespace reeve::reports

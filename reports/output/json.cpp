@@ -1,0 +1,174 @@
+#include "reports/output/json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/hand.hpp"
+#include "core/version.hpp"
+#include "reports/model_text.hpp"
+
+namespace reeve::reports {
+namespace {
+
+void add_if_given(Json& target, const char* key, const std::optional<double>& value) {
+  if (value) target[key] = *value;
+}
+
+Json law(const ContactLaw& contact) {
+  return {{"mu", contact.mu}, {"angle_rad", contact.angle_rad}};
+}
+
+Json joint_json(const FingerJoint& joint) {
+  Json json{{"arm_mm", joint.arm_mm},
+            {"range_deg", joint.range_deg},
+            {"lever_mm", joint.lever_mm},
+            {"spring_Nmm_rad", joint.spring_Nmm_rad},
+            {"rest_deg", joint.rest_deg}};
+  add_if_given(json, "held_deg", joint.held_deg);
+  return json;
+}
+
+void add_parts(Json& target, const FingerParts& parts) {
+  add_if_given(target, "force_N", parts.force_N);
+  for (const FingerJoint& joint : parts.joints) target["joints"].push_back(joint_json(joint));
+}
+
+Json motor_json(const MotorParts& motor) {
+  Json json = Json::object();
+  add_if_given(json, "spool_radius_mm", motor.spool_radius_mm);
+  json["close_s"] = motor.close_s;
+  add_if_given(json, "force_N", motor.force_N);
+  add_if_given(json, "stroke_mm", motor.stroke_mm);
+  return json;
+}
+
+Json finger_json(const FingerHardware& finger) {
+  Json json{{"finger", finger.finger}};
+  add_if_given(json, "tip_mu", finger.tip_mu);
+  add_if_given(json, "tip_angle_rad", finger.tip_angle_rad);
+  add_if_given(json, "sheath_mu", finger.sheath_mu);
+  add_if_given(json, "sheath_angle_rad", finger.sheath_angle_rad);
+  add_if_given(json, "strand_mm", finger.strand_mm);
+  add_if_given(json, "closing", finger.closing);
+  add_parts(json, finger.parts);
+  return json;
+}
+
+}  // namespace
+
+std::string print(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+void add_objectives(Json& target, const ObjectiveValues& values) {
+  for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, values)) continue;
+    const double given = value(values, row.objective);
+    Json& family = row.of_hand ? target["hand"][row.family] : target[row.family];
+    Json& place = *row.part == '\0' ? family : family[row.part];
+    place = row.is_count() ? Json(static_cast<int>(given)) : number(given);
+    // Its former name, for one version.
+    if (row.objective == Objective::round_trip_efficiency) {
+      target["return_friction"] = number(given);
+    }
+  }
+}
+
+Json to_json(const Hardware& hardware) {
+  Json json{{"tube", law(hardware.tube)},
+            {"bearing", law(hardware.bearing)},
+            {"sheath", law(hardware.sheath)},
+            {"lengths",
+             {{"strand_mm", hardware.strand_mm},
+              {"motor_side_mm", hardware.motor_side_mm},
+              {"hand_mm", hardware.hand_mm}}}};
+  if (hardware.block) json["block"] = law(*hardware.block);
+  json["fingers"] = Json::array();
+  for (const FingerHardware& finger : hardware.fingers) {
+    json["fingers"].push_back(finger_json(finger));
+  }
+  json["contacts"] = Json::array();
+  for (const ContactHardware& contact : hardware.contacts) {
+    Json entry{{"between", {contact.segment, contact.other_segment}}};
+    add_if_given(entry, "mu", contact.mu);
+    add_if_given(entry, "angle_rad", contact.angle_rad);
+    json["contacts"].push_back(entry);
+  }
+  if (!hand(hardware)) return json;
+  json["hand"] = Json::object();
+  add_parts(json["hand"], hardware.finger_parts);
+  json["motor"] = motor_json(hardware.motor);
+  return json;
+}
+
+std::string objective_names(const std::vector<Objective>& objectives) {
+  std::string names;
+  for (const Objective objective : objectives) {
+    names += (names.empty() ? "" : ", ") + std::string(row(objective).name);
+  }
+  return names;
+}
+
+std::string order_text(const Order& order, const Score& score) {
+  const std::string made_of =
+      fmt::format("the weighted mean of {} (greater is better)", to_text(score));
+  if (order.objectives == std::vector{Objective::score}) return "By the score, " + made_of;
+  const std::string fronts = "Front by front over " + objective_names(order.objectives);
+  return order.by_score ? fronts + ", within a front by the score, " + made_of : fronts;
+}
+
+namespace {
+
+Json score_json(const Order& order, const Score& score) {
+  Json json{{"orders", order.by_score}, {"weights", Json::object()}};
+  for (const ScoreTerm& term : score.terms) json["weights"][row(term.objective).name] = term.weight;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const PartPrices& prices) {
+  Json json{{"unit", text_or_null(prices.unit)}};
+  for (const PriceRow& row : price_table()) json[row.name] = prices.*row.price;
+  json["tendon_mm"] = prices.tendon_mm;
+  return json;
+}
+
+Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
+                   const Model& model, std::uint64_t unconverged) {
+  Json json;
+  json["objectives"] = Json::array();
+  for (const Objective objective : order.objectives) {
+    json["objectives"].push_back(row(objective).name);
+  }
+  json["score"] = score_json(order, score);
+  json["grasps"] = Json::array();
+  for (const WeightedGrasp& grasp : grasps) {
+    json["grasps"].push_back({{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}});
+  }
+  json["hardware"] = to_json(model.hardware);
+  json["model"] = model_json(model, unconverged);
+  return json;
+}
+
+Json to_json(const UncertaintyOptions& options) {
+  const UncertaintyRanges& ranges = options.ranges;
+  return {{"draws", options.draws},
+          {"seed", options.seed},
+          {"tube_mu", {ranges.tube_mu.low, ranges.tube_mu.high}},
+          {"sheath_mu", {ranges.sheath_mu.low, ranges.sheath_mu.high}},
+          {"bearing_mu_relative", ranges.bearing_mu_relative},
+          {"sheath_angle_relative", ranges.sheath_angle_relative}};
+}
+
+std::string version_json() {
+  const Version build = version();
+  return build.number + " (" + build.commit + ")";
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,128 @@
+#include "reports/rank_report.hpp"
+
+#include <utility>
+
+#include "core/text.hpp"
+#include "reports/distribution_report.hpp"
+#include "reports/exploration/band_report.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/design_list.hpp"
+#include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/range_notes.hpp"
+#include "reports/exploration/sweep_report.hpp"
+#include "reports/model_text.hpp"
+#include "reports/output/json.hpp"
+#include "reports/output/stamp.hpp"
+#include "reports/show_report.hpp"
+#include "search/evaluate/shown_objectives.hpp"
+
+namespace reeve::reports {
+namespace {
+
+std::string name_of(const RankReport& report, const std::string& word) {
+  for (const ListedDesign& design : report.designs) {
+    if (design.ranked.design.word == word && !design.name.empty()) return design.name;
+  }
+  return word;
+}
+
+Section margin_section(const RankReport& report) {
+  if (!report.margins || report.margins->empty()) return {};
+  Table table{{text_column("over"), number_column("lead"), number_column("least lead"),
+               number_column("mu tube"), number_column("mu sheath"), number_column("mu bearing"),
+               number_column("sheath angle, rad")},
+              {}};
+  for (const Margin& margin : *report.margins) {
+    table.add({name_of(report, margin.challenger), fixed(margin.nominal_lead, 4),
+               fixed(margin.least_lead, 4), fixed(margin.at.tube.mu), fixed(margin.at.sheath.mu),
+               fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
+  }
+  return {
+      "Lead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
+      "coefficients it is least; below 0 the order turns there",
+      table,
+      {}};
+}
+
+Json margins_json(const std::vector<Margin>& margins) {
+  Json json = Json::array();
+  for (const Margin& margin : margins) {
+    json.push_back({{"over", margin.challenger},
+                    {"lead", margin.nominal_lead},
+                    {"least_lead", margin.least_lead},
+                    {"at",
+                     {{"tube_mu", margin.at.tube.mu},
+                      {"sheath_mu", margin.at.sheath.mu},
+                      {"bearing_mu", margin.at.bearing.mu},
+                      {"sheath_angle_rad", margin.at.sheath.angle_rad}}}});
+  }
+  return json;
+}
+
+void add_details(Json& json, const RankDetails& details) {
+  json["best"] = to_json(details.best);
+  json["routings"] = Json::array();
+  for (const ShownRouting& routing : details.routings) json["routings"].push_back(to_json(routing));
+  json["tension_distributions"] = Json::array();
+  for (const TensionDistribution& distribution : details.distributions.list) {
+    json["tension_distributions"].push_back(to_json(distribution));
+  }
+  json["measured_data"] =
+      details.distributions.data ? to_json(*details.distributions.data) : Json(nullptr);
+}
+
+}  // namespace
+
+Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
+  const ListColumns columns = priced(wanted, report.prices);
+  std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  if (!report.designs.empty()) {
+    const int fingers = finger_count(report.designs.front().routing);
+    for (const SheetLine& line : absent_finger_lines(report.model, fingers)) lines.push_back(line);
+  }
+  if (report.uncertainty || report.margins) {
+    const Hardware nominal = effective_hardware(report.model);
+    for (const std::string& note : range_notes(nominal, report.ranges)) {
+      lines.push_back({"Note: " + note, true});
+    }
+  }
+  lines.push_back({order_text(report.order, report.score) +
+                   "; uniformity and efficiency as mean/worst over the grasps " +
+                   to_text(report.grasps)});
+  const std::vector<ListedDesign> shown = one_of_each(report.designs);
+  Sheet sheet{{{"", std::nullopt, lines},
+               {"", design_table(shown, shown_objectives(report.order, report.score), columns),
+                list_notes(shown)}}};
+  if (report.designs.size() > 1) {
+    std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
+    for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);
+    sheet.add({"", std::nullopt, answer});
+  }
+  if (!columns.chosen.empty()) return sheet;
+  if (report.uncertainty) sheet.add(band_section(shown, report.order, *report.uncertainty));
+  sheet.add(ladder_section(report.ladder));
+  sheet.add(margin_section(report));
+  if (report.sweep) {
+    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+  }
+  return sheet;
+}
+
+std::string rank_json(const RankReport& report) {
+  Json json{{"designs", to_json(report.designs)},
+            {"settings", settings_json(report.order, report.score, report.grasps, report.model,
+                                       report.unconverged)}};
+  json["settings"]["uncertainty"] =
+      report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
+  add_ladder_settings(json["settings"], report.ladder.ladder.options, report.prices);
+  json["settings"]["sweep"] =
+      sweep_settings(report.sweep ? std::optional(report.sweep->sweep.over) : std::nullopt);
+  json["ladder"] = ladder_json(report.ladder);
+  if (report.margins) json["margins"] = margins_json(*report.margins);
+  if (report.details) add_details(json, *report.details);
+  if (report.sweep) json["sweep"] = sweep_json(*report.sweep);
+  json["version"] = version_json();
+  return print_stamped(std::move(json));
+}
+
+}  // namespace reeve::reports

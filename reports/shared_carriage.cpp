@@ -1,0 +1,57 @@
+#include "reports/shared_carriage.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <set>
+
+#include "core/notation.hpp"
+
+namespace reeve::reports {
+namespace {
+
+// Of what follows "their shares of its pull".
+constexpr const char* assumption =
+    "are those of tendons of one stiffness that are mounted without slack; one that is slack or "
+    "stretches more carries less";
+
+std::string listed_ranks(const std::vector<std::size_t>& ranks) {
+  std::string text = "Ranks ";
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == ranks.size() ? " and " : ", ";
+    text += std::to_string(ranks[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+int tree_count(const Network& network) {
+  std::set<std::size_t> trees;
+  for (const TendonSpan& tendon : network.tendons) trees.insert(tendon.tree);
+  return static_cast<int>(trees.size());
+}
+
+std::string shared_carriage_text(const Network& network) {
+  const int trees = tree_count(network);
+  if (trees < 2) return "";
+  const bool tied = static_cast<std::size_t>(trees) < network.tendons.size();
+  return fmt::format("{} {} hang on one carriage: their shares of its pull {}", trees,
+                     tied ? "trees of tendons" : "tendons", assumption);
+}
+
+std::vector<SheetLine> shared_carriage_lines(const std::vector<ListedDesign>& shown) {
+  std::vector<std::size_t> ranks;
+  for (const ListedDesign& design : shown) {
+    const Network network = expand(parse_routing(design.ranked.design.word));
+    if (tree_count(network) > 1) ranks.push_back(design.ranked.rank);
+  }
+  if (ranks.empty()) return {};
+  const std::string whose = ranks.size() == 1 ? fmt::format("Rank {} has", ranks.front())
+                            : ranks.size() == shown.size() ? "All of these have"
+                                                           : listed_ranks(ranks) + " have";
+  return {{fmt::format("{} several tendons on one carriage: their shares of its pull {}", whose,
+                       assumption)}};
+}
+
+}  // namespace reeve::reports

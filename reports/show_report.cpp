@@ -1,0 +1,240 @@
+#include "reports/show_report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/motor_sides.hpp"
+#include "core/text.hpp"
+#include "drawing/schematic/schematic_svg.hpp"
+#include "reports/hand_report.hpp"
+#include "reports/model_text.hpp"
+#include "reports/output/stamp.hpp"
+#include "reports/shared_carriage.hpp"
+#include "reports/shown_value.hpp"
+
+namespace reeve::reports {
+namespace {
+
+// "T1->a", "a->T1" or "no"
+std::string sliding(const Network& network, const ContactEnds& ends, double slip) {
+  const std::string left = segment_name(network.segments[ends.left]);
+  const std::string right = segment_name(network.segments[ends.right]);
+  if (slip == 0) return "no";
+  return slip > 0 ? left + "->" + right : right + "->" + left;
+}
+
+template <typename Visit>
+void for_each_contact(const Network& network, Visit visit) {
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      visit(ends_of(tendon, k), tendon.first_contact + k);
+    }
+  }
+}
+
+Json grasp_json(const Network& network, const ShownGrasp& shown) {
+  Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
+  json["tensions"] = Json::object();
+  json["shares"] = Json::object();
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    json["tensions"][segment_name(network.segments[i])] = number(shown.state.tension[i]);
+    if (network.segments[i].kind != SegmentKind::strand) continue;
+    json["shares"][segment_name(network.segments[i])] =
+        number(shown.state.tension[i] / shown.performance.force_transmission);
+  }
+  json["contacts"] = Json::array();
+  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
+    json["contacts"].push_back(
+        {{"between",
+          {segment_name(network.segments[ends.left]), segment_name(network.segments[ends.right])}},
+         {"kind", contact_kind_name(network.contacts[contact].kind)},
+         {"slides", sliding(network, ends, shown.state.slip[contact])}});
+  });
+  json["uniformity"] = number(shown.performance.uniformity);
+  json["efficiency"] = number(shown.performance.efficiency);
+  json["force_transmission"] = number(shown.performance.force_transmission);
+  return json;
+}
+
+const char* direction_name(Direction direction) {
+  return direction == Direction::pull ? "pull" : "release";
+}
+
+std::string heading(const ShownRouting& report) {
+  std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
+  if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
+  return text;
+}
+
+// Friction that depends on the load makes the motor tension matter.
+std::string unit_text(const ShownRouting& report) {
+  if (report.model.effects.empty()) return "at motor tension 1";
+  return fmt::format("over the motor tension of {:.6g} N", report.model.conditions.motor_tension_N);
+}
+
+std::string held_text(const ShownGrasp& shown) {
+  return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
+}
+
+Table tension_table(const ShownRouting& report) {
+  Table table{{text_column("held")}, {}};
+  for (const Segment& segment : report.network.segments) {
+    table.columns.push_back(number_column(segment_name(segment), "N/N"));
+  }
+  for (const char* figure : {"uniformity", "efficiency", "force"}) {
+    table.columns.push_back(number_column(figure));
+  }
+  for (const ShownGrasp& shown : report.grasps) {
+    std::vector<std::string> cells{held_text(shown)};
+    for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
+    cells.push_back(fixed(shown.performance.uniformity));
+    cells.push_back(fixed(shown.performance.efficiency));
+    cells.push_back(fixed(shown.performance.force_transmission));
+    table.add(cells);
+  }
+  return table;
+}
+
+Table share_table(const ShownRouting& report) {
+  const std::vector<Segment>& segments = report.network.segments;
+  Table table{{text_column("held")}, {}};
+  for (const Segment& segment : segments) {
+    if (segment.kind != SegmentKind::strand) continue;
+    table.columns.push_back(number_column(segment_name(segment), "%"));
+  }
+  for (const ShownGrasp& shown : report.grasps) {
+    std::vector<std::string> cells{held_text(shown)};
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (segments[i].kind != SegmentKind::strand) continue;
+      cells.push_back(
+          fixed(100 * shown.state.tension[i] / shown.performance.force_transmission, 1));
+    }
+    table.add(cells);
+  }
+  return table;
+}
+
+Table contact_table(const ShownRouting& report) {
+  Table table{{text_column("contact"), text_column("kind")}, {}};
+  for (const ShownGrasp& shown : report.grasps) {
+    table.columns.push_back(text_column("held " + to_text(shown.grasp)));
+  }
+  for (const ShownContact& contact : shown_contacts(report)) {
+    std::vector<std::string> cells{contact.between, contact.kind};
+    cells.insert(cells.end(), contact.slides.begin(), contact.slides.end());
+    table.add(cells);
+  }
+  return table;
+}
+
+Table objective_list(const ShownRouting& report) {
+  const ObjectiveValues& values = report.values;
+  Table table{{text_column("objective"), number_column("value"), text_column("unit"),
+               text_column("meaning")},
+              {}};
+  for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, values)) continue;
+    if (row.objective == Objective::cost && !report.prices) continue;
+    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
+    constexpr int at_least = 3;
+    const double shown = value(values, row.objective);
+    table.add({row.name, fixed(shown, shown_decimals(row.objective, shown, at_least)),
+               priced ? report.prices->unit : row.unit, row.meaning});
+  }
+  return table;
+}
+
+// "a at T1, b at T4": which letter is where, since letters run in walk order.
+std::string letter_key(const Network& network) {
+  std::string key;
+  for (const MotorSide& side : motor_sides(network)) {
+    key += (key.empty() ? "" : ", ") + segment_name(network.segments[side.motor_side]) + " at " +
+           segment_name(network.segments[side.hand]);
+  }
+  return key;
+}
+
+Json letter_key_json(const Network& network) {
+  Json json = Json::array();
+  for (const MotorSide& side : motor_sides(network)) {
+    json.push_back({{"segment", segment_name(network.segments[side.motor_side])},
+                    {"beside", segment_name(network.segments[side.hand])}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
+  const Network& network = report.network;
+  std::vector<ShownContact> contacts;
+  for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
+    contacts.push_back({segment_name(network.segments[ends.left]) + "-" +
+                            segment_name(network.segments[ends.right]),
+                        contact_kind_name(network.contacts[contact].kind),
+                        {}});
+    for (const ShownGrasp& shown : report.grasps) {
+      contacts.back().slides.push_back(sliding(network, ends, shown.state.slip[contact]));
+    }
+  });
+  return contacts;
+}
+
+Sheet show_sheet(const ShownRouting& report) {
+  std::vector<SheetLine> lines{{heading(report)}};
+  if (report.own_hardware) {
+    lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
+  }
+  if (const std::string key = letter_key(report.network); !key.empty()) {
+    lines.push_back({"Motor-side segments, in walk order: " + key});
+  }
+  if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
+    lines.push_back({shared});
+  }
+  for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
+    lines.push_back(line);
+  }
+  for (const SheetLine& line : absent_finger_lines(report.model, report.network.fingers)) {
+    lines.push_back(line);
+  }
+  Sheet sheet{{{"", std::nullopt, lines},
+               {fmt::format("Tensions {}, {}", unit_text(report),
+                            report.direction == Direction::pull ? "pulling" : "releasing"),
+                tension_table(report),
+                {}},
+               {"Shares of the strands, %", share_table(report), {}},
+               {"Sliding", contact_table(report), {}},
+               {"Over these grasps, pulling", objective_list(report), {}}}};
+  if (!report.hand) return sheet;
+  for (Section& section : hand_sections(*report.hand)) sheet.add(std::move(section));
+  return sheet;
+}
+
+Json to_json(const ShownRouting& report) {
+  Json json{{"routing", report.word},
+            {"name", text_or_null(report.name)},
+            {"canonical", report.canonical},
+            {"direction", direction_name(report.direction)},
+            {"motor_sides", letter_key_json(report.network)},
+            {"trees", tree_count(report.network)}};
+  if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
+  json["grasps"] = Json::array();
+  for (const ShownGrasp& shown : report.grasps) {
+    json["grasps"].push_back(grasp_json(report.network, shown));
+  }
+  add_objectives(json, report.values);
+  if (report.hand) add_hand(json["hand"], *report.hand);
+  json["model"] = model_json(report.model, report.unconverged);
+  if (report.prices) json["prices"] = to_json(*report.prices);
+  return json;
+}
+
+std::string show_json(const ShownRouting& report) { return print_stamped(to_json(report)); }
+
+std::string show_svg(const ShownRouting& report, const ShownGrasp* shown) {
+  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
+  if (shown == nullptr) return schematic_svg(schematic(report.network, title));
+  const GraspView view{shown->grasp, report.direction, shown->state};
+  return schematic_svg(schematic(report.network, title, view));
+}
+
+}  // namespace reeve::reports

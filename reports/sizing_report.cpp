@@ -1,0 +1,304 @@
+#include "reports/sizing_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "catalog/hardware_tables.hpp"
+#include "core/hand.hpp"
+#include "core/text.hpp"
+#include "core/version.hpp"
+#include "reports/document/chosen_columns.hpp"
+#include "reports/exploration/decision_words.hpp"
+#include "reports/model_text.hpp"
+#include "reports/output/telling_digits.hpp"
+#include "reports/sizing_objectives.hpp"
+#include "reports/sizing_words.hpp"
+
+namespace reeve::reports {
+namespace {
+
+std::string short_number(double value) { return fmt::format("{:.4g}", value); }
+
+std::vector<SheetLine> opening_lines(const SizingReport& report) {
+  const SizingOptions& options = report.options;
+  std::vector<SheetLine> lines;
+  if (report.partial) {
+    lines.push_back({"PARTIAL: stopped; the best so far, without sensitivities", true});
+  }
+  for (const std::string& note : report.notes) lines.push_back({"Note: " + note, true});
+  for (const SheetLine& line : model_lines(options.nominal, report.unconverged)) {
+    lines.push_back(line);
+  }
+  lines.push_back(
+      {"Sized for " + goal_text(options) + ", over the grasps " + to_text(options.grasps)});
+  return lines;
+}
+
+// Of the ranking; with all objectives of the sized designs where columns are chosen.
+Table sized_table(const SizingReport& report, bool all) {
+  Table table{{number_column("rank"), number_column("before"), text_column("name"),
+               text_column("routing"), number_column("goal before"), number_column("goal sized")},
+              {}};
+  const std::array keys{"rank", "rank_before", "name", "routing", "goal_before", "goal_sized"};
+  for (std::size_t i = 0; i < keys.size(); ++i) table.columns[i].key = keys.at(i);
+  std::vector<Objective> objectives{Objective::sheaths, Objective::pulleys};
+  if (all) {
+    objectives.clear();
+    for (const ObjectiveRow& row : objective_table()) objectives.push_back(row.objective);
+  }
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    const ObjectiveRow& about = row(objectives[i]);
+    const std::string part = *about.part == '\0' ? "" : std::string(", ") + about.part;
+    table.columns.push_back(number_column(about.heading + part, objective_unit(about.objective),
+                                          static_cast<unsigned>(i) + 1));
+    table.columns.back().key = about.name;
+  }
+  for (const SizedRouting& routing : report.designs) {
+    table.add({std::to_string(routing.rank_after), std::to_string(routing.rank_before),
+               routing.name.empty() ? "-" : routing.name, routing.word,
+               short_number(routing.design.before.goal), short_number(routing.design.after.goal)});
+    for (const Objective objective : objectives) {
+      table.rows.back().cells.push_back(
+          fixed(value(routing.design.after.values, objective), row(objective).decimals));
+    }
+  }
+  return table;
+}
+
+Section ranking_section(const SizingReport& report) {
+  if (report.designs.size() < 2) return {};
+  return {"Ranked by the goal, sized and before", sized_table(report, false), {}};
+}
+
+std::string off(const std::optional<double>& way) { return way ? short_number(*way) : "any"; }
+
+// Where no limit was found for it alone, what it was tried with is none either.
+std::string off_together(double way, const std::optional<double>& alone) {
+  return alone ? short_number(way) : "≥ " + short_number(way);
+}
+
+// As far as it was looked at nothing depends on it, wherever it stands.
+bool is_free(const SizedDesign& design, const Sensitivity& of) {
+  return design.together && !of.less && !of.more && of.slope_less == 0 && of.slope_more == 0;
+}
+
+std::string stands(const SizedDesign& design, const SizedVariable& variable) {
+  if (is_free(design, variable.sensitivity)) return "free";
+  switch (variable.at) {
+    case AtBound::low:
+      return "at its lower bound";
+    case AtBound::high:
+      return "at its upper bound";
+    case AtBound::no:
+      break;
+  }
+  return "between";
+}
+
+struct VariableColumn {
+  const char* key;
+  const char* heading;
+  bool is_text;
+  bool usual;  // in the table where no columns are chosen
+  unsigned dispensable;
+};
+
+constexpr std::array variable_columns{
+    VariableColumn{"dimension", "dimension", true, true, 0},
+    VariableColumn{"unit", "unit", true, true, 0},
+    VariableColumn{"least", "least", false, true, 0},
+    VariableColumn{"greatest", "greatest", false, true, 0},
+    VariableColumn{"before", "before", false, true, 0},
+    VariableColumn{"sized", "sized", false, true, 0},
+    VariableColumn{"less", "may be less by", false, true, 0},
+    VariableColumn{"more", "more by", false, true, 0},
+    VariableColumn{"together_less", "all at once less by", false, true, 0},
+    VariableColumn{"together_more", "more by", false, true, 0},
+    VariableColumn{"stands", "stands", true, true, 1},
+    VariableColumn{"slope_less", "slope, less", false, false, 0},
+    VariableColumn{"slope_more", "slope, more", false, false, 0}};
+
+// In the order of the columns.
+std::array<std::string, variable_columns.size()> variable_cells(const SizedDesign& design,
+                                                                std::size_t i) {
+  const SizedVariable& sized = design.variables[i];
+  const SizeVariable& about = sized.variable;
+  const Sensitivity& of = sized.sensitivity;
+  const auto* ways = design.together ? &design.together->ways[i] : nullptr;
+  return {about.name,
+          *about.unit == '\0' ? "1" : about.unit,
+          short_number(about.bounds.low),
+          short_number(about.bounds.high),
+          short_number(about.nominal),
+          short_number(sized.value),
+          off(of.less),
+          off(of.more),
+          ways != nullptr ? off_together(ways->less, of.less) : "-",
+          ways != nullptr ? off_together(ways->more, of.more) : "-",
+          stands(design, sized),
+          short_number(of.slope_less),
+          short_number(of.slope_more)};
+}
+
+// Of one dimension alone, all at once is no more than itself.
+Table variable_table(const SizedDesign& design, bool all) {
+  const bool together = design.together && design.variables.size() > 1;
+  const auto is_shown = [&](const VariableColumn& column) {
+    if (all) return true;
+    return column.usual && (together || !std::string_view(column.key).starts_with("together"));
+  };
+  Table table;
+  for (const VariableColumn& column : variable_columns) {
+    if (!is_shown(column)) continue;
+    table.columns.push_back({column.heading, "", column.is_text, column.dispensable, column.key});
+  }
+  for (std::size_t i = 0; i < design.variables.size(); ++i) {
+    const auto cells = variable_cells(design, i);
+    std::vector<std::string> shown;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (is_shown(variable_columns.at(k))) shown.push_back(cells.at(k));
+    }
+    table.add(std::move(shown));
+  }
+  return table;
+}
+
+std::string flat_text(const SizedDesign& design, const FlatDirection& flat) {
+  return fmt::format("Flat: moving {}, or back, costs {}", moves_text(design, flat.moves),
+                     flat.loss < 1e-6 ? "nothing" : fmt::format("{:.2g}", flat.loss));
+}
+
+std::size_t worst_finger(const std::vector<double>& target, const std::vector<double>& shares) {
+  std::size_t worst = 0;
+  for (std::size_t f = 0; f < target.size(); ++f) {
+    const auto miss = [&](std::size_t finger) { return std::abs(shares[finger] - target[finger]); };
+    if (miss(f) > miss(worst)) worst = f;
+  }
+  return worst;
+}
+
+// Of a target: what is possible at the nominal coefficients.
+SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
+  const std::vector<double>& target = options.goal.target;
+  const std::size_t worst = worst_finger(target, design.nearest_shares);
+  const double share = on_grid(design.nearest_shares[worst]);
+  const double wanted = on_grid(target[worst]);
+  const int digits = telling_digits({share, wanted});
+  const std::string at_best =
+      share == wanted
+          ? std::string("at the nominal coefficients there are dimensions that meet it")
+          : fmt::format(
+                "at the nominal coefficients shares miss it by {:.4g} at best, where finger "
+                "{} has {:.{}g} of all pull instead of {:.{}g}",
+                on_grid(*design.least_miss), worst + 1, share, digits, wanted, digits);
+  if (!is_met(design)) {
+    return {"The target is out of reach within the bounds: " + at_best, true};
+  }
+  if (on_grid(*design.least_miss) == 0 && !options.robust) return {"The target is met"};
+  const std::string here =
+      options.robust ? fmt::format(
+                           "; those above, sized for the quantile over the draws, miss it "
+                           "by {:.4g} there",
+                           on_grid(design.after.nominal))
+                     : "";
+  return {"The target is within reach: " + at_best + here};
+}
+
+Section best_section(const SizingReport& report) {
+  const SizedRouting& best = report.designs.front();
+  const SizedDesign& design = best.design;
+  Section section{title_of(best) + ": " + gain_text(report.options, design), std::nullopt, {}};
+  if (design.variables.empty()) {
+    section.lines.push_back({"It has none of the dimensions that are varied"});
+  } else {
+    section.table = variable_table(design, false);
+  }
+  if (design.least_miss) section.lines.push_back(target_line(report.options, design));
+  if (!report.partial && !design.variables.empty()) {
+    section.lines.push_back(
+        {"A dimension may be off by so much, alone, " + tolerance_text(report.options)});
+    const std::string together = together_text(report.options, design);
+    if (!together.empty()) section.lines.push_back({together});
+    const std::string any = any_text(design);
+    if (!any.empty()) section.lines.push_back({any});
+  }
+  for (const FlatDirection& flat : design.flat) section.lines.push_back({flat_text(design, flat)});
+  return section;
+}
+
+Section shares_section(const SizingReport& report) {
+  const Goal& goal = report.options.goal;
+  if (!goal.is_target()) return {};
+  Table table{{number_column("finger"), number_column("target"), number_column("before"),
+               number_column("sized")},
+              {}};
+  const SizedDesign& design = report.designs.front().design;
+  for (std::size_t f = 0; f < goal.target.size(); ++f) {
+    table.add({std::to_string(f + 1), fixed(goal.target[f], 4), fixed(design.before.shares[f], 4),
+               fixed(design.after.shares[f], 4)});
+  }
+  return {"Shares of the fingers in all pull, at the nominal coefficients", table, {}};
+}
+
+}  // namespace
+
+SizingSections sizing_sections(const SizingReport& report) {
+  return {opening_lines(report), ranking_section(report), best_section(report),
+          shares_section(report), objective_section(report)};
+}
+
+Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns) {
+  SizingSections sections = sizing_sections(report);
+  Sheet sheet{{{"", std::nullopt, std::move(sections.opening)}}};
+  if (!columns.empty()) {
+    const std::vector<std::string> of_dimensions = dimension_column_names();
+    const bool dimensions = std::find(of_dimensions.begin(), of_dimensions.end(),
+                                      columns.front()) != of_dimensions.end();
+    Section& section = dimensions ? sections.best : sections.ranking;
+    section.table = with_columns(dimensions ? variable_table(report.designs.front().design, true)
+                                            : sized_table(report, true),
+                                 columns);
+    sheet.add(std::move(section));
+    return sheet;
+  }
+  for (Section* section :
+       {&sections.ranking, &sections.best, &sections.shares, &sections.objectives}) {
+    sheet.add(std::move(*section));
+  }
+  return sheet;
+}
+
+std::vector<std::string> dimension_column_names() {
+  std::vector<std::string> names;
+  for (const VariableColumn& column : variable_columns) names.emplace_back(column.key);
+  return names;
+}
+
+std::vector<std::string> sized_column_names(const Hardware& hardware) {
+  std::vector<std::string> names{"rank",    "rank_before", "name",
+                                 "routing", "goal_before", "goal_sized"};
+  for (const ObjectiveRow& row : objective_table()) {
+    const bool there = !row.of_hand || hand(hardware);
+    if (there && row.objective != Objective::cost) names.emplace_back(row.name);
+  }
+  return names;
+}
+
+std::string sized_hardware_toml(const SizingReport& report, const VaryTable& vary) {
+  const SizedRouting& best = report.designs.front();
+  std::string text =
+      toml_comment(fmt::format("Sized by reeve {} for {}", version().number, title_of(best))) +
+      toml_comment(goal_text(report.options) + ": " + gain_text(report.options, best.design));
+  if (report.partial) text += toml_comment("The search was stopped: the best so far");
+  if (!report.options.nominal.effects.empty()) {
+    text += toml_comment("The effects of the model that it was sized with are not in it");
+  }
+  return text + "\n" + hardware_toml(best.design.hardware, report.options.ranges, vary);
+}
+
+}  // namespace reeve::reports

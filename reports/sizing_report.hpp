@@ -1,0 +1,38 @@
+// Sized routings as a table, as JSON, and as a hardware file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalog/hardware_file.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "reports/document/sheet.hpp"
+#include "studies/sizing_study.hpp"
+
+namespace reeve::reports {
+
+// Pieces of it, for the sheet and the page. Without a table or a line one holds nothing.
+struct SizingSections {
+  std::vector<SheetLine> opening;
+  Section ranking;     // where there are several
+  Section best;        // the dimensions of the best
+  Section shares;      // of a target
+  Section objectives;  // before and sized
+};
+SizingSections sizing_sections(const SizingReport& report);
+
+// The ranking, where there are several, and the best of them in full. Where columns are chosen, the
+// one table that has them: the dimensions of the best, or the ranking.
+Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns = {});
+
+// What can be chosen of either; no name is in both.
+std::vector<std::string> dimension_column_names();
+std::vector<std::string> sized_column_names(const Hardware& hardware);
+
+std::string sizing_json(const SizingReport& report);
+
+// The hardware of the best, with comments that say what it was sized for. `vary` goes along, so
+// that it can be sized again.
+std::string sized_hardware_toml(const SizingReport& report, const VaryTable& vary);
+
+}  // namespace reeve::reports

@@ -1,0 +1,192 @@
+#include "search/evaluate/deciding_evaluation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "search/evaluate/shared_states.hpp"
+
+namespace reeve::search {
+namespace {
+
+bool are_of_strands(const Extent& extent) { return extent == Extent{false, false, false}; }
+
+std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& score) {
+  if (std::find(wanted.begin(), wanted.end(), Objective::score) != wanted.end()) {
+    for (const ScoreTerm& term : score.terms) wanted.push_back(term.objective);
+  }
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  return wanted;
+}
+
+constexpr std::array of_parts{Objective::sheaths, Objective::pulleys, Objective::knots,
+                              Objective::blocks, Objective::parts};
+// Of grasps, and known from what each tree sums up.
+constexpr std::array of_sums{Objective::uniformity_mean, Objective::uniformity_worst,
+                             Objective::efficiency_mean, Objective::efficiency_worst};
+
+// Of sums in another order, and what values are rounded to.
+constexpr double estimate_margin = 1e-9;
+
+bool contains(const auto& objectives, Objective objective) {
+  return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+}
+
+}  // namespace
+
+DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps, const Score& score,
+                                     const std::optional<PartPrices>& prices,
+                                     std::vector<Objective> wanted)
+    : wanted_(with_terms(std::move(wanted), score)),
+      score_(score),
+      prices_(prices),
+      extent_(extent_for(wanted_, score)),
+      scored_(contains(wanted_, Objective::score)),
+      compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
+                        contains(wanted_, Objective::finger_uniformity_worst)),
+      grasps_(grasps),
+      whole_(model, grasps, score, prices),
+      outliner_(grasps) {
+  if (!whole_.has_hand()) extent_.hand = false;
+  // A single grasp is solved as quickly as the states of a tree.
+  const bool share = grasps.size() > 1 && hold_one_finger_at_most(grasps);
+  if (are_of_strands(extent_) && share && routings_share_states(model)) {
+    known_.emplace(possible_hardware(model));
+  }
+  for (const Objective objective : wanted_) {
+    if (contains(of_parts, objective)) of_parts_.push_back(objective);
+  }
+  estimates_ = known_ && std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
+                 return contains(of_parts, objective) || contains(of_sums, objective);
+               });
+}
+
+// Motor tension of the trees as they are solved alone.
+double DecidingEvaluator::scale(bool jams) const {
+  double motor = 0;
+  for (const TreeState& state : states_) {
+    if (jams && !state.jams) continue;
+    for (const double tension : state.motor_side) motor += tension;
+  }
+  return motor;
+}
+
+FingerPulls DecidingEvaluator::finger_pulls_at(double motor, bool jams) const {
+  FingerPulls pulls{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    const TreeState& state = states_[t];
+    FingerArray pull{};
+    for (std::size_t i = 0; i < state.strand.size() && !(jams && !state.jams); ++i) {
+      pull[(*trees_)[t]->strand_finger[i]] += state.strand[i] / motor;
+    }
+    for (int f = 0; f < spans_[t].fingers; ++f) {
+      pulls.least = std::min(pulls.least, pull[static_cast<std::size_t>(f)]);
+      pulls.greatest = std::max(pulls.greatest, pull[static_cast<std::size_t>(f)]);
+    }
+  }
+  return pulls;
+}
+
+// Strand by strand, as core/performance does.
+Performance DecidingEvaluator::performance_at(double motor, bool jams) const {
+  StrandTally tally;
+  for (const TreeState& state : states_) {
+    const bool slack = jams && !state.jams;
+    for (std::size_t i = 0; i < state.strand.size(); ++i) {
+      tally.add(slack ? 0 : state.strand[i] / motor, state.closing[i]);
+    }
+  }
+  return performance(tally, compares_fingers_ ? finger_pulls_at(motor, jams) : FingerPulls{});
+}
+
+bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcome) {
+  states_.clear();
+  outcome.weight = grasp.weight;
+  outcome.jams = false;
+  for (std::size_t t = 0; t < spans_.size(); ++t) {
+    states_.push_back((*trees_)[t]->in_state(held_in_tree(spans_[t], grasp.grasp)));
+    if (!states_.back().in_range) return false;
+    outcome.jams |= states_.back().jams;
+  }
+  const double motor = scale(outcome.jams);
+  outcome.pull = performance_at(motor, outcome.jams);
+  return std::isnormal(motor);
+}
+
+// As of DesignEvaluator.
+double DecidingEvaluator::travel() const {
+  double strands = 0;
+  double motor_sides = 0;
+  double closing = 0;
+  bool jams = false;
+  for (const TreeStates* tree : *trees_) {
+    const TreeState state = tree->in_state(0);
+    strands += static_cast<double>(state.strand.size());
+    motor_sides += static_cast<double>(state.motor_side.size());
+    for (const double way : state.closing) closing += way;
+    jams |= state.jams;
+  }
+  if (strands == 0) return 0;
+  if (outcome_.parts.blocks + outcome_.parts.bars == 0 && !jams) return strands / motor_sides;
+  return strands / (jams ? 0 : closing);
+}
+
+double DecidingEvaluator::tendon_length() const {
+  double sum = 0;
+  for (const TreeStates* tree : *trees_) {
+    sum = std::accumulate(tree->length.begin(), tree->length.end(), sum);
+  }
+  return sum;
+}
+
+std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
+  if (!estimates_ || !split_into_trees(routing, spans_)) return std::nullopt;
+  const std::vector<const TreeOutline*>& trees = known_->outlines(routing, spans_);
+  if (trees.empty()) return std::nullopt;
+  const std::optional<OutlinedPerformance> outlined = outliner_.outlined(spans_, trees);
+  if (!outlined) return std::nullopt;
+  outcome_.parts = {};
+  for (const TreeOutline* tree : trees) outcome_.parts += tree->parts;
+  Estimate result;
+  compute_objectives(outcome_, of_parts_, result.at_best);
+  result.at_worst = result.at_best;
+  const auto put = [&](Objective objective, double value) {
+    result.at_best[static_cast<std::size_t>(objective)] = value + estimate_margin;
+    result.at_worst[static_cast<std::size_t>(objective)] = value - estimate_margin;
+  };
+  put(Objective::uniformity_mean, outlined->mean.uniformity);
+  put(Objective::uniformity_worst, outlined->worst.uniformity);
+  put(Objective::efficiency_mean, outlined->mean.efficiency);
+  put(Objective::efficiency_worst, outlined->worst.efficiency);
+  return result;
+}
+
+// False where that cannot be, or where a figure leaves the range of a double.
+bool DecidingEvaluator::combine(const Routing& routing) {
+  if (!split_into_trees(routing, spans_)) return false;
+  trees_ = &known_->states(routing, spans_);
+  if (trees_->empty()) return false;
+  outcome_.grasps.resize(grasps_.size());
+  for (std::size_t g = 0; g < grasps_.size(); ++g) {
+    if (!combine(grasps_[g], outcome_.grasps[g])) return false;
+  }
+  outcome_.parts = {};
+  for (const TreeStates* tree : *trees_) outcome_.parts += tree->outline.parts;
+  outcome_.travel = travel();
+  if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(), *prices_);
+  return true;
+}
+
+ObjectiveValues DecidingEvaluator::evaluate(const Routing& routing) {
+  ObjectiveValues values{};
+  const bool combined = known_ && combine(routing);
+  compute_objectives(combined ? outcome_ : whole_.outcome(routing, extent_), wanted_, values);
+  if (scored_) add_score(score_, values);
+  return values;
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,80 @@
+// The objectives that decide what is kept of a stream of routings, and no others.
+//
+// Equal, bit for bit, to those that DesignEvaluator gives. Where all fingers are alike, no effect
+// of the model depends on tensions or contacts, and grasps hold one finger at most, each tree of a
+// routing is solved once and a routing is put together from its trees (trees/tree_states.hpp):
+//
+//   T_i = t_i / Σ t_j,  j: all motor-side segments
+//
+// with sums in the order of the routing's segments, as they would be without that. Otherwise, and
+// where objectives need more than what the strands do, every routing is solved as a whole.
+//
+// Most designs are far from anything that is kept, and what a few sums of each tree say is enough
+// to know it: an estimate, which is off by no more than rounding.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "search/evaluate/evaluation.hpp"
+#include "search/evaluate/known_trees.hpp"
+#include "search/evaluate/outlined_performance.hpp"
+
+namespace reeve::search {
+
+// Between these are the values that evaluating would give.
+struct Estimate {
+  ObjectiveValues at_best{};
+  ObjectiveValues at_worst{};
+};
+
+class DecidingEvaluator {
+ public:
+  // Values of objectives that are not wanted are 0.
+  DecidingEvaluator(const Model& model, const GraspSet& grasps, const Score& score,
+                    const std::optional<PartPrices>& prices, std::vector<Objective> wanted);
+
+  // Throws OutOfRange where the model has no tensions.
+  ObjectiveValues evaluate(const Routing& routing);
+
+  // Nothing where routings are not put together from trees, or more is wanted than uniformity,
+  // efficiency and parts.
+  std::optional<Estimate> estimate(const Routing& routing);
+
+  bool combines() const { return known_.has_value(); }
+  // Trees solved so far; 0 where routings are solved as a whole.
+  std::uint64_t trees_solved() const { return known_ ? known_->solved() : 0; }
+  // As of DesignEvaluator.
+  std::size_t unconverged() const { return whole_.unconverged(); }
+
+ private:
+  bool combine(const Routing& routing);
+  bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
+  double scale(bool jams) const;
+  Performance performance_at(double motor, bool jams) const;
+  FingerPulls finger_pulls_at(double motor, bool jams) const;
+  double travel() const;
+  void add_parts();
+  double tendon_length() const;
+
+  std::vector<Objective> wanted_;
+  Score score_;
+  std::optional<PartPrices> prices_;
+  Extent extent_;
+  bool scored_ = false;
+  bool compares_fingers_ = false;
+  bool estimates_ = false;
+  std::vector<Objective> of_parts_;  // of those that are wanted
+  GraspSet grasps_;
+  DesignEvaluator whole_;
+  std::optional<KnownTrees> known_;
+  PerformanceOutliner outliner_;
+
+  // Of one routing.
+  std::vector<TreeSpan> spans_;
+  const std::vector<const TreeStates*>* trees_ = nullptr;
+  std::vector<TreeState> states_;  // of its trees, in one grasp
+  DesignOutcome outcome_;
+};
+
+}  // namespace reeve::search

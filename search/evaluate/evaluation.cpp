@@ -1,0 +1,169 @@
+#include "search/evaluate/evaluation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/hand_closing.hpp"
+#include "core/notation.hpp"
+
+namespace reeve::search {
+
+Extent extent_for(const std::vector<Objective>& objectives, const Score& score) {
+  const auto any_of_terms = [](const Score& terms, auto is_wanted) {
+    return std::any_of(terms.terms.begin(), terms.terms.end(),
+                       [&](const ScoreTerm& term) { return is_wanted(term.objective); });
+  };
+  const auto is_wanted = [&](Objective objective) {
+    return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+  };
+  const bool scored = is_wanted(Objective::score);
+  const auto counts = [&](Objective objective) {
+    return is_wanted(objective) ||
+           (scored && any_of_terms(score, [&](Objective term) { return term == objective; }));
+  };
+  const auto& rows = objective_table();
+  const bool hand = std::any_of(rows.begin(), rows.end(), [&](const ObjectiveRow& row) {
+    return row.of_hand && counts(row.objective);
+  });
+  return {counts(Objective::round_trip_efficiency), any_of_terms(authors_score(), counts), hand};
+}
+
+bool may_not_converge(const Model& model) {
+  return reaches(model, Reach::contact) || reaches(model, Reach::load) ||
+         reaches(model, Reach::conditions);
+}
+
+namespace {
+
+// Tendons without a strand, which give nothing up.
+bool blocks_the_carriage(const Network& network) {
+  const auto has_strand = [&](const TendonSpan& tendon) {
+    const auto* const first = network.segments.data() + tendon.first_segment;
+    return std::any_of(first, first + tendon.segments,
+                       [](const Segment& segment) { return segment.kind == SegmentKind::strand; });
+  };
+  return !std::all_of(network.tendons.begin(), network.tendons.end(), has_strand);
+}
+
+}  // namespace
+
+DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
+    : DesignEvaluator(Model{hardware}, std::move(grasps)) {}
+
+DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score,
+                                 std::optional<PartPrices> prices)
+    : model_(std::make_shared<const Model>(model)),
+      needs_word_(reaches(model, Reach::contact)),
+      builder_(possible_hardware(model)),
+      hand_(hand(model.hardware)),
+      grasps_(std::move(grasps)),
+      score_(std::move(score)),
+      prices_(std::move(prices)) {
+  if (search::may_not_converge(model)) model_solver_.emplace(*model_);
+}
+
+void DesignEvaluator::share_trees() {
+  if (hold_one_finger_at_most(grasps_) && routings_share_states(*model_)) {
+    shared_.emplace(possible_hardware(*model_));
+  }
+}
+
+const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+  if (is_shared_ && shared_->solve(grasp, direction, state_)) return state_;
+  if (!model_solver_) {
+    solver_.solve(network_, mechanics_, grasp, direction, state_);
+    return require_in_range(state_, grasp);
+  }
+  const TensionState& state =
+      require_in_range(model_solver_->solve(grasp, direction, model_->conditions), grasp);
+  if (!model_solver_->converged()) ++unconverged_;
+  return state;
+}
+
+GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent& extent) {
+  GraspOutcome outcome;
+  outcome.weight = grasp.weight;
+  const TensionState& pulled = solve(grasp.grasp, Direction::pull);
+  outcome.jams = pulled.jams;
+  const FingerPulls pulls = finger_pulls(network_, pulled);
+  outcome.pull = performance(network_, pulled, pulls);
+  if (extent.indicators) outcome.indicators = indicators(network_, pulled, pulls, given_up_alike_);
+  if (judges_hand(extent)) {
+    outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
+  }
+  if (!extent.release) return outcome;
+  const TensionState& released = solve(grasp.grasp, Direction::release);
+  outcome.round_trip_efficiency = round_trip_efficiency(
+      outcome.pull.efficiency, motor_efficiency(network_, released, Direction::release));
+  return outcome;
+}
+
+// Without blocks a tendon gives to its strands what the carriage takes from it. One that has none
+// lets the carriage not move.
+double DesignEvaluator::travel() {
+  const auto count = [&](SegmentKind kind) {
+    return static_cast<double>(
+        std::count_if(network_.segments.begin(), network_.segments.end(),
+                      [kind](const Segment& segment) { return segment.kind == kind; }));
+  };
+  const double strands = count(SegmentKind::strand);
+  if (strands == 0) return 0;
+  if (network_.blocks.empty() && !blocks_the_carriage(network_)) {
+    return strands / count(SegmentKind::motor_side);
+  }
+  kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
+  double closing = 0;
+  for (const Segment& segment : network_.segments) {
+    if (segment.kind != SegmentKind::strand) continue;
+    closing += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+  }
+  return strands / closing;
+}
+
+bool DesignEvaluator::judges_hand(const Extent& extent) const {
+  return extent.hand && hand_ && first_unknown_finger(*hand_, network_.fingers) == 0;
+}
+
+HandOutcome DesignEvaluator::hand_outcome() {
+  const HandClosing closing = close_hand(*hand_, network_, mechanics_, kinematics_, motion_);
+  const double stroke =
+      closing.stroke_mm > 0 ? closing.stroke_mm : std::numeric_limits<double>::infinity();
+  return {stroke, closing.closure, hand_->motor.close_s};
+}
+
+const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
+  try {
+    find_outcome(routing, extent);
+  } catch (const OutOfRange& error) {
+    throw error.at("routing '" + to_word(routing) + "'");
+  }
+  return outcome_;
+}
+
+void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent) {
+  expand(routing, network_);
+  builder_.apply(network_, mechanics_);
+  builder_.require_in_range(network_, mechanics_);
+  if (model_solver_) {
+    model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
+  }
+  is_shared_ = shared_ && shared_->set_routing(routing);
+  if (extent.indicators) given_up_alike_ = closing_alike_.given_up(network_);
+  outcome_.grasps.clear();
+  for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
+  outcome_.parts = parts(network_);
+  outcome_.travel = travel();
+  if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
+  outcome_.hand = judges_hand(extent) ? hand_outcome() : HandOutcome{};
+}
+
+ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const Extent& extent) {
+  ObjectiveValues values{};
+  compute_objectives(outcome(routing, extent), values);
+  add_score(score_, values);
+  return values;
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,100 @@
+// One design in all its grasps: the bridge from the tension model to the objectives.
+//
+// A model's effects on hardware, friction and contacts are in it, friction at the model's reference
+// conditions; those on readings and records are the rig's and left out.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "causes/model_solver.hpp"
+#include "core/grasp.hpp"
+#include "core/hand.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/part_prices.hpp"
+#include "core/tension/tension.hpp"
+#include "search/evaluate/objectives.hpp"
+#include "search/evaluate/score.hpp"
+#include "search/evaluate/shared_states.hpp"
+
+namespace reeve::search {
+
+// What is worked out besides the pull and what follows from it at no cost; objectives that need
+// what is left out stay at 0.
+struct Extent {
+  bool release = true;     // return friction; a second tension solve in each grasp
+  bool indicators = true;  // core/indicators.hpp, and a score made of them
+  bool hand = true;        // core/hand, of a hardware with a hand
+
+  friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+// What these objectives need, the score that of its terms.
+Extent extent_for(const std::vector<Objective>& objectives, const Score& score);
+
+// Whether a tension solve with this model can fail to converge at all.
+bool may_not_converge(const Model& model);
+
+// Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
+// One for each thread. (With a seized contact, evaluating allocates.)
+class DesignEvaluator {
+ public:
+  DesignEvaluator(const Hardware& hardware, GraspSet grasps);
+  // Without prices a design's cost is infinite.
+  DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score(),
+                  std::optional<PartPrices> prices = std::nullopt);
+
+  // For who evaluates many routings of the same tendons: solves each tree of them once, where model
+  // and grasps allow it. The figures stay the same, bit for bit.
+  void share_trees();
+
+  // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
+  // the model has no tensions.
+  const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
+
+  // Whether the hardware has a hand; routings with fingers that it does not know have none.
+  bool has_hand() const { return hand_.has_value(); }
+
+  ObjectiveValues evaluate(const Routing& routing, const Extent& extent = {});
+
+  // Solves so far that did not converge: friction that depends on the tension, and forces that eat
+  // nearly all of it. Their figures are then approximate.
+  std::size_t unconverged() const { return unconverged_; }
+  // Whether a solve can fail to converge at all.
+  bool may_not_converge() const { return model_solver_.has_value(); }
+
+ private:
+  void find_outcome(const Routing& routing, const Extent& extent);
+  GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
+  const TensionState& solve(Grasp grasp, Direction direction);
+  double travel();
+  bool judges_hand(const Extent& extent) const;
+  HandOutcome hand_outcome();
+
+  std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
+  // Only where exponents or contacts are others than the hardware says; costs several solves.
+  std::optional<ModelSolver> model_solver_;
+  bool needs_word_ = false;
+  std::size_t unconverged_ = 0;
+  std::optional<SharedStates> shared_;
+  bool is_shared_ = false;  // the routing at hand
+  MechanicsBuilder builder_;
+  std::optional<Hand> hand_;
+  GraspSet grasps_;
+  Score score_;
+  std::optional<PartPrices> prices_;
+  Network network_;
+  Mechanics mechanics_;
+  TensionSolver solver_;
+  Kinematics kinematics_;  // of travel and stroke alone
+  ClosingAlike closing_alike_;
+  double given_up_alike_ = 0;  // of the routing at hand, if indicators are asked for
+  Motion motion_;
+  TensionState state_;
+  DesignOutcome outcome_;
+};
+
+}  // namespace reeve::search

@@ -1,0 +1,64 @@
+// Trees that were solved before, as many as a table of fixed size holds.
+//
+// Each hash has a set of four places, of which the one that was not asked for longest makes room:
+// memory is bounded, and what is not found is solved again, to the same figures. A tree with more
+// than half of a routing's fingers has a place of its own beside the table: there are many of them,
+// and in the order in which routings are generated one stays while all others beside it change.
+//
+// Of most trees nobody asks for more than sums, which for a tendon alone are found without solving.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/evaluate/tendon_sums.hpp"
+#include "search/evaluate/tree_spans.hpp"
+#include "search/evaluate/tree_states.hpp"
+
+namespace reeve::search {
+
+class KnownTrees {
+ public:
+  static constexpr std::size_t default_sets = 2048;
+
+  // `sets` is a power of two.
+  explicit KnownTrees(const Hardware& hardware, std::size_t sets = default_sets);
+
+  // These trees of a routing, valid until the next call; nothing where more trees than there are
+  // places share a hash. Sums of a tendon alone are those of its states but for rounding.
+  const std::vector<const TreeOutline*>& outlines(const Routing& routing,
+                                                  const std::vector<TreeSpan>& spans);
+  const std::vector<const TreeStates*>& states(const Routing& routing,
+                                               const std::vector<TreeSpan>& spans);
+
+  // Trees solved so far.
+  std::uint64_t solved() const { return solved_; }
+
+ private:
+  static constexpr std::size_t ways = 4;
+
+  struct Place {
+    TreeKey key;
+    std::uint64_t asked = 0;  // when it was last; 0: it is empty
+    bool solved = false;      // or else it has an outline alone
+    TreeStates states;
+  };
+
+  bool find(const Routing& routing, const std::vector<TreeSpan>& spans);
+  Place* find(const Routing& routing, const TreeSpan& span);
+  void outline(const Routing& routing, const TreeSpan& span, Place& place);
+  void solve(const Routing& routing, const TreeSpan& span, Place& place);
+
+  TendonSums tendon_sums_;
+  TreeSolver solver_;
+  Routing tree_;
+  Place greatest_;
+  std::vector<Place> table_;
+  std::uint64_t now_ = 0;
+  std::uint64_t solved_ = 0;
+  std::vector<Place*> found_;
+  std::vector<const TreeOutline*> outlines_;
+  std::vector<const TreeStates*> states_;
+};
+
+}  // namespace reeve::search

@@ -1,0 +1,264 @@
+#include "search/evaluate/objectives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace reeve::search {
+namespace {
+
+using Grasps = std::vector<GraspOutcome>;
+
+template <typename Get>
+double mean(const Grasps& grasps, Get get) {
+  double sum = 0;
+  double weight = 0;
+  for (const GraspOutcome& grasp : grasps) {
+    sum += grasp.weight * get(grasp);
+    weight += grasp.weight;
+  }
+  return sum / weight;
+}
+
+template <typename Get>
+double worst(const Grasps& grasps, Get get) {
+  double least = get(grasps.front());
+  for (const GraspOutcome& grasp : grasps) least = std::min(least, get(grasp));
+  return least;
+}
+
+double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
+double finger_uniformity(const GraspOutcome& grasp) { return grasp.pull.finger_uniformity; }
+double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
+double fingertip_force(const GraspOutcome& grasp) { return grasp.grip.force_per_motor_N; }
+
+double motor_force(const DesignOutcome& design) {
+  return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
+}
+
+// At most: the whole force over the whole stroke.
+double motor_power(const DesignOutcome& design) {
+  const double force = motor_force(design);
+  if (!(force > 0)) return 0;
+  constexpr double mm_in_m = 1000;
+  return force * design.hand.stroke_mm / mm_in_m / design.hand.close_s;
+}
+
+constexpr std::array<ObjectiveRow, objective_count> table{{
+    {Objective::uniformity_mean, "uniformity_mean", "uniformity", "mean", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, uniformity); }, 0, 1},
+    {Objective::uniformity_worst, "uniformity_worst", "uniformity", "worst", "uniformity", "1",
+     Better::higher, 3, 0, false, "least over greatest strand tension, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, uniformity); }, 0, 1},
+    {Objective::efficiency_mean, "efficiency_mean", "efficiency", "mean", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, efficiency); }, 0, 1},
+    {Objective::efficiency_worst, "efficiency_worst", "efficiency", "worst", "efficiency", "1",
+     Better::higher, 3, 0, false, "useful work over motor work, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, efficiency); }, 0, 1},
+    {Objective::force_transmission, "force_transmission", "force_transmission", "", "force", "1",
+     Better::higher, 3, 3, false, "sum of strand tensions over motor tension, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.pull.force_transmission; });
+     }},
+    {Objective::jams, "jams", "jams", "", "jams", "grasps", Better::lower, 0, 5, false,
+     "grasps in which the carriage is blocked",
+     [](const DesignOutcome& d) {
+       return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
+                                                [](const GraspOutcome& g) { return g.jams; }));
+     }},
+    {Objective::sheaths, "sheaths", "sheaths", "", "sheaths", "parts", Better::lower, 0, 6, false,
+     "sheaths between hand and motor: one for each M, two for each P",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.sheaths); }},
+    {Objective::pulleys, "pulleys", "pulleys", "", "pulleys", "parts", Better::lower, 0, 8, false,
+     "parts with a bearing: P, B and fingertips with a bearing",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.pulleys); }},
+    {Objective::knots, "knots", "knots", "", "knots", "parts", Better::lower, 0, 9, false,
+     "closed loops, whose ends must be tied together",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.knots); }},
+    {Objective::travel, "travel", "travel", "", "travel", "mm/mm", Better::lower, 2, 4, false,
+     "carriage travel per mm that each strand gives up, all fingers closing, on average",
+     [](const DesignOutcome& d) { return d.travel; }},
+    {Objective::round_trip_efficiency, "round_trip_efficiency", "round_trip_efficiency", "",
+     "round trip", "1", Better::higher, 3, 7, false,
+     "motor tension releasing over pulling at equal strand work, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.round_trip_efficiency; });
+     },
+     0, 1},
+    {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
+     Better::higher, 2, 1, true,
+     "10 less the difference of the finger pulls over all pull, mean over the grasps",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.adaptability; });
+     },
+     0, 10},
+    {Objective::torsional_balance, "torsional_balance", "torsional_balance", "", "balance", "1",
+     Better::higher, 2, 1, true,
+     "10 less the greatest difference between the strands of a finger, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.torsional_balance; });
+     },
+     0, 10},
+    {Objective::reliability, "reliability", "reliability", "", "reliability", "1", Better::higher,
+     2, 1, true, "10 less the greatest friction force at any contact, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.reliability; });
+     },
+     std::nullopt, 10},
+    {Objective::authors_efficiency, "authors_efficiency", "authors_efficiency", "",
+     "auth. efficiency", "1", Better::higher, 2, 1, true,
+     "10 times work over motor work if all strands closed alike, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.authors_efficiency; });
+     }},
+    {Objective::transmission, "transmission", "transmission", "", "transmission", "1",
+     Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
+     [](const DesignOutcome& d) {
+       return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
+     }},
+    {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
+     "weighted mean of objectives; unless others are asked for, of the five before it", nullptr,
+     std::nullopt},
+    {Objective::blocks, "blocks", "blocks", "", "blocks", "parts", Better::lower, 0, 8, true,
+     "floating blocks and bars at the hand, which move as the fingers close",
+     [](const DesignOutcome& d) { return static_cast<double>(d.parts.blocks + d.parts.bars); }},
+    {Objective::finger_uniformity_mean, "finger_uniformity_mean", "finger_uniformity", "mean",
+     "fingers", "1", Better::higher, 3, 2, true,
+     "least over greatest finger pull (sum of the finger's strands), mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, finger_uniformity); }, 0, 1},
+    {Objective::finger_uniformity_worst, "finger_uniformity_worst", "finger_uniformity", "worst",
+     "fingers", "1", Better::higher, 3, 2, true,
+     "least over greatest finger pull, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, finger_uniformity); }, 0, 1},
+    {Objective::parts, "parts", "parts", "", "parts", "parts", Better::lower, 0, 8, true,
+     "sheaths, pulleys, knots, floating blocks and bars together",
+     [](const DesignOutcome& d) {
+       const PartCount& p = d.parts;
+       return static_cast<double>(p.sheaths + p.pulleys + p.knots + p.blocks + p.bars);
+     }},
+    {Objective::cost, "cost", "cost", "", "cost", "1", Better::lower, 2, 2, true,
+     "what the parts cost, in the unit of the prices",
+     [](const DesignOutcome& d) { return d.cost; }},
+    {Objective::motor_force, "motor_force", "motor_force", "", "motor", "N", Better::lower, 1, 1,
+     true, "motor tension at which every finger presses with its wanted force in every grasp",
+     motor_force, 0, std::nullopt, true},
+    {Objective::fingertip_force_mean, "fingertip_force_mean", "fingertip_force", "mean",
+     "fingertip", "N/N", Better::higher, 3, 1, true,
+     "fingertip force per newton of motor tension, least of the fingers, mean over the grasps",
+     [](const DesignOutcome& d) { return mean(d.grasps, fingertip_force); }, 0, std::nullopt, true},
+    {Objective::fingertip_force_worst, "fingertip_force_worst", "fingertip_force", "worst",
+     "fingertip", "N/N", Better::higher, 3, 1, true,
+     "fingertip force per newton of motor tension, least of the fingers, in the worst grasp",
+     [](const DesignOutcome& d) { return worst(d.grasps, fingertip_force); }, 0, std::nullopt,
+     true},
+    {Objective::stroke, "stroke", "stroke", "", "stroke", "mm", Better::lower, 1, 1, true,
+     "carriage travel from the open hand until it is closed or the carriage is blocked",
+     [](const DesignOutcome& d) { return d.hand.stroke_mm; }, 0, std::nullopt, true},
+    {Objective::closure, "closure", "closure", "", "closure", "1", Better::higher, 3, 1, true,
+     "share of its range that the finger has closed then that has closed least",
+     [](const DesignOutcome& d) { return d.hand.closure; }, 0, 1, true},
+    {Objective::motor_power, "motor_power", "motor_power", "", "power", "W", Better::lower, 2, 1,
+     true, "motor force times mean speed of the carriage: at most needed, against a soft object",
+     motor_power, 0, std::nullopt, true},
+}};
+
+std::string names() {
+  std::string list;
+  for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
+  return list;
+}
+
+}  // namespace
+
+double on_grid(double value) {
+  constexpr double grid = 1e10;
+  return std::round(value * grid) / grid + 0.0;  // which makes 0 of -0
+}
+
+const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }
+
+const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
+
+void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
+  const bool has_hand = outcome.hand.stroke_mm > 0;
+  for (std::size_t i = 0; i < objective_count; ++i) {
+    const bool is_computed = table[i].compute != nullptr && (has_hand || !table[i].of_hand);
+    values[i] = is_computed ? on_grid(table[i].compute(outcome)) : 0;
+  }
+}
+
+void compute_objectives(const DesignOutcome& outcome, const std::vector<Objective>& objectives,
+                        ObjectiveValues& values) {
+  const bool has_hand = outcome.hand.stroke_mm > 0;
+  for (const Objective objective : objectives) {
+    const ObjectiveRow& wanted = row(objective);
+    if (wanted.compute == nullptr || (wanted.of_hand && !has_hand)) continue;
+    values[static_cast<std::size_t>(objective)] = on_grid(wanted.compute(outcome));
+  }
+}
+
+Objective parse_objective(const std::string& name, const std::string& option) {
+  if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity" ||
+      name == "fingertip_force") {
+    return parse_objective(name + "_mean", option);
+  }
+  if (name == "return_friction") return Objective::round_trip_efficiency;  // its former name
+  for (const ObjectiveRow& row : table) {
+    if (row.name == name) return row.objective;
+  }
+  throw InputError({.where = option,
+                    .what = "unknown objective",
+                    .value = name,
+                    .expected = fmt::format("one of {}", names()),
+                    .form = InputForm::unknown});
+}
+
+std::vector<Objective> parse_objectives(const std::string& text) {
+  std::vector<Objective> objectives;
+  for (const std::string& item : comma_separated(text)) {
+    const std::string name(trimmed(item));
+    const std::string option = fmt::format("objectives '{}'", text);
+    const Objective objective = parse_objective(name, option);
+    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) {
+      throw InputError({.where = option, .what = fmt::format("'{}' is named twice", name)});
+    }
+    objectives.push_back(objective);
+  }
+  return objectives;
+}
+
+bool Constraint::admits(const ObjectiveValues& values) const {
+  const double v = value(values, objective);
+  if (comparison == "<=") return v <= bound;
+  if (comparison == ">=") return v >= bound;
+  if (comparison == "<") return v < bound;
+  if (comparison == ">") return v > bound;
+  return v == bound;
+}
+
+Constraint parse_constraint(const std::string& text) {
+  const std::size_t at = std::min(text.find_first_of("<>="), text.size());
+  const std::size_t end = std::min(text.find_first_not_of("<>=", at), text.size());
+  const std::string comparison = text.substr(at, end - at);
+  const std::string number(trimmed(text.substr(end)));
+  constexpr std::array<const char*, 5> known{"<=", ">=", "<", ">", "=="};
+  const auto bound = number_in(number);
+  if (std::find(known.begin(), known.end(), comparison) == known.end() || !bound) {
+    throw InputError(
+        {.what = "constraint",
+         .value = text,
+         .expected = "an objective, one of <= >= < > ==, and a number, such as sheaths<=2"});
+  }
+  const std::string name(trimmed(text.substr(0, at)));
+  const std::string option = fmt::format("constraint '{}'", text);
+  // On the grid of the values, so that a bound copied with all its digits holds.
+  return {parse_objective(name, option), comparison, on_grid(*bound), name + comparison + number};
+}
+
+}  // namespace reeve::search

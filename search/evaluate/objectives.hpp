@@ -1,0 +1,148 @@
+// What a design is judged by: one table of objectives, each with name, unit, direction and
+// function.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/hand.hpp"
+#include "core/indicators.hpp"
+#include "core/performance.hpp"
+
+namespace reeve::search {
+
+enum class Objective : std::uint8_t {
+  uniformity_mean,
+  uniformity_worst,
+  efficiency_mean,
+  efficiency_worst,
+  force_transmission,
+  jams,
+  sheaths,
+  pulleys,
+  knots,
+  travel,
+  round_trip_efficiency,
+  adaptability,
+  torsional_balance,
+  reliability,
+  authors_efficiency,
+  transmission,
+  score,
+  blocks,
+  finger_uniformity_mean,
+  finger_uniformity_worst,
+  parts,
+  cost,
+  motor_force,
+  fingertip_force_mean,
+  fingertip_force_worst,
+  stroke,
+  closure,
+  motor_power,
+};
+inline constexpr std::size_t objective_count = 28;
+
+using ObjectiveValues = std::array<double, objective_count>;
+
+inline double value(const ObjectiveValues& values, Objective objective) {
+  return values[static_cast<std::size_t>(objective)];
+}
+
+enum class Better : std::uint8_t { higher, lower };
+
+// What a grasp contributes: a weight and the performance in it.
+struct GraspOutcome {
+  double weight = 1;
+  bool jams = false;
+  Performance pull;
+  double round_trip_efficiency = 0;
+  Indicators indicators;
+  GripDemand grip{};  // with a hand
+};
+
+// Of a hand; 0 without one.
+struct HandOutcome {
+  double stroke_mm = 0;  // infinite where no finger can close
+  double closure = 0;
+  double close_s = 0;
+};
+
+struct DesignOutcome {
+  std::vector<GraspOutcome> grasps;
+  PartCount parts;
+  // Carriage travel per unit that a strand gives up, on average over the strands, when all fingers
+  // close: without blocks, strands / motor-side segments. 0 without strands, infinite where the
+  // carriage is blocked all the same.
+  double travel = 0;
+  // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
+  // equal themselves.)
+  double cost = std::numeric_limits<double>::infinity();
+  HandOutcome hand{};
+};
+
+// One row for each objective. Rows that differ in `part` only (mean, worst) are one thing for
+// readers: one column, one key with two values.
+struct ObjectiveRow {
+  Objective objective;
+  const char* name;     // uniformity_mean
+  const char* family;   // uniformity
+  const char* part;     // "mean", "worst", or ""
+  const char* heading;  // of a narrow column
+  const char* unit;
+  Better better;
+  int decimals;          // in tables; counts have none
+  unsigned dispensable;  // the greater, the sooner a narrow window does without it; 0: never
+  bool on_demand;        // in tables for people only where it is asked for
+  const char* meaning;
+  double (*compute)(const DesignOutcome&);  // of all but the score, which is made of the others
+  // What is possible, whatever the routing and its friction.
+  std::optional<double> least = 0;
+  std::optional<double> greatest{};
+  bool of_hand = false;  // there only if the hardware has one; 0 otherwise
+
+  bool is_count() const { return decimals == 0; }
+};
+
+const std::array<ObjectiveRow, objective_count>& objective_table();
+const ObjectiveRow& row(Objective objective);
+
+// Whether the values are those of a hardware with a hand, of which a stroke tells.
+inline bool has_hand(const ObjectiveValues& values) { return value(values, Objective::stroke) > 0; }
+// Whether there is such a value at all.
+inline bool is_there(const ObjectiveRow& row, const ObjectiveValues& values) {
+  return !row.of_hand || has_hand(values);
+}
+
+// Rounded to 1e-10: far above rounding errors, so that designs that are equal on paper compare
+// equal, and far below anything that can be measured. Never -0.
+double on_grid(double value);
+
+// All objectives on that grid, but the score (score.hpp), which is left at 0.
+void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values);
+// Only these; the others stay as they are.
+void compute_objectives(const DesignOutcome& outcome, const std::vector<Objective>& objectives,
+                        ObjectiveValues& values);
+
+// Names as in the table; "uniformity" and "efficiency" are short for their means.
+// Throws InputError that names the item and lists the objectives.
+Objective parse_objective(const std::string& name, const std::string& option);
+std::vector<Objective> parse_objectives(const std::string& text);
+
+// "sheaths<=2": an objective, a comparison (<=, >=, <, >, ==) and a number.
+struct Constraint {
+  Objective objective;
+  std::string comparison;
+  double bound = 0;
+  std::string text;
+
+  bool admits(const ObjectiveValues& values) const;
+};
+
+Constraint parse_constraint(const std::string& text);
+
+}  // namespace reeve::search

@@ -1,0 +1,139 @@
+#include "search/rank/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "search/rank/pareto.hpp"
+
+namespace reeve::search {
+namespace {
+
+// Far below anything that can be measured: a loss of exactly `within` is within it.
+constexpr double rounding = 1e-9;
+
+double greatest_loss(const ObjectiveValues& values, const Ladder& ladder) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (const Objective objective : ladder.objectives) {
+    greatest = std::max(greatest, loss(objective, values, ladder.first.values));
+  }
+  return greatest;
+}
+
+// To the front of what stands so far; those that it dominates leave it.
+void admit(const Design& design, const std::vector<Objective>& objectives,
+           std::vector<Design>& front) {
+  const Goodness worth = goodness(design.values, objectives);
+  const bool dominated = std::any_of(front.begin(), front.end(), [&](const Design& other) {
+    return dominates(goodness(other.values, objectives), worth);
+  });
+  if (dominated) return;
+  std::erase_if(front, [&](const Design& other) {
+    return dominates(worth, goodness(other.values, objectives));
+  });
+  front.push_back(design);
+}
+
+void add_rungs(const std::vector<Design>& candidates, const Order& order, Ladder& ladder) {
+  std::vector<Design> front;
+  for (std::size_t i = 0; i < candidates.size();) {
+    const double at_most = value(candidates[i].values, ladder.options.by);
+    for (; i < candidates.size() && value(candidates[i].values, ladder.options.by) == at_most;
+         ++i) {
+      admit(candidates[i], order.objectives, front);
+    }
+    const Design& best = *std::min_element(
+        front.begin(), front.end(),
+        [&](const Design& a, const Design& b) { return precedes_within_front(a, b, order); });
+    if (!ladder.rungs.empty() && ladder.rungs.back().design.word == best.word) continue;
+    ladder.rungs.push_back(
+        {at_most, best, on_grid(std::clamp(1 - greatest_loss(best.values, ladder), 0.0, 1.0))});
+  }
+}
+
+std::optional<std::size_t> knee(const std::vector<Rung>& rungs) {
+  if (rungs.size() < 3) return std::nullopt;
+  const Rung& low = rungs.front();
+  const Rung& high = rungs.back();
+  if (high.kept <= low.kept) return std::nullopt;
+  std::optional<std::size_t> highest;
+  double height = rounding;
+  for (std::size_t i = 1; i + 1 < rungs.size(); ++i) {
+    const double x = (rungs[i].at_most - low.at_most) / (high.at_most - low.at_most);
+    const double y = (rungs[i].kept - low.kept) / (high.kept - low.kept);
+    if (y - x <= height) continue;
+    height = y - x;
+    highest = i;
+  }
+  return highest;
+}
+
+std::optional<Design> affordable(const std::vector<Design>& candidates, const Order& order,
+                                 const Ladder& ladder) {
+  std::vector<Design> cheapest;
+  for (const Design& design : candidates) {
+    const double measure = value(design.values, ladder.options.by);
+    if (measure >= value(ladder.first.values, ladder.options.by)) break;
+    if (!cheapest.empty() && measure > value(cheapest.front().values, ladder.options.by)) break;
+    if (greatest_loss(design.values, ladder) > ladder.options.within + rounding) continue;
+    cheapest.push_back(design);
+  }
+  if (cheapest.empty()) return std::nullopt;
+  return rank(std::move(cheapest), order).front().design;
+}
+
+}  // namespace
+
+std::vector<Objective> ranked_by(const Order& order) {
+  std::vector<Objective> objectives = order.objectives;
+  const bool has_score =
+      std::find(objectives.begin(), objectives.end(), Objective::score) != objectives.end();
+  if (order.by_score && !has_score) objectives.push_back(Objective::score);
+  return objectives;
+}
+
+double loss(Objective objective, const ObjectiveValues& values, const ObjectiveValues& first) {
+  const double best = value(first, objective);
+  const double given = value(values, objective);
+  if (given == best) return 0;
+  const double worse = row(objective).better == Better::higher ? best - given : given - best;
+  if (best != 0) return on_grid(worse / std::abs(best));
+  return worse > 0 ? std::numeric_limits<double>::infinity()
+                   : -std::numeric_limits<double>::infinity();
+}
+
+Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
+              const LadderOptions& options) {
+  Ladder result{options, ranked_by(order), {}, first, std::nullopt, std::nullopt};
+  std::sort(candidates.begin(), candidates.end(), [&](const Design& a, const Design& b) {
+    const double measure = value(a.values, options.by);
+    const double other = value(b.values, options.by);
+    return measure != other ? measure < other : a.word < b.word;
+  });
+  add_rungs(candidates, order, result);
+  result.knee = knee(result.rungs);
+  result.affordable = affordable(candidates, order, result);
+  return result;
+}
+
+const std::vector<std::string>& ladder_measures() {
+  static const std::vector<std::string> names{"sheaths", "blocks", "pulleys", "parts", "cost"};
+  return names;
+}
+
+double parse_within(const std::string& text) {
+  const std::string_view whole = trimmed(text);
+  const bool in_percent = whole.ends_with('%');
+  const auto percent = number_in(trimmed(whole.substr(0, whole.size() - (in_percent ? 1 : 0))));
+  if (!in_percent || !percent || *percent < 0 || *percent >= 100) {
+    throw InputError({.what = "within",
+                      .value = text,
+                      .expected = "a loss in percent, from 0% to below 100%, such as 2%"});
+  }
+  return *percent / 100;
+}
+
+}  // namespace reeve::search

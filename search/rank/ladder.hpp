@@ -1,0 +1,67 @@
+// What more parts buy: for each amount of a measure (sheaths, blocks, pulleys, parts, cost) the
+// best design that needs no more of it.
+//
+// The rung at k is the first, in the order of the ranking, of the designs with at most k; of those
+// that are equal in every ranked objective the one with least. A k at which no better one appears
+// has no rung. Candidates are the designs that no other one with as little of the measure matches
+// or beats in every ranked objective: the Pareto front over the ranked objectives and the measure.
+//
+//   loss      of an objective, relative to the first design of the ranking: (v1 - v) / |v1|, where
+//             lower is better (v - v1) / |v1|; below 0 it is a gain
+//   kept      1 - the greatest loss of any ranked objective, between 0 and 1
+//   knee      the rung that stands highest above the chord of the ladder's ends, measure and kept
+//             each scaled to run from 0 to 1; none of fewer than three rungs, or if none stands
+//             above. (Distance to the chord: I. Das, Structural Optimization 18, 107-115, 1999; of
+//             discrete points as the greatest y - x: V. Satopää et al., "Finding a 'Kneedle' in a
+//             Haystack", ICDCS Workshops, 2011, without its smoothing.)
+//   affordable  of the candidates none of whose losses is above `within` the one with least of the
+//             measure, and of these the first in the order
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search/rank/order.hpp"
+#include "search/rank/ranking.hpp"
+
+namespace reeve::search {
+
+struct LadderOptions {
+  Objective by = Objective::sheaths;  // lower is better
+  double within = 0.02;               // loss, as a part of the first design's value
+};
+
+struct Rung {
+  double at_most = 0;  // of the measure; what the design has
+  Design design;
+  double kept = 1;
+};
+
+struct Ladder {
+  LadderOptions options;
+  std::vector<Objective> objectives;  // by which designs are ranked
+  std::vector<Rung> rungs;            // the least of the measure first
+  Design first;                       // of the ranking
+  std::optional<Design> affordable;   // unless the first has as little of the measure
+  std::optional<std::size_t> knee;    // a rung
+};
+
+// What spans the fronts, and the score where that orders within them.
+std::vector<Objective> ranked_by(const Order& order);
+
+// Infinite if the first has 0 and this is worse.
+double loss(Objective objective, const ObjectiveValues& values, const ObjectiveValues& first);
+
+// Of candidates as ladder_archive.hpp keeps them, in any order.
+Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
+              const LadderOptions& options);
+
+// "sheaths", "blocks", "pulleys", "parts" or "cost".
+const std::vector<std::string>& ladder_measures();
+
+// "2%", "2.5 %": from 0 % to below 100 %. Throws InputError.
+double parse_within(const std::string& text);
+
+}  // namespace reeve::search

@@ -1,0 +1,60 @@
+// The order of designs, total and documented:
+//   1. front by front, over the chosen objectives (pareto.hpp);
+//   2. within a front, by the product of mean uniformity and mean efficiency, greatest first: the
+//      hypervolume that a design covers alone; or by the score, if that is asked for;
+//   3. fewer parts (sheaths + pulleys + knots);
+//   4. the word, byte by byte.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "search/rank/order.hpp"
+
+namespace reeve::search {
+
+struct Design {
+  std::string word;
+  ObjectiveValues values{};
+};
+
+struct RankedDesign {
+  Design design;
+  int front = 0;
+  std::size_t rank = 0;   // from 1
+  std::size_t given = 0;  // its index among the designs that were ranked
+};
+
+// Rule 2, unless by the score.
+// Sheaths, pulleys, knots, blocks and bars.
+double part_total(const ObjectiveValues& values);
+
+double uniformity_times_efficiency(const ObjectiveValues& values);
+
+// By what rule 2 orders.
+double decisive_value(const ObjectiveValues& values, const Order& order);
+
+// What rules 2 and 3 are made of.
+std::vector<Objective> within_front_objectives(const Order& order);
+
+// Rules 2 to 4.
+bool precedes_within_front(const Design& a, const Design& b, const Order& order);
+
+// Best first.
+std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order);
+
+// Which designs an objective alone would put first.
+struct BestDesigns {
+  Objective objective{};
+  double value = 0;
+  std::vector<std::string> words;  // in the order of the rank
+  std::size_t count = 0;           // of those that have that value, named or not
+};
+
+// For each objective, in the order of their table, with at most so many words each; nothing of
+// nothing.
+std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
+                                           std::size_t named);
+
+}  // namespace reeve::search

@@ -1,0 +1,46 @@
+// Why nothing is left: how near designs come to the constraints that none of them meets together.
+//
+// Of each constraint the nearest values on both sides of its bound, among the designs that fail it:
+// of all of these, and of those that fail it alone, so that loosening this one would let them in.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "search/evaluate/objectives.hpp"
+
+namespace reeve::search {
+
+// The least value not below the bound, and the greatest not above it, that do not meet it.
+struct Nearest {
+  std::optional<double> above;
+  std::optional<double> below;
+
+  void add(double value, double bound);
+  void add(const Nearest& other);
+};
+
+struct ConstraintReach {
+  bool met = false;  // by a design that fails another constraint
+  Nearest of_all;
+  Nearest of_those_that_meet_the_others;
+};
+
+class ConstraintReaches {
+ public:
+  explicit ConstraintReaches(std::size_t constraints) : reaches_(constraints) {}
+  explicit ConstraintReaches(std::vector<ConstraintReach> reaches) : reaches_(std::move(reaches)) {}
+
+  // A design that fails at least one of them.
+  void add(const std::vector<Constraint>& constraints, const ObjectiveValues& values);
+  void add(const ConstraintReaches& others);
+
+  const std::vector<ConstraintReach>& list() const { return reaches_; }
+
+ private:
+  std::vector<ConstraintReach> reaches_;  // parallel to the constraints
+};
+
+}  // namespace reeve::search

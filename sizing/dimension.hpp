@@ -1,0 +1,77 @@
+// The numbers of a hardware that a designer is free to choose, each by a name:
+//
+//   sheath_angle[1]         sum of the bends of each sheath that leads to finger 1, rad
+//   tip_angle[1]            wrap at its fingertip, rad
+//   strand_mm[1]            length of each of its strands, mm
+//   closing[1]              its share of the tendon when fingers close, relative to the others
+//   arm_mm[1]               moment arm at its first joint; those of its others keep their ratio, mm
+//   contact_angle[T2-T3]    wrap at the contact between two segments, rad
+//   motor_side_mm, hand_mm  lengths of the other segments, mm
+//
+// Friction coefficients are none of them: they come with the material, and are what is uncertain.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/network.hpp"
+#include "numerics/minimise.hpp"
+
+namespace reeve::sizing {
+
+enum class Quantity : std::uint8_t {
+  sheath_angle,
+  tip_angle,
+  strand_mm,
+  closing,
+  arm_mm,
+  contact_angle,
+  motor_side_mm,
+  hand_mm,
+};
+
+enum class QuantityOf : std::uint8_t { finger, contact, hand };
+
+struct QuantityRow {
+  Quantity quantity;
+  const char* name;
+  const char* plural;  // "sheaths", to speak of all of them; "" if nobody does
+  const char* unit;
+  QuantityOf of;
+  Interval possible;  // that a hardware can have
+};
+
+std::span<const QuantityRow> quantity_table();
+const QuantityRow& row(Quantity quantity);
+
+struct Dimension {
+  Quantity quantity{};
+  int finger = 0;        // of a finger's
+  Segment from{}, to{};  // of a contact's, in either order
+
+  friend bool operator==(const Dimension& a, const Dimension& b);
+};
+
+// Whether it is that of the contact between these two, in either order.
+bool is_between(const Dimension& dimension, const Segment& left, const Segment& right);
+
+// "sheath_angle[1]", "contact_angle[T2-T3]", "hand_mm"
+std::string to_text(const Dimension& dimension);
+
+// Some dimensions of one quantity, or without any named all of it that a routing has.
+struct DimensionName {
+  Quantity quantity{};
+  std::vector<Dimension> named;
+
+  bool has(const Dimension& dimension) const;
+};
+
+std::string to_text(const DimensionName& name);
+
+// "sheath_angle", "sheath_angle[1]", "sheath_angle[2,3,4]", "contact_angle[T2-T3]". Throws
+// InputError.
+DimensionName parse_dimensions(const std::string& text);
+
+}  // namespace reeve::sizing

@@ -1,0 +1,206 @@
+#include "sizing/placed_dimension.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/hand.hpp"
+#include "core/mechanics.hpp"
+#include "core/routing.hpp"
+
+namespace reeve::sizing {
+namespace {
+
+bool has_own_angle(const Hardware& hardware, const Segment& left, const Segment& right) {
+  return std::any_of(
+      hardware.contacts.begin(), hardware.contacts.end(), [&](const ContactHardware& contact) {
+        return contact.angle_rad &&
+               is_between(
+                   {{}, 0, parse_segment(contact.segment), parse_segment(contact.other_segment)},
+                   left, right);
+      });
+}
+
+// Calls `visit` with each contact, the segments beside it, and its law.
+template <typename Visit>
+void for_each_contact(const Network& network, const Hardware& hardware, Visit visit) {
+  const MechanicsBuilder builder(hardware);
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      const auto [left, right] = ends_of(tendon, k);
+      visit(network.contacts[tendon.first_contact + k], network.segments[left],
+            network.segments[right], builder.law_at(network, tendon, k));
+    }
+  }
+}
+
+void sort_by_finger(std::vector<PlacedDimension>& found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const PlacedDimension& a, const PlacedDimension& b) {
+                     return (a.dimension.finger == 0 ? max_fingers + 1 : a.dimension.finger) <
+                            (b.dimension.finger == 0 ? max_fingers + 1 : b.dimension.finger);
+                   });
+}
+
+std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Hardware& hardware,
+                                               Quantity quantity) {
+  const bool sheaths = quantity == Quantity::sheath_angle;
+  const ContactPlace place = sheaths ? ContactPlace::sheath : ContactPlace::tip;
+  std::vector<PlacedDimension> found;
+  for_each_contact(
+      network, hardware,
+      [&](const Contact& contact, const Segment& left, const Segment& right,
+          const ContactLaw& law) {
+        if (contact.place != place) return;
+        PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad, sheaths};
+        if (contact.finger == 0) {
+          here.dimension = {Quantity::contact_angle, 0, left, right};
+        } else if (has_own_angle(hardware, left, right)) {
+          return;
+        }
+        for (const PlacedDimension& other : found) {
+          if (other.dimension == here.dimension) return;
+        }
+        found.push_back(here);
+      });
+  sort_by_finger(found);
+  return found;
+}
+
+std::vector<PlacedDimension> angles_of_contacts(const Network& network, const Hardware& hardware) {
+  std::vector<PlacedDimension> found;
+  for_each_contact(network, hardware,
+                   [&](const Contact& contact, const Segment& left, const Segment& right,
+                       const ContactLaw& law) {
+                     if (contact.kind == ContactKind::bar) return;
+                     found.push_back({{Quantity::contact_angle, 0, left, right},
+                                      law.angle_rad,
+                                      contact.kind == ContactKind::sheath});
+                   });
+  return found;
+}
+
+const FingerHardware* find_finger(const Hardware& hardware, int finger) {
+  for (const FingerHardware& here : hardware.fingers) {
+    if (here.finger == finger) return &here;
+  }
+  return nullptr;
+}
+
+std::vector<PlacedDimension> arms_of_fingers(const Network& network, const Hardware& hardware) {
+  std::vector<PlacedDimension> found;
+  for (int finger = 1; finger <= network.fingers; ++finger) {
+    const FingerParts parts = finger_parts(hardware, finger);
+    if (parts.joints.empty()) continue;
+    found.push_back({{Quantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm, false});
+  }
+  return found;
+}
+
+std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Hardware& hardware,
+                                                Quantity quantity) {
+  std::vector<PlacedDimension> found;
+  if (quantity == Quantity::closing && hand(hardware)) return found;
+  for (int finger = 1; finger <= network.fingers; ++finger) {
+    const FingerHardware* own = find_finger(hardware, finger);
+    const double nominal = quantity == Quantity::closing
+                               ? (own != nullptr ? own->closing.value_or(1) : 1)
+                           : own != nullptr ? own->strand_mm.value_or(hardware.strand_mm)
+                                            : hardware.strand_mm;
+    found.push_back({{quantity, finger, {}, {}}, nominal, false});
+  }
+  return found;
+}
+
+std::vector<PlacedDimension> lengths_of_hand(const Network& network, const Hardware& hardware,
+                                             Quantity quantity) {
+  const bool motor = quantity == Quantity::motor_side_mm;
+  const SegmentKind kind = motor ? SegmentKind::motor_side : SegmentKind::hand;
+  const bool there = std::any_of(network.segments.begin(), network.segments.end(),
+                                 [&](const Segment& segment) { return segment.kind == kind; });
+  if (!there) return {};
+  return {{{quantity, 0, {}, {}}, motor ? hardware.motor_side_mm : hardware.hand_mm, false}};
+}
+
+FingerHardware& finger_of(Hardware& hardware, int finger) {
+  for (FingerHardware& here : hardware.fingers) {
+    if (here.finger == finger) return here;
+  }
+  // In the order of the fingers, for who reads the file.
+  const auto place = std::find_if(hardware.fingers.begin(), hardware.fingers.end(),
+                                  [&](const FingerHardware& here) { return here.finger > finger; });
+  FingerHardware& added = *hardware.fingers.emplace(place);
+  added.finger = finger;
+  return added;
+}
+
+ContactHardware& contact_of(Hardware& hardware, const Dimension& dimension) {
+  for (ContactHardware& here : hardware.contacts) {
+    if (is_between(dimension, parse_segment(here.segment), parse_segment(here.other_segment))) {
+      return here;
+    }
+  }
+  hardware.contacts.push_back(
+      {segment_name(dimension.from), segment_name(dimension.to), std::nullopt, std::nullopt});
+  return hardware.contacts.back();
+}
+
+void set_arm(Hardware& hardware, int finger, double value) {
+  std::vector<FingerJoint> joints = finger_parts(hardware, finger).joints;
+  const double factor = value / joints.front().arm_mm;
+  for (FingerJoint& joint : joints) joint.arm_mm *= factor;
+  finger_of(hardware, finger).parts.joints = std::move(joints);
+}
+
+}  // namespace
+
+std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
+                                           Quantity quantity) {
+  switch (quantity) {
+    case Quantity::sheath_angle:
+    case Quantity::tip_angle:
+      return angles_of_fingers(network, hardware, quantity);
+    case Quantity::contact_angle:
+      return angles_of_contacts(network, hardware);
+    case Quantity::strand_mm:
+    case Quantity::closing:
+      return numbers_of_fingers(network, hardware, quantity);
+    case Quantity::arm_mm:
+      return arms_of_fingers(network, hardware);
+    case Quantity::motor_side_mm:
+    case Quantity::hand_mm:
+      return lengths_of_hand(network, hardware, quantity);
+  }
+  return {};
+}
+
+void set(Hardware& hardware, const Dimension& dimension, double value) {
+  switch (dimension.quantity) {
+    case Quantity::sheath_angle:
+      finger_of(hardware, dimension.finger).sheath_angle_rad = value;
+      break;
+    case Quantity::tip_angle:
+      finger_of(hardware, dimension.finger).tip_angle_rad = value;
+      break;
+    case Quantity::strand_mm:
+      finger_of(hardware, dimension.finger).strand_mm = value;
+      break;
+    case Quantity::closing:
+      finger_of(hardware, dimension.finger).closing = value;
+      break;
+    case Quantity::arm_mm:
+      set_arm(hardware, dimension.finger, value);
+      break;
+    case Quantity::contact_angle:
+      contact_of(hardware, dimension).angle_rad = value;
+      break;
+    case Quantity::motor_side_mm:
+      hardware.motor_side_mm = value;
+      break;
+    case Quantity::hand_mm:
+      hardware.hand_mm = value;
+      break;
+  }
+}
+
+}  // namespace reeve::sizing

@@ -1,0 +1,261 @@
+#include "sizing/size_space.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/notation.hpp"
+
+namespace reeve::sizing {
+namespace {
+
+std::vector<PlacedDimension> covered(const Network& network, const Hardware& hardware,
+                                     const DimensionName& name) {
+  std::vector<PlacedDimension> found;
+  for (const PlacedDimension& placed : dimensions_of(network, hardware, name.quantity)) {
+    if (name.named.empty() || name.has(placed.dimension)) found.push_back(placed);
+  }
+  return found;
+}
+
+// "tip_angle[1,2]" of fingers, otherwise each by itself.
+std::string joint_name(const std::vector<PlacedDimension>& dimensions,
+                       const std::vector<std::size_t>& members) {
+  std::string fingers;
+  std::string others;
+  const Quantity quantity = dimensions[members.front()].dimension.quantity;
+  for (const std::size_t i : members) {
+    const Dimension& one = dimensions[i].dimension;
+    if (one.quantity == quantity && one.finger > 0) {
+      fingers += (fingers.empty() ? "" : ",") + std::to_string(one.finger);
+    } else {
+      others += (others.empty() ? "" : "=") + to_text(one);
+    }
+  }
+  if (fingers.empty()) return others;
+  return fmt::format("{}[{}]{}{}", row(quantity).name, fingers, others.empty() ? "" : "=", others);
+}
+
+class Collector {
+ public:
+  Collector(const Network& network, const Hardware& hardware)
+      : network_(network), hardware_(hardware) {}
+
+  void add(const VariedRange& range) {
+    for (const PlacedDimension& placed : covered(network_, hardware_, range.name)) {
+      const std::size_t at = place_of(placed);
+      if (at < space_.dimensions.size()) {
+        bounds_[at] = range.bounds;
+      } else {
+        space_.dimensions.push_back(placed);
+        bounds_.push_back(range.bounds);
+      }
+    }
+  }
+
+  void join(const SameGroup& group) {
+    std::vector<std::size_t> members;
+    for (const PlacedDimension& placed : covered(network_, hardware_, group.name)) {
+      const std::size_t at = place_of(placed);
+      if (at < space_.dimensions.size()) members.push_back(at);
+    }
+    if (!members.empty()) add_joint({members, group.text});
+  }
+
+  SizeSpace finish() {
+    std::vector<bool> taken(space_.dimensions.size(), false);
+    for (std::size_t i = 0; i < space_.dimensions.size(); ++i) {
+      if (taken[i]) continue;
+      const Joint joint = joint_of(i);
+      for (const std::size_t member : joint.members) taken[member] = true;
+      space_.variables.push_back(variable(joint));
+    }
+    return std::move(space_);
+  }
+
+ private:
+  struct Joint {
+    std::vector<std::size_t> members;
+    std::string text;
+  };
+
+  std::size_t place_of(const PlacedDimension& placed) const {
+    std::size_t at = 0;
+    while (at < space_.dimensions.size() &&
+           !(space_.dimensions[at].dimension == placed.dimension)) {
+      ++at;
+    }
+    return at;
+  }
+
+  // What is equal to the same is equal: groups that overlap become one.
+  void add_joint(Joint joint) {
+    std::vector<Joint> apart;
+    for (Joint& other : groups_) {
+      const bool overlaps =
+          std::any_of(other.members.begin(), other.members.end(), [&](std::size_t member) {
+            return std::count(joint.members.begin(), joint.members.end(), member) > 0;
+          });
+      if (overlaps) {
+        joint.members.insert(joint.members.end(), other.members.begin(), other.members.end());
+      } else {
+        apart.push_back(std::move(other));
+      }
+    }
+    std::sort(joint.members.begin(), joint.members.end());
+    joint.members.erase(std::unique(joint.members.begin(), joint.members.end()),
+                        joint.members.end());
+    groups_ = std::move(apart);
+    groups_.push_back(std::move(joint));
+  }
+
+  Joint joint_of(std::size_t dimension) const {
+    for (const Joint& group : groups_) {
+      if (std::count(group.members.begin(), group.members.end(), dimension) > 0) return group;
+    }
+    return {{dimension}, ""};
+  }
+
+  SizeVariable variable(const Joint& joint) const {
+    SizeVariable result;
+    result.name = joint_name(space_.dimensions, joint.members);
+    result.unit = row(space_.dimensions[joint.members.front()].dimension.quantity).unit;
+    result.dimensions = joint.members;
+    result.bounds = bounds_[joint.members.front()];
+    for (const std::size_t member : joint.members) {
+      result.bounds.low = std::max(result.bounds.low, bounds_[member].low);
+      result.bounds.high = std::min(result.bounds.high, bounds_[member].high);
+      result.nominal += space_.dimensions[member].nominal;
+    }
+    result.nominal /= static_cast<double>(joint.members.size());
+    if (result.bounds.low > result.bounds.high) {
+      throw InputError({.what = joint.text,
+                        .expected = fmt::format("bounds that {} have in common", result.name)});
+    }
+    return result;
+  }
+
+  const Network& network_;
+  const Hardware& hardware_;
+  SizeSpace space_;
+  std::vector<Interval> bounds_;
+  std::vector<Joint> groups_;
+};
+
+bool says_again(const DimensionName& a, const DimensionName& b) {
+  if (a.quantity != b.quantity || a.named.empty() != b.named.empty()) return false;
+  if (a.named.empty()) return true;
+  return std::any_of(a.named.begin(), a.named.end(),
+                     [&](const Dimension& dimension) { return b.has(dimension); });
+}
+
+// What could be varied, of the first routing.
+std::string dimension_list(const Network& network, const Hardware& hardware) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> names;
+  for (const QuantityRow& row : quantity_table()) {
+    for (const PlacedDimension& placed : dimensions_of(network, hardware, row.quantity)) {
+      const std::string name = to_text(placed.dimension);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  return list + (names.size() > most ? ", …" : "");
+}
+
+// Each named dimension must be in some routing; without names, one of the quantity.
+bool is_somewhere(const DimensionName& name, const std::vector<Network>& networks,
+                  const Hardware& hardware) {
+  const auto has = [&](const DimensionName& one) {
+    return std::any_of(networks.begin(), networks.end(), [&](const Network& network) {
+      return !covered(network, hardware, one).empty();
+    });
+  };
+  if (name.named.empty()) return has(name);
+  return std::all_of(name.named.begin(), name.named.end(), [&](const Dimension& dimension) {
+    return has({name.quantity, {dimension}});
+  });
+}
+
+void require_once(const std::vector<VariedRange>& ranges) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!says_again(ranges[i].name, ranges[k].name)) continue;
+      throw InputError({.where = ranges[i].text,
+                        .what = fmt::format("what {} varies is varied again", ranges[k].text)});
+    }
+  }
+}
+
+// A contact's own angle hides that of its finger.
+void require_none_hidden(const Network& network, const Hardware& hardware, const SizeSpace& space) {
+  Hardware with_contacts = hardware;
+  for (const PlacedDimension& placed : space.dimensions) {
+    if (placed.dimension.quantity == Quantity::contact_angle) {
+      set(with_contacts, placed.dimension, placed.nominal);
+    }
+  }
+  for (const PlacedDimension& placed : space.dimensions) {
+    const auto left = dimensions_of(network, with_contacts, placed.dimension.quantity);
+    const bool is_left = std::any_of(left.begin(), left.end(), [&](const PlacedDimension& one) {
+      return one.dimension == placed.dimension;
+    });
+    if (is_left) continue;
+    throw InputError({.what = "varied dimension",
+                      .value = to_text(placed.dimension),
+                      .expected = "no contact_angle of the same contacts beside it"});
+  }
+}
+
+}  // namespace
+
+SizeSpace size_space(const Network& network, const Hardware& hardware,
+                     const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same) {
+  Collector collector(network, hardware);
+  for (const VariedRange& range : ranges) {
+    if (range.name.named.empty()) collector.add(range);
+  }
+  for (const VariedRange& range : ranges) {
+    if (!range.name.named.empty()) collector.add(range);
+  }
+  for (const SameGroup& group : same) collector.join(group);
+  return collector.finish();
+}
+
+void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
+                             const std::vector<VariedRange>& ranges,
+                             const std::vector<SameGroup>& same) {
+  require_once(ranges);
+  std::vector<Network> networks;
+  for (const Routing& routing : routings) networks.push_back(expand(routing));
+  const std::string there = fmt::format(
+      "dimensions of {}{}: {}", routings.size() > 1 ? "one of the routings, such as those of " : "",
+      to_word(routings.front()), dimension_list(networks.front(), hardware));
+  for (const VariedRange& range : ranges) {
+    if (!is_somewhere(range.name, networks, hardware)) {
+      throw InputError({.what = range.text, .expected = there});
+    }
+  }
+  for (const Network& network : networks) {
+    require_none_hidden(network, hardware, size_space(network, hardware, ranges, same));
+  }
+  for (const SameGroup& group : same) {
+    const bool is_varied = std::any_of(networks.begin(), networks.end(), [&](const Network& net) {
+      const SizeSpace space = size_space(net, hardware, ranges, {});
+      const auto members = covered(net, hardware, group.name);
+      return std::any_of(members.begin(), members.end(), [&](const PlacedDimension& member) {
+        return std::any_of(
+            space.dimensions.begin(), space.dimensions.end(),
+            [&](const PlacedDimension& one) { return one.dimension == member.dimension; });
+      });
+    });
+    if (!is_varied)
+      throw InputError({.what = group.text, .expected = "dimensions that are varied"});
+  }
+}
+
+}  // namespace reeve::sizing

@@ -1,0 +1,127 @@
+#include "sizing/sizing_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/network.hpp"
+#include "numerics/robust.hpp"
+#include "search/uncertainty/coefficient_box.hpp"
+
+namespace reeve::sizing {
+namespace {
+
+// Worse than any goal, and still a number for who compares.
+constexpr double worst_loss = 1e9;
+
+// The box of the coefficients, sheath angles as parts of what they are.
+CoefficientBox relative_box(const SizingOptions& options) {
+  Hardware hardware = options.nominal.hardware;
+  hardware.sheath.angle_rad = 1;
+  return coefficient_box(hardware, options.ranges);
+}
+
+std::vector<double> absolute(std::vector<double> relative, const Hardware& nominal) {
+  relative.back() *= nominal.sheath.angle_rad;
+  return relative;
+}
+
+}  // namespace
+
+SizingProblem::SizingProblem(const Routing& routing, const SizingOptions& options)
+    : nominal_model_(options.nominal),
+      space_(size_space(expand(routing), options.nominal.hardware, options.varied, options.same)),
+      evaluator_(routing, options.goal, options.grasps, options.score),
+      higher_is_better_(options.goal.better() == Better::higher),
+      robust_(options.robust) {
+  for (const SizeVariable& variable : space_.variables) box_.push_back(variable.bounds);
+  for (const PlacedDimension& placed : space_.dimensions) nominal_.push_back(placed.nominal);
+  const CoefficientBox box = relative_box(options);
+  std::vector<double> highest;
+  for (const Interval& interval : box) highest.push_back(interval.high);
+  if (robust_) highest_ = {absolute(highest, options.nominal.hardware), highest.back()};
+  require_upper_end();
+  for (std::size_t d = 0; robust_ && d < options.draws; ++d) {
+    const std::vector<double> point = drawn_point(box, options.seed, d);
+    draws_.push_back({absolute(point, options.nominal.hardware), point.back()});
+  }
+}
+
+// With the greatest friction that is drawn.
+Model SizingProblem::upper_end(const Values& values) const {
+  const Model model = model_of(values, highest_.sheath_factor);
+  return robust_ ? at_point(model, highest_.coefficients) : model;
+}
+
+// Of contacts alone the hardware's faults do not tell; points without tensions are passed over.
+void SizingProblem::require_upper_end() const {
+  Point highest;
+  for (const Interval& interval : box_) highest.push_back(interval.high);
+  try {
+    validate(effective_hardware(upper_end(values(highest))));
+  } catch (const InputError& error) {
+    throw error.at(robust_ ? "at the upper end of the bounds and of the uncertainty's ranges"
+                           : "at the upper end of the bounds");
+  }
+}
+
+bool SizingProblem::is_hardware(const Point& point) const {
+  bool within = true;
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    within = within && point[v] >= box_[v].low && point[v] <= box_[v].high;
+  }
+  return within || !fault(effective_hardware(upper_end(values(point))));
+}
+
+SizingProblem::Point SizingProblem::nearest_to_nominal() const {
+  Point point;
+  for (const SizeVariable& variable : space_.variables) {
+    point.push_back(std::clamp(variable.nominal, variable.bounds.low, variable.bounds.high));
+  }
+  return point;
+}
+
+SizingProblem::Values SizingProblem::values(const Point& point) const {
+  Values values(space_.dimensions.size());
+  for (std::size_t v = 0; v < space_.variables.size(); ++v) {
+    for (const std::size_t dimension : space_.variables[v].dimensions) values[dimension] = point[v];
+  }
+  return values;
+}
+
+Model SizingProblem::model_of(const Values& values, double sheath_factor) const {
+  Model model = nominal_model_;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const PlacedDimension& placed = space_.dimensions[i];
+    // What stays as the hardware has it is not written into it.
+    if (sheath_factor == 1 && values[i] == placed.nominal) continue;
+    set(model.hardware, placed.dimension, values[i] * (placed.of_sheath ? sheath_factor : 1));
+  }
+  return model;
+}
+
+double SizingProblem::goal_of(const Values& values, bool robust) const {
+  if (!robust) return evaluator_.value(model_of(values, 1));
+  std::vector<double> goals;
+  for (const Draw& draw : draws_) {
+    goals.push_back(
+        evaluator_.value(at_point(model_of(values, draw.sheath_factor), draw.coefficients)));
+  }
+  return quantile_of(std::move(goals), higher_is_better_ ? robust_quantile : 1 - robust_quantile);
+}
+
+double SizingProblem::guarded_loss(const Point& point, bool robust) const {
+  if (!is_hardware(point)) return worst_loss;
+  try {
+    const double loss = as_loss(goal_of(values(point), robust));
+    return std::isfinite(loss) ? loss : worst_loss;
+  } catch (const OutOfRange&) {
+    return worst_loss;
+  }
+}
+
+double SizingProblem::loss(const Point& point) const { return guarded_loss(point, robust_); }
+
+double SizingProblem::nominal_loss(const Point& point) const { return guarded_loss(point, false); }
+
+}  // namespace reeve::sizing

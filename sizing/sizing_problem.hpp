@@ -1,0 +1,102 @@
+// A routing's goal as a function of its variables, under coefficients that are not known well.
+//
+// Robust, the goal is that of the bad side: its 5 % quantile over draws of the coefficients (95 %
+// where lower is better), the same draws at every point, so that points are compared on equal
+// terms. A draw is that of uncertainty.hpp; besides, sheath angles that are varied turn by the same
+// factor as the others do, since posture bends whatever was mounted.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
+#include "core/routing.hpp"
+#include "core/uncertainty_ranges.hpp"
+#include "numerics/minimise.hpp"
+#include "search/evaluate/score.hpp"
+#include "sizing/goal.hpp"
+#include "sizing/goal_evaluator.hpp"
+#include "sizing/size_space.hpp"
+
+namespace reeve::sizing {
+
+struct SizingOptions {
+  Model nominal;
+  UncertaintyRanges ranges;
+  GraspSet grasps;
+  Score score = authors_score();
+  Goal goal;
+  std::vector<VariedRange> varied;
+  std::vector<SameGroup> same;
+  bool robust = true;
+  std::size_t draws = 100;  // at least 1
+  std::uint64_t seed = 1;   // of draws and starts
+  int starts = 6;           // of local searches, the first at the hardware as it is
+  int evaluations = 1000;   // at most, of each search
+  int threads = 0;
+};
+
+inline constexpr double robust_quantile = 0.05;
+
+class SizingProblem {
+ public:
+  using Point = std::vector<double>;  // parallel to the variables
+
+  // Throws InputError if the variables' upper ends are out of the range of the hardware.
+  SizingProblem(const Routing& routing, const SizingOptions& options);
+
+  const SizeSpace& space() const { return space_; }
+  const std::vector<Interval>& box() const { return box_; }
+  Point nearest_to_nominal() const;
+
+  // What is searched for; without a point, of the hardware as it is. Throw OutOfRange.
+  double goal() const { return goal_of(nominal_, robust_); }
+  double goal(const Point& point) const { return goal_of(values(point), robust_); }
+  // At the nominal coefficients.
+  double nominal_goal() const { return goal_of(nominal_, false); }
+  double nominal_goal(const Point& point) const { return goal_of(values(point), false); }
+
+  // Within the bounds always; beyond them a length may be none, or a wrap more than contacts have.
+  bool is_hardware(const Point& point) const;
+
+  // The goal, so that less is better; very much where there are no tensions, no hardware, or where
+  // no motor is enough.
+  double loss(const Point& point) const;
+  double nominal_loss(const Point& point) const;
+  double as_loss(double goal) const { return higher_is_better_ ? -goal : goal; }
+
+  Model model(const Point& point) const { return model_of(values(point), 1); }
+  const Model& model() const { return nominal_model_; }
+  const GoalEvaluator& evaluator() const { return evaluator_; }
+
+ private:
+  using Values = std::vector<double>;  // parallel to the dimensions
+
+  struct Draw {
+    std::vector<double> coefficients;
+    double sheath_factor = 1;
+  };
+
+  Values values(const Point& point) const;
+  Model model_of(const Values& values, double sheath_factor) const;
+  double goal_of(const Values& values, bool robust) const;
+  double guarded_loss(const Point& point, bool robust) const;
+  Model upper_end(const Values& values) const;
+  void require_upper_end() const;
+
+  Model nominal_model_;
+  SizeSpace space_;
+  std::vector<Interval> box_;
+  Values nominal_;
+  GoalEvaluator evaluator_;
+  bool higher_is_better_;
+  bool robust_;
+  Draw highest_;  // of all that the uncertainty may draw
+  std::vector<Draw> draws_;
+};
+
+}  // namespace reeve::sizing

@@ -1,0 +1,243 @@
+#include "sizing/tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "numerics/matrices.hpp"
+
+namespace reeve::sizing {
+namespace {
+
+using Eigen::Index;
+using Point = SizingProblem::Point;
+
+constexpr int scan_steps = 40;
+constexpr int halvings = 40;
+constexpr double slope_step = 1e-4;      // of the width of the bounds
+constexpr double curvature_step = 0.05;  // likewise
+constexpr double flat_move = 0.1;        // likewise
+constexpr double flat_share = 0.1;       // of the tolerated loss
+constexpr double near_bound = 1e-6;      // of the width
+
+double width(const Interval& bounds) {
+  return std::max(bounds.high - bounds.low, 1e-6 * std::max(1.0, std::abs(bounds.high)));
+}
+
+// How far it is to the first place where `lost` says so: scanned, then halved.
+std::optional<double> way_to(double reach, const std::function<bool(double)>& lost) {
+  double inside = 0;
+  for (int step = 1; step <= scan_steps; ++step) {
+    double outside = reach * step / scan_steps;
+    if (!lost(outside)) {
+      inside = outside;
+      continue;
+    }
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (inside + outside) / 2;
+      (lost(middle) ? outside : inside) = middle;
+    }
+    return inside;
+  }
+  return std::nullopt;
+}
+
+class Surroundings {
+ public:
+  Surroundings(const SizingProblem& problem, const Goal& goal, const Point& point)
+      : problem_(problem),
+        point_(point),
+        loss_(problem.loss(point)),
+        tolerated_(tolerated(problem, goal, point)),
+        rounding_(goal.is_target() ? goal_rounding(goal) : 0) {}
+
+  Sensitivity of(std::size_t variable) const {
+    const Interval& bounds = problem_.space().variables[variable].bounds;
+    Sensitivity result;
+    result.slope_less = slope(variable, -slope_step * width(bounds));
+    result.slope_more = slope(variable, slope_step * width(bounds));
+    result.less = off(variable, -1);
+    result.more = off(variable, 1);
+    return result;
+  }
+
+ private:
+  Point beside(std::size_t variable, double move) const {
+    Point there = point_;
+    there[variable] += move;
+    return there;
+  }
+
+  double slope(std::size_t variable, double move) const {
+    const Interval there = possible(problem_, variable);
+    const double to = point_[variable] + move;
+    if (to < there.low || to > there.high) return 0;
+    const Point at = beside(variable, move);
+    if (!problem_.is_hardware(at)) return 0;
+    const double change = problem_.as_loss(problem_.loss(at) - loss_);
+    return std::abs(change) <= rounding_ ? 0 : change / std::abs(move);
+  }
+
+  std::optional<double> off(std::size_t variable, int sign) const {
+    const double beyond = room_beyond(problem_, point_, variable, sign);
+    if (!(beyond > 0)) return std::nullopt;
+    return way_to(beyond, [&](double way) {
+      const Point at = beside(variable, sign * way);
+      return problem_.is_hardware(at) && problem_.loss(at) > loss_ + tolerated_;
+    });
+  }
+
+  const SizingProblem& problem_;
+  const Point& point_;
+  double loss_;
+  double tolerated_;
+  double rounding_;  // objectives are rounded already
+};
+
+// The loss about the point along some of the variables, in parts of their bounds.
+class Plain {
+ public:
+  Plain(const SizingProblem& problem, const Point& point, std::vector<std::size_t> free)
+      : problem_(problem), point_(point), free_(std::move(free)), here_(problem.loss(point)) {}
+
+  Index size() const { return static_cast<Index>(free_.size()); }
+
+  // What a move of this length costs at the worse end.
+  FlatDirection along(const Eigen::VectorXd& direction) const {
+    return {moves(direction), std::max({loss(direction) - here_, loss(-direction) - here_, 0.0})};
+  }
+
+  // In units of the variables.
+  std::vector<double> moves(const Eigen::VectorXd& direction) const {
+    std::vector<double> moves(point_.size(), 0);
+    for (Index k = 0; k < size(); ++k) {
+      const std::size_t i = free_[static_cast<std::size_t>(k)];
+      moves[i] = direction[k] * width(problem_.box()[i]);
+    }
+    return moves;
+  }
+
+  double loss(const Eigen::VectorXd& direction) const {
+    Point there = point_;
+    const std::vector<double> way = moves(direction);
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const Interval limits = possible(problem_, i);
+      there[i] = std::clamp(there[i] + way[i], limits.low, limits.high);
+    }
+    return problem_.loss(there);
+  }
+
+  // Of the loss, or of its square: that of a miss, which has an edge where it is 0.
+  Eigen::MatrixXd curvature(bool squared) const {
+    const auto loss = [&](const Eigen::VectorXd& direction) {
+      const double there = this->loss(direction);
+      return squared ? there * there : there;
+    };
+    const double here = squared ? here_ * here_ : here_;
+    Eigen::MatrixXd result(size(), size());
+    for (Index i = 0; i < size(); ++i) {
+      for (Index k = 0; k <= i; ++k) {
+        const Eigen::VectorXd a = curvature_step * Eigen::VectorXd::Unit(size(), i);
+        const Eigen::VectorXd b = curvature_step * Eigen::VectorXd::Unit(size(), k);
+        result(i, k) = i == k ? loss(a) + loss(-a) - 2 * here
+                              : (loss(a + b) - loss(a - b) - loss(b - a) + loss(-a - b)) / 4;
+        result(k, i) = result(i, k);
+      }
+    }
+    return result;
+  }
+
+ private:
+  const SizingProblem& problem_;
+  const Point& point_;
+  std::vector<std::size_t> free_;
+  double here_ = 0;
+};
+
+std::vector<std::size_t> between_bounds(const SizingProblem& problem, const Point& point) {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Interval& bounds = problem.box()[i];
+    if (bounds.high > bounds.low && at_bound(bounds, point[i]) == AtBound::no) free.push_back(i);
+  }
+  return free;
+}
+
+// So that its greatest part is positive and one: of two ends the same one, whatever the signs of
+// the eigenvectors.
+Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
+  Index greatest = 0;
+  for (Index i = 1; i < direction.size(); ++i) {
+    if (std::abs(direction[i]) > std::abs(direction[greatest]) + 1e-6) greatest = i;
+  }
+  Eigen::VectorXd result = direction / direction[greatest];
+  for (double& part : result) {
+    if (std::abs(part) < 1e-3) part = 0;
+  }
+  return result;
+}
+
+}  // namespace
+
+Interval possible(const SizingProblem& problem, std::size_t variable) {
+  const SizeSpace& space = problem.space();
+  const std::size_t first = space.variables[variable].dimensions.front();
+  return row(space.dimensions[first].dimension.quantity).possible;
+}
+
+AtBound at_bound(const Interval& bounds, double value) {
+  const double near = near_bound * (bounds.high - bounds.low);
+  if (value <= bounds.low + near) return AtBound::low;
+  return value >= bounds.high - near ? AtBound::high : AtBound::no;
+}
+
+double tolerated(const SizingProblem& problem, const Goal& goal, const Point& point) {
+  return tolerated_loss * (goal.is_target() ? 1 : std::abs(problem.goal(point)));
+}
+
+double goal_rounding(const Goal& goal) { return goal.is_target() ? 1e-12 : 1e-9; }
+
+double room_beyond(const SizingProblem& problem, const Point& point, std::size_t variable,
+                   int sign) {
+  const Interval& bounds = problem.space().variables[variable].bounds;
+  const Interval there = possible(problem, variable);
+  const double room = sign < 0
+                          ? point[variable] - std::max(there.low, bounds.low - width(bounds))
+                          : std::min(there.high, bounds.high + width(bounds)) - point[variable];
+  return std::max(room, 0.0);
+}
+
+std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal& goal,
+                                       const Point& point) {
+  const Surroundings surroundings(problem, goal, point);
+  std::vector<Sensitivity> result;
+  for (std::size_t i = 0; i < point.size(); ++i) result.push_back(surroundings.of(i));
+  return result;
+}
+
+std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const Goal& goal,
+                                           const Point& point) {
+  const double most = flat_share * tolerated(problem, goal, point);
+  std::vector<FlatDirection> flat;
+  std::vector<std::size_t> others;
+  for (const std::size_t i : between_bounds(problem, point)) {
+    const FlatDirection alone =
+        Plain(problem, point, {i}).along(flat_move * Eigen::VectorXd::Ones(1));
+    if (alone.loss <= most) {
+      flat.push_back(alone);
+    } else {
+      others.push_back(i);
+    }
+  }
+  if (others.size() < 2) return flat;
+  const Plain plain(problem, point, others);
+  const SymmetricAxes axes = symmetric_axes(plain.curvature(goal.is_target()));
+  for (Index k = 0; k < plain.size(); ++k) {
+    const FlatDirection here = plain.along(flat_move * in_one_way(axes.vectors.col(k)));
+    if (here.loss <= most) flat.push_back(here);
+  }
+  return flat;
+}
+
+}  // namespace reeve::sizing

@@ -1,0 +1,152 @@
+#include "studies/import_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "core/network.hpp"
+#include "readings/column_name.hpp"
+#include "readings/csv.hpp"
+#include "readings/fault_list.hpp"
+#include "readings/text_cells.hpp"
+
+namespace reeve::studies {
+namespace {
+
+// The first sample that bears it.
+std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
+  const auto first = std::find(series.label.begin(), series.label.end(), label);
+  return series.lines[static_cast<std::size_t>(first - series.label.begin())];
+}
+
+// What is wrong with the labels of one stretch of the log.
+class LabelCheck {
+ public:
+  // Both must outlive it.
+  LabelCheck(const LoggedSeries& series, std::size_t label, FaultList& faults)
+      : series_(series), label_(label), line_(line_of_label(series, label)), faults_(faults) {}
+
+  // What the action gives. Of a cell its input error goes into the list of faults; what was given
+  // is no matter of one stretch.
+  template <typename Action>
+  auto at(const std::string& column, bool is_logged, const std::string& value, Action action)
+      -> std::optional<decltype(action())> {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      if (!is_logged) {
+        throw InputError(changed(error.fault(), one_line))
+            .at(InputFault{.what = column, .value = for_message(value)});
+      }
+      add(line_, column, cell_error(error, series_.file, line_, column, value).fault());
+      return std::nullopt;
+    }
+  }
+
+  // A column of tensions must be one of the routing's segments, or empty there.
+  void require_segments(const std::string& routing, const Network& network) {
+    for (const LoggedSignal& tension : series_.tensions_N) {
+      const Segment segment = column_named(tension.name)->place.segment;
+      if (!find_segment(network, segment)) require_empty(tension, routing, segment);
+    }
+  }
+
+ private:
+  void require_empty(const LoggedSignal& tension, const std::string& routing,
+                     const Segment& segment) {
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      if (series_.label[i] != label_ || std::isnan(tension.values[i])) continue;
+      const std::size_t line = series_.lines[i];
+      return add(line, tension.column,
+                 {.where = fmt::format("{}:{}", series_.file, line),
+                  .what = fmt::format("column '{}': the routing '{}' has no segment {}",
+                                      for_message(tension.column), for_message(routing),
+                                      segment_name(segment)),
+                  .expected = "an empty cell"});
+    }
+  }
+
+  void add(std::size_t line, const std::string& column, InputFault fault) {
+    faults_.add(line, fmt::format("in column '{}'", for_message(column)), std::move(fault));
+  }
+
+  const LoggedSeries& series_;
+  std::size_t label_;
+  std::size_t line_;
+  FaultList& faults_;
+};
+
+void require_no_other(const LoggedSeries& series, const std::string& column, bool is_logged,
+                      const std::optional<std::string>& given) {
+  if (!is_logged || !given) return;
+  throw InputError({.where = series.file,
+                    .what = fmt::format("the log has a column '{}', and '{}' is given too", column,
+                                        for_message(*given)),
+                    .expected = "one of them"});
+}
+
+std::vector<LogLabels> filled_in(const LoggedSeries& series, const ImportLabels& given) {
+  require_no_other(series, "run", series.has_runs, given.run);
+  require_no_other(series, "routing", series.has_routings, given.routing);
+  require_no_other(series, "held", series.has_held, given.held);
+  std::vector<LogLabels> labels = series.labels;
+  for (LogLabels& label : labels) {
+    if (!series.has_runs) label.run = given.run.value_or("1");
+    if (!series.has_routings) label.routing = given.routing.value_or("");
+    if (!series.has_held) label.held = given.held.value_or("");
+  }
+  return labels;
+}
+
+Network network_of(const std::string& routing, const RoutingResolver& resolve) {
+  if (routing.empty()) {
+    throw InputError({.expected = "a routing such as M-1-T-2-F, in a column of the log or given"});
+  }
+  Network network = expand(resolve(routing));
+  require_actuated(graph(network), routing);
+  return network;
+}
+
+std::string run_of(const std::string& text) {
+  if (text.empty()) throw InputError({.expected = "a name or number for the run"});
+  return text;
+}
+
+void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& labels,
+                     const RoutingResolver& resolve) {
+  FaultList faults;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const LogLabels& label = labels[i];
+    LabelCheck check(series, i, faults);
+    check.at("run", series.has_runs, label.run, [&] { return run_of(label.run); });
+    const auto network = check.at("routing", series.has_routings, label.routing,
+                                  [&] { return network_of(label.routing, resolve); });
+    if (network) {
+      check.at("held", series.has_held, label.held,
+               [&] { return read_held(label.held, network->fingers); });
+      check.require_segments(label.routing, *network);
+    }
+    check.at("direction", true, label.direction, [&] { return read_direction(label.direction); });
+  }
+  faults.throw_any(series.file);
+}
+
+}  // namespace
+
+ImportReport import_study(LoggedSeries series, const ImportLabels& given,
+                          const SteadyOptions& options, const RoutingResolver& resolve) {
+  ImportReport report;
+  report.labels = filled_in(series, given);
+  validate_labels(series, report.labels, resolve);
+  report.steady = steady_readings(series, options);
+  report.series = std::move(series);
+  report.options = options;
+  report.given = given;
+  return report;
+}
+
+}  // namespace reeve::studies

@@ -1,0 +1,168 @@
+#include "studies/shown_hand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "causes/model_solver.hpp"
+#include "core/hand_closing.hpp"
+
+namespace reeve::studies {
+namespace {
+
+constexpr double mm_in_m = 1000;
+
+Mechanics without_friction(Mechanics mechanics) {
+  mechanics.phi.assign(mechanics.phi.size(), 0.0);
+  mechanics.decay.assign(mechanics.decay.size(), 1.0);
+  return mechanics;
+}
+
+ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const TensionState& state,
+                           Grasp grasp) {
+  const GripDemand demand = grip_demand(hand, network, state, grasp);
+  const FingerArray pulls = pulls_by_finger(network, state);
+  ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, {}};
+  for (int f = 1; f <= network.fingers; ++f) {
+    const HandFinger& finger = hand.finger(f);
+    ShownFingerForce force;
+    force.finger = f;
+    force.pull_per_motor_N = pulls[static_cast<std::size_t>(f)];
+    force.per_motor_N = force.pull_per_motor_N * finger.force_per_pull;
+    force.asks_motor_N = motor_force(finger, grasp.holds(f), force.pull_per_motor_N);
+    if (const auto limit = hand.motor.force_N) {
+      force.at_limit_N = held_force(finger, force.pull_per_motor_N * *limit).force_N;
+    }
+    shown.fingers.push_back(force);
+  }
+  return shown;
+}
+
+// What the grasp asks most of, and which finger and joint it is.
+void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& grasps,
+                        MotorDemand& demand) {
+  for (const ShownHandGrasp& shown : grasps) {
+    demand.frictionless_N = std::max(demand.frictionless_N, shown.frictionless_N);
+    if (demand.weakest > 0 && !(shown.motor_force_N > demand.force_N)) continue;
+    demand.force_N = shown.motor_force_N;
+    demand.weakest = shown.weakest;
+    demand.grasp = shown.grasp;
+  }
+  demand.joint = asking_joint(hand.finger(demand.weakest));
+}
+
+void add_motion(const MotorParts& motor, MotorDemand& demand) {
+  demand.speed_mm_s = demand.stroke_mm / motor.close_s;
+  demand.work_J = demand.force_N * demand.stroke_mm / mm_in_m;
+  demand.power_W = demand.work_J / motor.close_s;
+  if (!motor.spool_radius_mm) return;
+  constexpr double s_in_min = 60;
+  demand.torque_Nm = demand.force_N * *motor.spool_radius_mm / mm_in_m;
+  demand.spool_rpm = s_in_min * demand.speed_mm_s / (2 * std::numbers::pi * *motor.spool_radius_mm);
+}
+
+// One routing of one hand, solved grasp by grasp.
+class HandStudy {
+ public:
+  HandStudy(const Hand& hand, const Network& network, const std::string& word, const Model& model)
+      : hand_(hand),
+        network_(network),
+        model_(model),
+        plain_(mechanics(network, possible_hardware(model))),
+        frictionless_(without_friction(plain_)),
+        solver_(model, possible_hardware(model), word, network) {}
+
+  ShownHand run(const GraspSet& grasps) {
+    ShownHand shown;
+    shown.motor = hand_.motor;
+    for (const WeightedGrasp& weighted : grasps) {
+      shown.grasps.push_back(shown_grasp(hand_, network_, pulled(weighted.grasp), weighted.grasp));
+      const TensionState ideal = tensions(network_, frictionless_, weighted.grasp);
+      shown.grasps.back().frictionless_N =
+          grip_demand(hand_, network_, ideal, weighted.grasp).motor_force_N;
+    }
+    add_reach(grasps, shown);
+    add_greatest_force(hand_, shown.grasps, shown.demand);
+    add_forces(shown);
+    add_closing(shown);
+    return shown;
+  }
+
+ private:
+  const TensionState& pulled(Grasp grasp) {
+    return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions), grasp);
+  }
+
+  void add_reach(const GraspSet& grasps, ShownHand& shown) {
+    if (const auto force = hand_.motor.force_N) {
+      ForceReach& reach = shown.force_reach.emplace();
+      reach.motor_N = *force;
+      reach.share = std::numeric_limits<double>::infinity();
+      for (const WeightedGrasp& weighted : grasps) {
+        const FingerArray pulls = pulls_by_finger(network_, pulled(weighted.grasp));
+        add_grasp(hand_, network_.fingers, weighted.grasp, pulls, reach);
+      }
+    }
+    if (const auto stroke = hand_.motor.stroke_mm) {
+      shown.stroke_reach = stroke_reach(hand_, network_, plain_, *stroke);
+    }
+  }
+
+  void add_forces(ShownHand& shown) const {
+    if (!std::isfinite(shown.demand.force_N)) return;
+    for (ShownHandGrasp& grasp : shown.grasps) {
+      for (ShownFingerForce& force : grasp.fingers) {
+        const double pull = shown.demand.force_N * force.pull_per_motor_N;
+        const HeldForce held = held_force(hand_.finger(force.finger), pull);
+        force.force_N = held.force_N;
+        force.gives = held.joint;
+      }
+    }
+  }
+
+  void add_closing(ShownHand& shown) {
+    Kinematics kinematics;
+    Motion motion;
+    double to_fingers = 0;  // J per N of motor tension
+    const HandClosing closing =
+        close_hand(hand_, network_, plain_, kinematics, motion,
+                   [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
+                     const FingerArray pulls = pulls_by_finger(network_, pulled(at_end));
+                     for (std::size_t f = 0; f < closings.size(); ++f) {
+                       to_fingers += pulls[f + 1] * closings[f] * travel_mm / mm_in_m;
+                     }
+                   });
+    MotorDemand& demand = shown.demand;
+    demand.stroke_mm = closing.stroke_mm;
+    demand.closure = closing.closure;
+    add_motion(hand_.motor, demand);
+    for (int f = 1; f <= network_.fingers; ++f) {
+      const HandFinger& finger = hand_.finger(f);
+      const double closed = closing.closed[static_cast<std::size_t>(f)];
+      shown.fingers.push_back({f, finger.force_N, finger.excursion_mm, closed});
+      demand.springs_J += spring_energy(finger, closed);
+    }
+    demand.friction_J = demand.work_J - demand.force_N * to_fingers;
+    demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
+  }
+
+  const Hand& hand_;
+  const Network& network_;
+  const Model& model_;
+  Mechanics plain_;
+  Mechanics frictionless_;
+  ModelSolver solver_;
+};
+
+}  // namespace
+
+std::optional<ShownHand> shown_hand(const Network& network, const std::string& word,
+                                    const Model& model, const GraspSet& grasps) {
+  const auto known = hand(model.hardware);
+  const bool is_known = known && first_unknown_finger(*known, network.fingers) == 0;
+  if (!is_known || network.fingers == 0) return std::nullopt;
+  return HandStudy(*known, network, word, model).run(grasps);
+}
+
+}  // namespace reeve::studies

@@ -1,0 +1,91 @@
+// What one routing makes of a hand: forces at the fingertips, and what they ask of the motor.
+//
+//   motor force F     least motor tension at which every finger presses with its wanted force in
+//                     every grasp (core/hand.hpp)
+//   stroke D          of the carriage from the open hand (core/hand_closing.hpp)
+//   speed             D over the time to close
+//   work, power       F D, and F times the speed: at most, if the hand closes against F all the way
+//   torque            F times the spool's radius; the spool turns with speed over radius
+//   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
+//
+// The work F D parts into what the springs keep, what friction takes, and what is left to the
+// fingers: work at objects and stops. In a finger that does not close whole, all joints stand at
+// the same share of their ranges.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
+#include "core/hand.hpp"
+#include "core/network.hpp"
+#include "studies/motor_reach.hpp"
+
+namespace reeve::studies {
+
+struct ShownFingerForce {
+  int finger = 0;
+  double pull_per_motor_N = 0;         // of its strands together, N/N
+  double per_motor_N = 0;              // at the fingertip, N/N, springs aside
+  double asks_motor_N = 0;             // infinite where its strands are slack
+  double force_N = 0;                  // at the hand's motor force; 0 where that is infinite
+  std::size_t gives = 0;               // the joint that gives first then, from 0
+  std::optional<double> at_limit_N{};  // at the force that the motor can pull with
+};
+
+struct ShownHandGrasp {
+  Grasp grasp;
+  double motor_force_N = 0;
+  double frictionless_N = 0;
+  int weakest = 0;
+  std::vector<ShownFingerForce> fingers;
+};
+
+struct ShownHandFinger {
+  int finger = 0;
+  double wanted_N = 0;
+  double excursion_mm = 0;
+  double closed = 0;  // share of its range at the end of the stroke
+};
+
+struct MotorDemand {
+  double force_N = 0;
+  double frictionless_N = 0;
+  int weakest = 0;        // the finger that asks for it,
+  std::size_t joint = 0;  // its joint that does, from 0,
+  Grasp grasp{};          // and the grasp in which it does
+  double stroke_mm = 0;
+  double closure = 0;
+  double speed_mm_s = 0;
+  double work_J = 0;
+  double power_W = 0;
+  double springs_J = 0;
+  double friction_J = 0;
+  double fingers_J = 0;
+  std::optional<double> torque_Nm{};
+  std::optional<double> spool_rpm{};
+
+  // Otherwise the carriage is blocked from the open hand on: there is no stroke, nor what follows
+  // from one.
+  bool can_move() const { return stroke_mm > 0; }
+  double friction_cost() const { return force_N > 0 ? 1 - frictionless_N / force_N : 0; }
+};
+
+struct ShownHand {
+  std::vector<ShownHandFinger> fingers;
+  std::vector<ShownHandGrasp> grasps;
+  MotorDemand demand;
+  MotorParts motor;
+  // Of the motor's own force and stroke, where they are given (motor_reach.hpp).
+  std::optional<ForceReach> force_reach{};
+  std::optional<StrokeReach> stroke_reach{};
+};
+
+// Nothing if the hardware has no hand or does not know all fingers. Pulling, whatever is shown.
+std::optional<ShownHand> shown_hand(const Network& network, const std::string& word,
+                                    const Model& model, const GraspSet& grasps);
+
+}  // namespace reeve::studies

@@ -1,0 +1,109 @@
+#include "studies/sizing_study.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "catalog/names.hpp"
+#include "core/notation.hpp"
+#include "search/rank/ranking.hpp"
+#include "sizing/size_space.hpp"
+
+namespace reeve::studies {
+namespace {
+
+using GoalOf = SizedGoal SizedDesign::*;
+
+// On the grid, so that equal goals tie.
+auto key(const SizedRouting& routing, GoalOf of, Better better) {
+  const SizedGoal& goal = routing.design.*of;
+  const double loss = on_grid(better == Better::higher ? -goal.goal : goal.goal);
+  return std::make_tuple(loss, part_total(goal.values), std::string_view(routing.word));
+}
+
+void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
+  std::sort(designs.begin(), designs.end(), [&](const SizedRouting& a, const SizedRouting& b) {
+    return key(a, of, better) < key(b, of, better);
+  });
+}
+
+// A hand holds in any grasp, whatever dimensions were chosen in.
+GraspSet shown_grasps(const SizingOptions& options, const Routing& routing) {
+  const bool only_open = options.grasps.size() == 1 && options.grasps.front().grasp == Grasp{};
+  return options.goal.is_target() && only_open ? single_grasps(finger_count(routing))
+                                               : options.grasps;
+}
+
+}  // namespace
+
+bool best_meets_target(const SizingReport& report) { return is_met(report.designs.front().design); }
+
+SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOptions& options,
+                            const Catalogue& catalogue) {
+  SizingReport report;
+  report.options = options;
+  report.partial = true;
+  for (const Routing& routing : routings) {
+    SizedRouting planned;
+    planned.word = to_word(routing);
+    planned.name = name_of(catalogue, routing);
+    planned.design.routing = routing;
+    const std::vector<double>& target = options.goal.target;
+    planned.design.before.shares = planned.design.after.shares = target;
+    const SizeSpace space =
+        size_space(expand(routing), options.nominal.hardware, options.varied, options.same);
+    for (const SizeVariable& variable : space.variables) {
+      SizedVariable as_it_is;
+      as_it_is.variable = variable;
+      as_it_is.value = variable.nominal;
+      planned.design.variables.push_back(std::move(as_it_is));
+    }
+    report.designs.push_back(std::move(planned));
+  }
+  return report;
+}
+
+SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
+                          const Catalogue& catalogue, const StudySupervision& supervision) {
+  SizingResult result = size(routings, options, supervision.during("sizing"));
+  SizingReport report{options, {}, result.partial, result.unconverged};
+  for (SizedDesign& design : result.designs) {
+    const std::string word = to_word(design.routing);
+    const std::string name = name_of(catalogue, design.routing);
+    report.designs.push_back({std::move(design), word, name, 0, 0});
+  }
+  const Better better = options.goal.better();
+  std::vector<SizedRouting>& designs = report.designs;
+  sort(designs, &SizedDesign::before, better);
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].rank_before = i + 1;
+  sort(designs, &SizedDesign::after, better);
+  for (std::size_t i = 0; i < designs.size(); ++i) designs[i].rank_after = i + 1;
+  return report;
+}
+
+SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalogue) {
+  const SizingOptions& options = report.options;
+  const SizedDesign& best = report.designs.front().design;
+  Model sized = options.nominal;
+  sized.hardware = best.hardware;
+  const GraspSet grasps = shown_grasps(options, best.routing);
+  const auto shown = [&](const Model& model) {
+    return shown_routing(best.routing, model, grasps, Direction::pull, catalogue);
+  };
+  SizingDetails details{shown(options.nominal), shown(sized), {}};
+  if (report.partial) return details;
+  std::vector<double> point;
+  std::vector<Interval> spans;
+  for (std::size_t i = 0; i < best.variables.size(); ++i) {
+    const SizedVariable& variable = best.variables[i];
+    const Sensitivity& alone = variable.sensitivity;
+    const Interval& bounds = variable.variable.bounds;
+    point.push_back(variable.value);
+    spans.push_back({std::min(bounds.low, variable.value - alone.less.value_or(0)),
+                     std::max(bounds.high, variable.value + alone.more.value_or(0))});
+  }
+  details.profiles = goal_profiles(SizingProblem(best.routing, options), point, spans);
+  return details;
+}
+
+}  // namespace reeve::studies

@@ -1,0 +1,58 @@
+// Routings with the dimensions that suit a goal best, ranked by it before and after.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalog/catalogue.hpp"
+#include "core/routing.hpp"
+#include "sizing/goal_profile.hpp"
+#include "sizing/size.hpp"
+#include "studies/shown_routing.hpp"
+#include "studies/study_supervision.hpp"
+
+namespace reeve::studies {
+
+struct SizedRouting {
+  SizedDesign design;
+  std::string word;
+  std::string name;  // "" if it has none
+  // By the goal, then by fewer parts, then by word; from 1.
+  std::size_t rank_before = 0;
+  std::size_t rank_after = 0;
+};
+
+// Of the best design, for a page: the hand that it makes, before and sized, and how the goal goes
+// about it. Shown in the grasps of the goal; of a target of the open hand also with each one held.
+struct SizingDetails {
+  ShownRouting before;
+  ShownRouting sized;
+  std::vector<GoalProfile> profiles;  // parallel to the variables
+};
+
+struct SizingReport {
+  SizingOptions options;
+  std::vector<SizedRouting> designs;  // best after sizing first
+  bool partial = false;
+  std::uint64_t unconverged = 0;  // tension solves
+  std::vector<std::string> notes{};
+  std::optional<SizingDetails> details{};
+};
+
+// Of a goal of any other kind it is met always.
+bool best_meets_target(const SizingReport& report);
+
+// What will be sized, with the dimensions as they are, in the order given; partial, as nothing has
+// been searched for.
+SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOptions& options,
+                            const Catalogue& catalogue);
+
+SizingReport sizing_study(const std::vector<Routing>& routings, const SizingOptions& options,
+                          const Catalogue& catalogue, const StudySupervision& supervision = {});
+
+SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalogue);
+
+}  // namespace reeve::studies

@@ -1,0 +1,171 @@
+#include "readings/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/input_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::input_error;
+using testing::TemporaryFolder;
+
+using Fields = std::vector<std::string>;
+
+struct Table {
+  Fields header;
+  std::vector<CsvRow> rows;
+  std::vector<CsvComment> comments;
+};
+
+Table read(const std::string& text) {
+  CsvReader reader(text, "d.csv");
+  Table table{reader.header().fields, {}, {}};
+  for (CsvRow row; reader.next(row);) {
+    if (row.ragged) throw InputError(*row.ragged);
+    table.rows.push_back(row);
+  }
+  table.comments = reader.comments();
+  return table;
+}
+
+std::string error_in(const std::string& text) {
+  return input_error([&] { read(text); });
+}
+
+TEST(Csv, HasAHeaderAndRowsWithTheirLines) {
+  const Table table = read("a,b\n1,2\n\n3,\n");
+  EXPECT_EQ(table.header, (Fields{"a", "b"}));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0].fields, (Fields{"1", "2"}));
+  EXPECT_EQ(table.rows[0].line, 2U);
+  EXPECT_EQ(table.rows[1].fields, (Fields{"3", ""}));
+  EXPECT_EQ(table.rows[1].line, 4U);
+}
+
+TEST(Csv, ReadsTheSameWithCrlfAndAByteOrderMarkAndWithoutALastLineEnd) {
+  for (const char* text : {"a,b\n1,2\n", "a,b\r\n1,2\r\n",
+                           "\xEF\xBB\xBF"
+                           "a,b\n1,2",
+                           "a,b\r\n1,2"}) {
+    const Table table = read(text);
+    EXPECT_EQ(table.header, (Fields{"a", "b"}));
+    ASSERT_EQ(table.rows.size(), 1U);
+    EXPECT_EQ(table.rows[0].fields, (Fields{"1", "2"}));
+  }
+}
+
+TEST(Csv, TakesSeparatorsQuotesAndLineEndsInQuotes) {
+  const Table table = read("a,b\n\"1,5\",\"say \"\"no\"\"\"\n\"x\ny\",\"\"\n\"\"\"\",z\n");
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0].fields, (Fields{"1,5", "say \"no\""}));
+  EXPECT_EQ(table.rows[1].fields, (Fields{"x\ny", ""}));
+  EXPECT_EQ(table.rows[2].fields, (Fields{"\"", "z"}));
+  EXPECT_EQ(table.rows[2].line, 5U);
+}
+
+TEST(Csv, KeepsCommentsWithTheirLines) {
+  const Table table = read("# of May\na,b\n#1,2\n\"#3\",4\n5,#6\n");
+  ASSERT_EQ(table.comments.size(), 2U);
+  EXPECT_EQ(table.comments[0].text, " of May");
+  EXPECT_EQ(table.comments[1].line, 3U);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0].fields, (Fields{"#3", "4"}));
+  EXPECT_EQ(table.rows[1].fields, (Fields{"5", "#6"}));
+}
+
+TEST(Csv, TakesTheSeparatorFromTheHeader) {
+  EXPECT_EQ(read("a;b\n1,5;2\n").rows[0].fields, (Fields{"1,5", "2"}));
+  EXPECT_EQ(read("a,b\n1;2,3\n").rows[0].fields, (Fields{"1;2", "3"}));
+  EXPECT_EQ(read("\"a;1\",b\n1,2\n").rows[0].fields, (Fields{"1", "2"}));
+  EXPECT_EQ(read("a\n1\n").rows[0].fields, (Fields{"1"}));
+  EXPECT_EQ(error_in("a;b,c\n"),
+            "d.csv:1:1: the header has 1 commas and 1 semicolons outside quotes: expected one of "
+            "them, as separator");
+  EXPECT_EQ(read("a\tb\n1,5\t2\n").rows[0].fields, (Fields{"1,5", "2"}));
+}
+
+TEST(BadCsv, NamesLineAndColumnOfARaggedRow) {
+  EXPECT_EQ(error_in("# c\na,b,c\n1,2\n"),
+            "d.csv:3:4: the row ends after 2 fields: expected 3, as many as the header in line 2 "
+            "has");
+  EXPECT_EQ(error_in("a,b\n1,2,3\n"),
+            "d.csv:2:5: a further field: expected 2, as many as the header in line 1 has");
+  EXPECT_EQ(error_in("a,b\n1"),
+            "d.csv:2:2: the row ends after 1 field: expected 2, as many as the "
+            "header in line 1 has");
+}
+
+TEST(BadCsv, NamesWhereAQuoteIsNotClosedOrNotAlone) {
+  EXPECT_EQ(error_in("a,b\n1,\"2\n3,4\n5,6\n"),
+            "d.csv:2:3: the quote is not closed: expected another one");
+  EXPECT_EQ(error_in("a,b\n1,2\"\n"),
+            "d.csv:2:4: a quote inside a field: expected the whole field in quotes, and the quote "
+            "twice");
+  EXPECT_EQ(error_in("a,b\n\"1\n2\"x,3\n"),
+            "d.csv:3:3: 'x' behind the closing quote: expected ',' or the end of the line");
+}
+
+TEST(BadCsv, NamesBytesThatAreNoText) {
+  using namespace std::string_literals;
+  const std::string expected = "a NUL byte: expected text in UTF-8 (UTF-16 must be converted)";
+  EXPECT_EQ(error_in("a,b\n1,\0\n"s), "d.csv:2:3: " + expected);
+  EXPECT_EQ(error_in("\xFF\xFE"
+                     "a\0,\0"s),
+            "d.csv:1:4: " + expected);
+  EXPECT_EQ(error_in("a,b\r1,2\r"),
+            "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
+}
+
+TEST(BadCsv, NamesTheFirstByteThatIsNoUtf8AndWhatTheFileLooksLike) {
+  const std::string looks =
+      "text in UTF-8. The file looks like Latin-1 or Windows-1252, as spreadsheets on Windows "
+      "write: save it as 'CSV UTF-8', or convert it by iconv -f WINDOWS-1252 -t UTF-8";
+  EXPECT_EQ(error_in("a,b\nF\xFC"
+                     "hr1,2\nF\xFC"
+                     "hr2,2\n"),
+            "d.csv:2:2: the byte FC ('ü' in Latin-1): expected " + looks);
+  EXPECT_EQ(error_in("\xEF\xBB\xBF# 5 \x80\na,b\n1,2\n"),
+            "d.csv:1:5: the byte 80: expected " + looks);
+  EXPECT_EQ(error_in("a,b\nFühr1,2\n"), "no such error was thrown");
+}
+
+TEST(BadCsv, MayHaveNoHeader) {
+  for (const char* text : {"", "\n\n", "# only this", "\xEF\xBB\xBF"}) {
+    EXPECT_EQ(error_in(text), "d.csv: is empty: expected a header and rows below it");
+  }
+}
+
+// However long a row is, its first field too many is found without reading on.
+TEST(BadCsv, MayHaveTooManyColumns) {
+  EXPECT_EQ(error_in(std::string(20000, ',')),
+            "d.csv:1:10001: a further field: expected at most 10000");
+}
+
+TEST(CsvFile, ThatCannotBeReadIsNamed) {
+  const TemporaryFolder folder;
+  const auto error_of = [&](const std::string& name) {
+    return folder.error_of([&] { CsvReader::open(folder.path() / name); });
+  };
+  EXPECT_EQ(error_of("none.csv"), "none.csv: cannot be read: No such file or directory");
+  std::filesystem::create_directory(folder.path() / "sub");
+  EXPECT_EQ(error_of("sub"), "sub: is a directory: expected a CSV file");
+  folder.write("large.csv", "a,b\n");
+  std::filesystem::resize_file(folder.path() / "large.csv", max_csv_size + 1);
+  EXPECT_EQ(error_of("large.csv"),
+            "large.csv: is larger than 512 MiB: expected a CSV file with one row per reading");
+}
+
+TEST(ForMessage, ShortensAndReplacesWhatBreaksLines) {
+  EXPECT_EQ(for_message("a\nb\x7F"), "a?b?");
+  EXPECT_EQ(for_message(std::string(50, 'x')), std::string(40, 'x') + "…");
+  EXPECT_EQ(for_message(std::string(39, 'x') + "ä"), std::string(39, 'x') + "…");
+}
+
+}  // namespace
+}  // namespace reeve

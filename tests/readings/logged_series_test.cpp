@@ -1,0 +1,157 @@
+#include "readings/log/logged_series.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/readings/read_log.hpp"
+
+namespace reeve::testing {
+namespace {
+
+// By log; a message that ends with … is told as far as that.
+void expect_refused(const std::map<std::string, std::string>& messages) {
+  for (const auto& [text, expected] : messages) {
+    const std::string message = log_error(text);
+    const std::size_t told = expected.ends_with("…") ? expected.rfind("…") : std::string::npos;
+    EXPECT_EQ(message.substr(0, told), expected.substr(0, told)) << text;
+  }
+}
+
+TEST(LoggedSeries, HasEachColumnInItsPlace) {
+  const LoggedSeries series = log_of(
+      "# our rig, May 3\ntime_ms,run,position_mm,motor_tension_N,T1_N,Ta_N,temperature_C,operator\n"
+      "10,A,1,20,6,9,21,Kim\n20,A,2,21,7,9,22,Kim\n30,B,3,22,8,9,23,Kim\n");
+  EXPECT_EQ(series.time_s, (std::vector<double>{0.01, 0.02, 0.03}));
+  EXPECT_EQ(series.position_mm.values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(series.motor_tension_N.values, (std::vector<double>{20, 21, 22}));
+  ASSERT_EQ(series.tensions_N.size(), 2U);
+  EXPECT_EQ(series.tensions_N[1].name, "Ta_N");
+  ASSERT_EQ(series.others.size(), 1U);
+  EXPECT_EQ(series.others[0].values, (std::vector<double>{21, 22, 23}));
+  ASSERT_EQ(series.notes.size(), 1U);
+  EXPECT_EQ(series.notes[0].text,
+            "column 'operator' holds text: the log is cut where it changes, and readings do not "
+            "have it");
+  EXPECT_EQ(series.label, (std::vector<std::size_t>{0, 0, 1}));
+  EXPECT_EQ(series.labels[1].run, "B");
+  EXPECT_EQ(series.lines, (std::vector<std::size_t>{3, 4, 5}));
+  EXPECT_EQ(series.comments, std::vector<std::string>{" our rig, May 3"});
+  EXPECT_FALSE(series.simulated);
+}
+
+TEST(LoggedSeries, TakesWhatFilesOfReadingsDoAsMissing) {
+  const LoggedSeries series = log_of("t,T1_N,T2_N\n0,,2\n1,NaN,-0.1\n2,-,\n3,3,n/a\n");
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[0]));
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[1]));
+  EXPECT_TRUE(std::isnan(series.tensions_N[0].values[2]));
+  EXPECT_EQ(series.tensions_N[0].values[3], 3);
+  EXPECT_EQ(series.tensions_N[1].values[1], -0.1);
+  EXPECT_TRUE(std::isnan(series.tensions_N[1].values[3]));
+}
+
+TEST(LoggedSeries, IsSimulatedIfACommentSaysSo) {
+  EXPECT_TRUE(log_of("# Simulated rig\nt,T1_N,T2_N\n0,1,2\n").simulated);
+}
+
+std::string clock_on_the_wall(int sample, int samples_per_second) {
+  return fmt::format("12:00:{:02}", sample / samples_per_second);
+}
+
+// Else no reading would be longer than a sample, or a second.
+TEST(TextThatGoesWithTheSamples, DoesNotCutTheLog) {
+  std::string text = "date,wall,coarse,state,phase,t,T1_N,T2_N\n";
+  for (int i = 0; i < 40; ++i) {
+    text += fmt::format("2024-05-01,12:00:00.{:02},{},{},{},{},1,2\n", i, clock_on_the_wall(i, 10),
+                        i % 2 == 0 ? "a" : "b", i < 20 ? "out" : "back", i);
+  }
+  const LoggedSeries series = log_of(text);
+  EXPECT_EQ(series.labels.size(), 2U);
+  EXPECT_EQ(recordings(series).parts.size(), 2U);
+  std::vector<std::string> passed_over;
+  for (const DataNote& note : series.notes) {
+    if (note.kind == NoteKind::passed_over) passed_over.push_back(note.text);
+  }
+  ASSERT_EQ(passed_over.size(), 3U);
+  EXPECT_EQ(passed_over[1],
+            "column 'coarse' holds times of day, or text that changes every few samples: it is not "
+            "read");
+}
+
+TEST(BadLog, IsNamedWithWhatItsHeaderLacks) {
+  expect_refused({
+      {"T1_N,T2_N\n1,2\n",
+       "log.csv:1: the header has no column of time: expected one of time_s, t_s, t, time, "
+       "timestamp (seconds), time_ms and t_ms"},
+      {"t,time_s,T1_N,T2_N\n0,0,1,2\n",
+       "log.csv:1: the header has more than one column of time: …"},
+      {"t,force\n0,1\n", "log.csv:1: the header has no column of tensions: expected …"},
+      {"t,T1_N\n0,1\n", "log.csv:1: the header has one column of tensions: expected …"},
+      {"t,T1_N,T1_N\n0,1,1\n", "log.csv:1: column 3 'T1_N': column 2 has that name already"},
+      {"t,T1_N,T0_N\n0,1,1\n", "log.csv:1: column 3 'T0_N': expected a tension written as …"},
+      {"t,T1_N,T2_N,readings\n0,1,1,1\n",
+       "log.csv:1: column 4 'readings': expected another name: …"},
+      {"t,T1_N,T2_N\n", "log.csv:1: expected rows below the header, and there are none"},
+      {"", "log.csv: is empty: expected a header and rows below it"},
+  });
+}
+
+TEST(BadLog, IsNamedWithLineColumnAndWhatWasExpected) {
+  expect_refused({
+      {"t,T1_N,T2_N\n0,1,2\n1,x,2\n",
+       "log.csv:3: column 'T1_N' = 'x': expected a number from -1000000000 to 1000000000, or an "
+       "empty cell"},
+      {"t,T1_N,T2_N\n0,1,2\n1,1e300,2\n", "log.csv:3: column 'T1_N' = '1e300': …"},
+      {"t,T1_N,T2_N\n,1,2\n",
+       "log.csv:2: column 't' = '': expected the time of the sample, a number"},
+      {"t,T1_N,T2_N\n0,1,2\nx,1,2\n",
+       "log.csv:3: column 't' = 'x': expected a number from -1000000000000000 to 1000000000000000"},
+      {"t,T1_N,T2_N,c\n0,1,2,3\n1,1,2,x\n", "log.csv:3: column 'c' = 'x': …"},
+  });
+}
+
+// Not once for each of a thousand rows.
+TEST(BadLog, IsToldOnceThatItsClockShowsDatesOrTimesOfDay) {
+  const std::string expected =
+      "expected the time of each sample as a number, such as its seconds: dates and times of day "
+      "are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in column A)";
+  for (const char* time : {"12:00:01.5", "2024-03-01T12:00:00.01Z", "3/1/2024 1:02:03 PM",
+                           "2024-03-01", "1.3.2024", "03/01/24"}) {
+    const std::string row = std::string(time) + ",1,2\n";
+    EXPECT_EQ(log_error("t,T1_N,T2_N\n" + row + row + row),
+              fmt::format("log.csv:2: column 't' = '{}': {}", time, expected));
+  }
+  EXPECT_EQ(log_error("t,T1_N,T2_N\n12:00:01,1,2\n12:00:02,x,2\n"),
+            "log.csv: 2 faults:\n  log.csv:2: column 't' = '12:00:01': " + expected +
+                "\n  log.csv:3: column 'T1_N' = 'x': expected a number from -1000000000 to "
+                "1000000000, or an empty cell");
+}
+
+TEST(Recordings, EndWhereTheClockIsSetBackOrALabelChanges) {
+  std::string text = "t,run,T1_N,T2_N\n";
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(i % 40) + (i < 20 ? ",A" : ",B") + ",1,2\n";
+  }
+  const Recordings found = recordings(log_of(text));
+  ASSERT_EQ(found.parts.size(), 3U);
+  EXPECT_EQ(found.parts[1].begin, 20U);
+  EXPECT_EQ(found.parts[1].label, 1U);
+  EXPECT_EQ(found.parts[2].begin, 40U);
+  EXPECT_EQ(found.parts[2].end, 60U);
+  EXPECT_EQ(found.clock_set_back, std::vector<std::size_t>{42});
+}
+
+TEST(Recordings, NeedAClockThatRunsForward) {
+  std::string text = "t,T1_N,T2_N\n";
+  for (int i = 40; i > 0; --i) text += std::to_string(i) + ",1,2\n";
+  EXPECT_EQ(log_error(text),
+            "log.csv:3: the time is less than in the row before, and so in 39 of 40 rows: expected "
+            "rows in the order of their time");
+}
+
+}  // namespace
+}  // namespace reeve::testing
