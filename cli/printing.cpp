@@ -4,14 +4,14 @@
 #include <unistd.h>
 
 #include "cli/terminal.hpp"
-#include "reports/document/sheet_latex.hpp"
-#include "reports/document/sheet_markdown.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_latex.hpp"
+#include "reports/document/document_markdown.hpp"
+#include "reports/document/document_text.hpp"
 
 namespace reeve::cli {
 namespace {
 
-Look look() {
+TextStyle look() {
   const Terminal out = terminal(STDOUT_FILENO);
   return {out.width, out.colour};
 }
@@ -25,21 +25,21 @@ std::vector<std::string> with_tables(const std::vector<std::string>& others) {
   return formats;
 }
 
-std::string printed(const Sheet& sheet, const FormatOption& format, double width) {
-  if (format.is("markdown")) return markdown(sheet);
-  if (format.is("latex")) return latex(sheet, width);
-  Look shown = look();
+std::string printed(const Document& document, const FormatOption& format, double width) {
+  if (format.is("markdown")) return markdown(document);
+  if (format.is("latex")) return latex(document, width);
+  TextStyle shown = look();
   if (width > 0) shown.width = static_cast<std::size_t>(width);
-  return text(sheet, shown);
+  return text(document, shown);
 }
 
 std::string announced(const std::string& files, const std::filesystem::path& folder,
                       const FormatOption& format) {
   if (!format.is("table")) return "";
-  std::vector<SheetLine> lines{{fmt::format("Written: {} in {}", files, folder.string())}};
+  std::vector<DocumentLine> lines{{fmt::format("Written: {} in {}", files, folder.string())}};
   const std::string page = page_line(folder);
   if (!page.empty()) lines.push_back({page});
-  return "\n" + text(Sheet{{{"", std::nullopt, lines}}}, look());
+  return "\n" + text(Document{{{"", std::nullopt, lines}}}, look());
 }
 
 std::string page_line(const std::filesystem::path& folder) {

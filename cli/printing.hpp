@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "cli/inputs.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::cli {
 
-// The formats of what prints a sheet: "table", these, "markdown" and "latex".
+// The formats of what prints a document: "table", these, "markdown" and "latex".
 std::vector<std::string> with_tables(const std::vector<std::string>& others);
 
 // In the format that was asked for, one of table, markdown and latex.
 // `width`: of the text in characters, with latex in pt; 0: as wide as the terminal, or any.
-std::string printed(const Sheet& sheet, const FormatOption& format, double width = 0);
+std::string printed(const Document& document, const FormatOption& format, double width = 0);
 
 // Which files lie in the folder now, and where the page among them is. Only beside a table, where
 // nobody takes it for a part of the result; otherwise "".

@@ -20,7 +20,7 @@
 #include "numerics/parallel.hpp"
 #include "numerics/processes.hpp"
 #include "reports/output/files.hpp"
-#include "studies/shared/crew.hpp"
+#include "studies/shared/ranks.hpp"
 
 namespace reeve::cli {
 namespace {

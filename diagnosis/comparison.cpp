@@ -53,7 +53,7 @@ std::vector<ResidualSummary> group(const std::vector<const ComparedValue*>& valu
   return summaries;
 }
 
-QuantitySummary summarise(const std::vector<ComparedValue>& all, Quantity quantity,
+QuantitySummary summarise(const std::vector<ComparedValue>& all, ComparedQuantity quantity,
                           const MeasuredData& data) {
   Sums sums;
   std::vector<const ComparedValue*> values;
@@ -114,8 +114,8 @@ class Comparer {
                         .expected = "rows with motor_tension_N, or with the tensions of two "
                                     "strands that are not all slack"});
     }
-    result_.tension = summarise(result_.values, Quantity::tension, data_);
-    result_.share = summarise(result_.values, Quantity::share, data_);
+    result_.tension = summarise(result_.values, ComparedQuantity::tension, data_);
+    result_.share = summarise(result_.values, ComparedQuantity::share, data_);
     for (DataNote* note : {&jams_, &not_strands_, &too_few_, &slack_}) {
       if (!note->lines.empty()) result_.notes.push_back(std::move(*note));
     }
@@ -131,7 +131,7 @@ class Comparer {
     for (std::size_t i = row.first; i < row.last; ++i) {
       const Cell& cell = dataset_.cells[i];
       result_.values.push_back(
-          {row.reading, cell.channel, Quantity::tension, cell.measured_N, predicted(i)});
+          {row.reading, cell.channel, ComparedQuantity::tension, cell.measured_N, predicted(i)});
     }
   }
 
@@ -155,7 +155,7 @@ class Comparer {
     } else {
       for (const std::size_t i : strands) {
         const Cell& cell = dataset_.cells[i];
-        result_.values.push_back({row.reading, cell.channel, Quantity::share,
+        result_.values.push_back({row.reading, cell.channel, ComparedQuantity::share,
                                   cell.measured_N / measured_sum, predicted(i) / predicted_sum});
       }
     }
@@ -185,8 +185,8 @@ class Comparer {
 
 }  // namespace
 
-const char* quantity_name(Quantity quantity) {
-  return quantity == Quantity::tension ? "tension" : "share";
+const char* quantity_name(ComparedQuantity quantity) {
+  return quantity == ComparedQuantity::tension ? "tension" : "share";
 }
 
 Comparison compare(const MeasuredData& data, const Model& model) {

@@ -19,16 +19,16 @@
 
 namespace reeve::diagnosis {
 
-enum class Quantity : std::uint8_t {
+enum class ComparedQuantity : std::uint8_t {
   tension,  // N
   share,    // of the measured strands' sum, 1
 };
-const char* quantity_name(Quantity quantity);
+const char* quantity_name(ComparedQuantity quantity);
 
 struct ComparedValue {
   std::size_t reading = 0;  // in MeasuredData::readings
   std::size_t channel = 0;  // in MeasuredData::channels
-  Quantity quantity = Quantity::tension;
+  ComparedQuantity quantity = ComparedQuantity::tension;
   double measured = 0;
   double predicted = 0;
 

@@ -29,7 +29,7 @@ struct DatasetRow {
   Conditions conditions;
 };
 
-struct Block {
+struct ReadingBlock {
   std::size_t routing = 0;
   Grasp recorded;
   Direction direction = Direction::pull;
@@ -41,7 +41,7 @@ struct Dataset {
   const MeasuredData* data = nullptr;  // must outlive the dataset
   std::vector<Cell> cells;             // by row
   std::vector<DatasetRow> rows;        // in the order of the readings
-  std::vector<Block> blocks;
+  std::vector<ReadingBlock> blocks;
   // Cells less one for each row without motor tension, whose scale is free.
   double degrees_of_freedom() const;
 };

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/naming.hpp"
 #include "diagnosis/plan/measurement_plan.hpp"
-#include "diagnosis/sample.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/verdict/aliases.hpp"
@@ -20,7 +20,7 @@
 #include "diagnosis/verdict/far_together.hpp"
 #include "diagnosis/verdict/far_words.hpp"
 #include "diagnosis/verdict/other_direction.hpp"
-#include "diagnosis/verdict/what_is_left.hpp"
+#include "diagnosis/verdict/residual_structure.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
 
@@ -67,7 +67,7 @@ class Diagnosis {
       take_over_found();
       if (!weigh_rivals()) return std::nullopt;
       confirm();
-      if (!stopped("checking what is left")) check_what_is_left();
+      if (!stopped("checking what is left")) check_residual_structure();
       if (!stopped("looking for readings far off")) check_far_readings();
       if (!stopped("comparing groups")) compare_groups();
     }
@@ -209,11 +209,11 @@ class Diagnosis {
     result_.run_gains = std::move(confirmed.run_gains);
   }
 
-  void check_what_is_left() {
-    const WhatIsLeft left =
-        what_is_left(found_.problem, result_.model, found_.scatter.mounting, options_.alpha,
-                     {streams::seed_of_what_is_left(options_.seed), options_.replicates}, workers_,
-                     [this] { return stopped("checking what is left"); });
+  void check_residual_structure() {
+    const ResidualStructure left = residual_structure(
+        found_.problem, result_.model, found_.scatter.mounting, options_.alpha,
+        {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_,
+        [this] { return stopped("checking what is left"); });
     result_.row_scatter = left.row_scatter;
     result_.structure = left.structure.findings;
     result_.structure_p_value = left.structure.p_value;
@@ -228,15 +228,15 @@ class Diagnosis {
     if (!sample_.held_out.cells.empty()) {
       unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
     }
-    const FarReadings far =
-        far_readings_together({found_.problem,
-                               unseen ? &*unseen : nullptr,
-                               result_.model,
-                               result_.noise,
-                               result_.mounting,
-                               options_.alpha,
-                               {streams::seed_of_what_is_left(options_.seed), options_.replicates}},
-                              workers_, [this] { return stopped("looking for readings far off"); });
+    const FarReadings far = far_readings_together(
+        {found_.problem,
+         unseen ? &*unseen : nullptr,
+         result_.model,
+         result_.noise,
+         result_.mounting,
+         options_.alpha,
+         {streams::seed_of_residual_structure(options_.seed), options_.replicates}},
+        workers_, [this] { return stopped("looking for readings far off"); });
     if (stop_) return;
     for (const FarTogether& together : far.together) {
       result_.notes.push_back(note_on(together, far, data_, options_.alpha));

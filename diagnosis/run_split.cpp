@@ -68,8 +68,8 @@ std::set<std::size_t> draw_held_out(const MeasuredData& data, const std::set<std
 
 }  // namespace
 
-Split split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
-  Split split;
+RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
+  RunSplit split;
   split.dropped = repeated_readings(data);
   const std::set<std::size_t> dropped(split.dropped.begin(), split.dropped.end());
   const std::set<std::size_t> held = draw_held_out(data, dropped, share, seed);

@@ -13,7 +13,7 @@
 
 namespace reeve::diagnosis {
 
-struct Split {
+struct RunSplit {
   std::vector<std::size_t> training;  // readings, ascending
   std::vector<std::size_t> held_out;
   std::vector<std::size_t> held_out_runs;
@@ -21,7 +21,7 @@ struct Split {
 };
 
 // `share` of the runs, at least one and not all, unless it is 0 or there is one run only.
-Split split_by_run(const MeasuredData& data, double share, std::uint64_t seed);
+RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed);
 
 // Readings that are no repetition, thinned evenly within each run to at most `most`.
 std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size_t> readings,

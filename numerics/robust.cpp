@@ -21,12 +21,12 @@ double quantile_of(std::vector<double> values, double share) {
   return low + rest * (high - low);
 }
 
-double middle_of(std::vector<double> values) { return quantile_of(std::move(values), 0.5); }
+double median(std::vector<double> values) { return quantile_of(std::move(values), 0.5); }
 
-double deviation_about_zero(std::vector<double> values) {
+double mad_about_zero(std::vector<double> values) {
   constexpr double of_normal = 0.6745;
   for (double& value : values) value = std::abs(value);
-  const double middle = middle_of(std::move(values));
+  const double middle = median(std::move(values));
   return std::isnan(middle) ? 0 : middle / of_normal;
 }
 
@@ -38,7 +38,7 @@ double deviation_about_trend(const std::vector<std::vector<double>>& series) {
       differences.push_back(values[i] - 2 * values[i - 1] + values[i - 2]);
     }
   }
-  return deviation_about_zero(std::move(differences)) / of_second_differences;
+  return mad_about_zero(std::move(differences)) / of_second_differences;
 }
 
 }  // namespace reeve::numerics

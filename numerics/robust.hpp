@@ -8,13 +8,13 @@
 namespace reeve::numerics {
 
 // The mean of the two in the middle of an even number; NaN of none.
-double middle_of(std::vector<double> values);
+double median(std::vector<double> values);
 
 // The value below which this share of them lies; NaN of none.
 double quantile_of(std::vector<double> values, double share);
 
 // Of normal numbers about 0, their standard deviation: median |v| / 0.6745. 0 of none.
-double deviation_about_zero(std::vector<double> values);
+double mad_about_zero(std::vector<double> values);
 
 // Of independent normal noise upon series that bend slowly, its standard deviation, by their second
 // differences: those of noise deviate √6 times as far. 0 of none.

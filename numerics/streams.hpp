@@ -36,6 +36,6 @@ inline std::uint64_t seed_of_step(std::uint64_t seed, std::size_t step) {
   return seed + 7919 * step;
 }
 inline std::uint64_t seed_of_motor_tensions(std::uint64_t seed) { return seed + 1299709; }
-inline std::uint64_t seed_of_what_is_left(std::uint64_t seed) { return seed + 104729; }
+inline std::uint64_t seed_of_residual_structure(std::uint64_t seed) { return seed + 104729; }
 
 }  // namespace reeve::numerics::streams

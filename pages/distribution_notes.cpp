@@ -33,7 +33,7 @@ std::string distribution_notes(const TensionDistributions& distributions) {
   if (distributions.data) {
     values["file"] = distributions.data->file;
     values["simulated"] = distributions.data->simulated;
-    for (const SheetLine& line : notes_section(distributions.data->notes).lines) {
+    for (const DocumentLine& line : notes_section(distributions.data->notes).lines) {
       values["notes"].push_back({{"text", line.text}});
     }
   }

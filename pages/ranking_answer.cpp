@@ -97,11 +97,11 @@ Json others(const RankReport& report, const Labels& labels) {
 Json decision(const RankReport& report) {
   Json lines = Json::array();
   if (report.ladder.rungs.size() < 2) return lines;
-  for (const SheetLine& line : answer_lines(report.designs, report.ladder)) {
+  for (const DocumentLine& line : answer_lines(report.designs, report.ladder)) {
     lines.push_back(line.text + ".");
   }
   lines.erase(0);
-  for (const SheetLine& line : shared_carriage_lines(one_of_each(report.designs))) {
+  for (const DocumentLine& line : shared_carriage_lines(one_of_each(report.designs))) {
     lines.push_back(line.text + ".");
   }
   return lines;
@@ -114,7 +114,7 @@ std::string uncertainty(const RankReport& report, const Labels& labels) {
       "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} of the draws.",
       plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
       share_text(drawn.first));
-  for (const SheetLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
+  for (const DocumentLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
   return text;
 }
 

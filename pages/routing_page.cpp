@@ -66,7 +66,7 @@ Json hand_values(const ShownRouting& report) {
   for (const Section& section : hand_sections(*report.hand)) {
     ++number;
     tables += html({fmt::format("hand-table-{}", number), section.title, *section.table});
-    for (const SheetLine& line : section.lines) {
+    for (const DocumentLine& line : section.lines) {
       lines.push_back({{"text", line.text}, {"caveat", line.caveat}});
     }
   }

@@ -19,9 +19,9 @@ namespace {
 
 std::string short_text(double value) { return fmt::format("{:.4g}", value); }
 
-Json line_values(const std::vector<SheetLine>& lines) {
+Json line_values(const std::vector<DocumentLine>& lines) {
   Json list = Json::array();
-  for (const SheetLine& line : lines) {
+  for (const DocumentLine& line : lines) {
     list.push_back({{"text", line.text}, {"caveat", line.caveat}});
   }
   return list;

@@ -57,8 +57,8 @@ bool reads_nothing(std::size_t above_zero, std::size_t below_zero) {
 // Zeros are left out: a slack strand says nothing about units.
 void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
   const auto add_tension = [&](const std::string& what, const std::vector<double>& tensions) {
-    add_units(what, middle_of(tensions), least_plausible_tension_N, greatest_plausible_tension_N,
-              " N", notes);
+    add_units(what, median(tensions), least_plausible_tension_N, greatest_plausible_tension_N, " N",
+              notes);
   };
   std::vector<double> motor;
   for (const Reading& reading : data.readings) {
@@ -80,7 +80,7 @@ void add_units(const MeasuredData& data, std::vector<DataNote>& notes) {
     }
     if (reads_nothing(tensions.size(), below_zero)) continue;
     add_tension(column, tensions);
-    add_units(column + " over motor_tension_N", middle_of(ratios), least_plausible_ratio,
+    add_units(column + " over motor_tension_N", median(ratios), least_plausible_ratio,
               greatest_plausible_ratio, "", notes);
   }
 }

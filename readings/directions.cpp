@@ -110,7 +110,7 @@ bool unit_mends(const std::vector<PulledRow>& rows, double factor) {
   constexpr double least_share = 0.2;
   std::vector<double> ratios;
   for (const PulledRow& row : rows) ratios.push_back(greatest(row) / (factor * row.motor_N));
-  return middle_of(std::move(ratios)) >= least_share && mended(rows, [&](PulledRow row) {
+  return median(std::move(ratios)) >= least_share && mended(rows, [&](PulledRow row) {
            row.motor_N *= factor;
            return breaks_pull(row);
          });

@@ -75,13 +75,12 @@ PolishedLevels polished_levels(const KindCells& cells, std::size_t motor) {
       if (is_scale) row.clear();
       row.push_back(left);
     }
-    for (auto& [reading, values] : by_row) levels.row[reading] = middle_of(std::move(values));
+    for (auto& [reading, values] : by_row) levels.row[reading] = median(std::move(values));
     for (const KindCell& cell : cells) {
       if (!(cell.value_N > 0) || !levels.row.contains(cell.reading)) continue;
       by_channel[cell.channel].push_back(std::log(cell.value_N) - levels.row[cell.reading]);
     }
-    for (auto& [channel, values] : by_channel)
-      levels.channel[channel] = middle_of(std::move(values));
+    for (auto& [channel, values] : by_channel) levels.channel[channel] = median(std::move(values));
   }
   return levels;
 }

@@ -49,8 +49,8 @@ void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCel
   for (auto& [channel, spread] : spreads) {
     if (spread.logs.size() < least_rows) continue;
     const double log_bound =
-        std::max(std::log(outlier_factor), outlier_deviations * middle_of(spread.logs));
-    const double newton_bound = std::max(outlier_deviations * middle_of(spread.newtons),
+        std::max(std::log(outlier_factor), outlier_deviations * median(spread.logs));
+    const double newton_bound = std::max(outlier_deviations * median(spread.newtons),
                                          outlier_steps * least_step(spread.readings));
     for (const KindCell& cell : cells) {
       const double expected_N = levels.expected_N(cell);

@@ -109,17 +109,17 @@ Json item_json(const CheckItem& item) {
 
 }  // namespace
 
-Sheet check_sheet(const CheckReport& report) {
-  Sheet sheet;
+Document check_sheet(const CheckReport& report) {
+  Document document;
   for (const std::string& family : report.families()) {
-    sheet.add(family_section(report, family));
+    document.add(family_section(report, family));
   }
-  sheet.add(reasons(report, "Why they differ", false));
-  sheet.add(reasons(report, "Open: they differ, and it is not known why", true));
-  sheet.add(inferences(report));
-  sheet.add(misprints(report));
-  sheet.add({"", std::nullopt, {{counts_text(report, "")}}});
-  return sheet;
+  document.add(reasons(report, "Why they differ", false));
+  document.add(reasons(report, "Open: they differ, and it is not known why", true));
+  document.add(inferences(report));
+  document.add(misprints(report));
+  document.add({"", std::nullopt, {{counts_text(report, "")}}});
+  return document;
 }
 
 std::string check_json(const CheckReport& report) {

@@ -3,11 +3,11 @@
 #include <string>
 
 #include "catalog/check.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::reports {
 
-Sheet check_sheet(const CheckReport& report);
+Document check_sheet(const CheckReport& report);
 std::string check_json(const CheckReport& report);
 
 }  // namespace reeve::reports

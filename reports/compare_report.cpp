@@ -108,7 +108,7 @@ std::vector<DataNote> all_notes(const CompareReport& report) {
 
 }  // namespace
 
-Sheet compare_sheet(const CompareReport& report) {
+Document compare_sheet(const CompareReport& report) {
   const MeasuredData& data = report.data;
   Section opening;
   opening.lines.push_back(
@@ -120,13 +120,14 @@ Sheet compare_sheet(const CompareReport& report) {
            ? "Nothing is fitted: predicted are the tensions of the model with its hardware as given."
            : "Nothing is fitted: predicted are the readings of the model with its hardware and "
              "effects as given."});
-  Sheet sheet{{opening}};
-  sheet.add(summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));
-  sheet.add(summary_section(
+  Document document{{opening}};
+  document.add(
+      summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));
+  document.add(summary_section(
       report.comparison.share,
       "Shares of the measured strands, measured - predicted (no motor tension)", ""));
-  sheet.add(notes_section(all_notes(report)));
-  return sheet;
+  document.add(notes_section(all_notes(report)));
+  return document;
 }
 
 std::string compare_json(const CompareReport& report) {

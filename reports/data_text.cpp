@@ -25,7 +25,7 @@ std::string plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-SheetLine simulated_line() { return {fmt::format("The data are {}.", simulated_text), true}; }
+DocumentLine simulated_line() { return {fmt::format("The data are {}.", simulated_text), true}; }
 
 std::string held_field(Grasp grasp) {
   return fmt::format("{}", fmt::join(held_fingers(grasp), ";"));

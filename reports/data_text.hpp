@@ -7,7 +7,7 @@
 #include "core/grasp.hpp"
 #include "readings/measured_data.hpp"
 #include "readings/note.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 
 namespace reeve::reports {
@@ -17,7 +17,7 @@ inline constexpr const char* simulated_text = "simulated: a comment line of the 
 // "1 run", "2 runs"
 std::string plural(std::size_t count, const std::string& noun);
 
-SheetLine simulated_line();
+DocumentLine simulated_line();
 
 // "1;2", as in a file of measured tensions
 std::string held_field(Grasp grasp);

@@ -64,7 +64,7 @@ Table finger_table(const ShownHand& hand) {
   return table;
 }
 
-void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
+void add_force_lines(const MotorDemand& demand, std::vector<DocumentLine>& lines) {
   if (!std::isfinite(demand.force_N)) {
     lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
                                  "strands, since the carriage is blocked",
@@ -83,7 +83,7 @@ void add_force_lines(const MotorDemand& demand, std::vector<SheetLine>& lines) {
                    percent(demand.friction_cost()), demand.frictionless_N)});
 }
 
-void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
+void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   const MotorDemand& demand = hand.demand;
   if (!demand.can_move()) {
     lines.push_back({"No stroke: the carriage is blocked, and no finger can close", true});
@@ -110,7 +110,7 @@ void add_motion_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
 
 void add_limit_line(const char* what, const char* unit, double asked,
                     const std::optional<double>& limit, const char* where_enough,
-                    std::vector<SheetLine>& lines) {
+                    std::vector<DocumentLine>& lines) {
   // That no force is enough, or that there is no stroke, is said already.
   if (!limit || !std::isfinite(asked)) return;
   const bool enough = asked <= *limit;
@@ -128,7 +128,7 @@ std::string last_text(const StrokeReach& reach) {
 }
 
 // What the motor that there is does, where it does not meet the wish, and where it does more.
-void add_reach_lines(const ShownHand& hand, std::vector<SheetLine>& lines) {
+void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   if (hand.force_reach && hand.force_reach->weakest > 0) {
     const ForceReach& reach = *hand.force_reach;
     const std::string where = fmt::format("finger {} is the weakest, at its joint {}, with held {}",
@@ -241,7 +241,7 @@ Json motor_json(const ShownHand& hand) {
 }  // namespace
 
 std::vector<Section> hand_sections(const ShownHand& hand) {
-  std::vector<SheetLine> lines;
+  std::vector<DocumentLine> lines;
   add_force_lines(hand.demand, lines);
   add_motion_lines(hand, lines);
   add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, "enough", lines);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "studies/shown_hand.hpp"
 

@@ -121,7 +121,7 @@ Json settings_of_import(const ImportReport& report) {
 
 }  // namespace
 
-Sheet import_sheet(const ImportReport& report) {
+Document import_sheet(const ImportReport& report) {
   const LoggedSeries& series = report.series;
   Section opening;
   opening.lines.push_back({fmt::format("{}: {} over {:.4g} s, mostly every {:.3g} s", series.file,
@@ -129,10 +129,10 @@ Sheet import_sheet(const ImportReport& report) {
                                        report.steady.usual_step_s)});
   if (series.simulated) opening.lines.push_back(simulated_line());
   opening.lines.push_back({readings_line(report)});
-  Sheet sheet{{opening}};
-  sheet.add(samples_section(report));
-  sheet.add(notes_section(all_import_notes(report)));
-  return sheet;
+  Document document{{opening}};
+  document.add(samples_section(report));
+  document.add(notes_section(all_import_notes(report)));
+  return document;
 }
 
 std::string import_json(const ImportReport& report) {

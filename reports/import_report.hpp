@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/import_study.hpp"
 
 namespace reeve::reports {
 
-Sheet import_sheet(const ImportReport& report);
+Document import_sheet(const ImportReport& report);
 std::string import_json(const ImportReport& report);
 
 // One row for each reading. Comments of the log above its header go with it, and `command`, which

@@ -79,7 +79,7 @@ Json model_json(const Model& model, std::uint64_t unconverged) {
   return json;
 }
 
-std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged) {
+std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconverged) {
   if (model.effects.empty()) return {};
   const std::string effects = list(model, true);
   std::string text = "Model with " + (effects.empty() ? "no effect on designs" : effects) + ", at";
@@ -87,7 +87,7 @@ std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged
     text += fmt::format("{} {} {:.6g}", row.name == condition_table()[0].name ? "" : ",", row.name,
                         model.conditions.*row.value);
   }
-  std::vector<SheetLine> lines{{text}};
+  std::vector<DocumentLine> lines{{text}};
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {
     lines.push_back(
@@ -119,8 +119,8 @@ std::vector<std::string> absent_finger_notes(const Model& model, int fingers) {
   return notes;
 }
 
-std::vector<SheetLine> absent_finger_lines(const Model& model, int fingers) {
-  std::vector<SheetLine> lines;
+std::vector<DocumentLine> absent_finger_lines(const Model& model, int fingers) {
+  std::vector<DocumentLine> lines;
   for (const std::string& note : absent_finger_notes(model, fingers)) {
     lines.push_back({"Note: " + note, true});
   }

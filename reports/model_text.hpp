@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 
 namespace reeve::reports {
@@ -17,11 +17,11 @@ namespace reeve::reports {
 Json model_json(const Model& model, std::uint64_t unconverged);
 
 // None for the plain friction model.
-std::vector<SheetLine> model_lines(const Model& model, std::uint64_t unconverged);
+std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconverged);
 
 // A sentence for each finger of the hardware, and each effect on one, that routings of so many
 // fingers do not have.
 std::vector<std::string> absent_finger_notes(const Model& model, int fingers);
-std::vector<SheetLine> absent_finger_lines(const Model& model, int fingers);
+std::vector<DocumentLine> absent_finger_lines(const Model& model, int fingers);
 
 }  // namespace reeve::reports

@@ -52,7 +52,7 @@ Section others_section(const PowerReport& report) {
 
 }  // namespace
 
-Sheet power_sheet(const PowerReport& report) {
+Document power_sheet(const PowerReport& report) {
   const SimulationReport& experiment = report.experiment;
   const bool hides_nothing = experiment.model.effects.empty();
   const std::string opening = fmt::format("{} simulated experiments, seeds {} to {}, with {}",
@@ -68,9 +68,9 @@ Sheet power_sheet(const PowerReport& report) {
                fmt::format("{:.3f} to {:.3f}", share.interval.low, share.interval.high),
                meaning(share.finding, hides_nothing)});
   }
-  Sheet sheet{{{"", std::nullopt, {{opening, true}}}, {"", table, {}}}};
-  sheet.add(others_section(report));
-  return sheet;
+  Document document{{{"", std::nullopt, {{opening, true}}}, {"", table, {}}}};
+  document.add(others_section(report));
+  return document;
 }
 
 std::string power_json(const PowerReport& report) {

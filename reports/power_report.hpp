@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/simulation_study.hpp"
 
 namespace reeve::reports {
 
-Sheet power_sheet(const PowerReport& report);
+Document power_sheet(const PowerReport& report);
 std::string power_json(const PowerReport& report);
 
 }  // namespace reeve::reports

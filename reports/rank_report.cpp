@@ -73,12 +73,13 @@ void add_details(Json& json, const RankDetails& details) {
 
 }  // namespace
 
-Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
+Document rank_document(const RankReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.prices);
-  std::vector<SheetLine> lines = model_lines(report.model, report.unconverged);
+  std::vector<DocumentLine> lines = model_lines(report.model, report.unconverged);
   if (!report.designs.empty()) {
     const int fingers = finger_count(report.designs.front().routing);
-    for (const SheetLine& line : absent_finger_lines(report.model, fingers)) lines.push_back(line);
+    for (const DocumentLine& line : absent_finger_lines(report.model, fingers))
+      lines.push_back(line);
   }
   if (report.uncertainty || report.margins) {
     const Hardware nominal = effective_hardware(report.model);
@@ -90,22 +91,23 @@ Sheet rank_sheet(const RankReport& report, const ListColumns& wanted) {
                    "; uniformity and efficiency as mean/worst over the grasps " +
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
-  Sheet sheet{{{"", std::nullopt, lines},
-               {"", design_table(shown, shown_objectives(report.order, report.score), columns),
-                list_notes(shown)}}};
+  Document document{
+      {{"", std::nullopt, lines},
+       {"", design_table(shown, shown_objectives(report.order, report.score), columns),
+        list_notes(shown)}}};
   if (report.designs.size() > 1) {
-    std::vector<SheetLine> answer = answer_lines(report.designs, report.ladder);
-    for (const SheetLine& line : shared_first_lines(report.designs)) answer.push_back(line);
-    sheet.add({"", std::nullopt, answer});
+    std::vector<DocumentLine> answer = answer_lines(report.designs, report.ladder);
+    for (const DocumentLine& line : shared_first_lines(report.designs)) answer.push_back(line);
+    document.add({"", std::nullopt, answer});
   }
-  if (!columns.chosen.empty()) return sheet;
-  if (report.uncertainty) sheet.add(band_section(shown, report.order, *report.uncertainty));
-  sheet.add(ladder_section(report.ladder));
-  sheet.add(margin_section(report));
+  if (!columns.chosen.empty()) return document;
+  if (report.uncertainty) document.add(band_section(shown, report.order, *report.uncertainty));
+  document.add(ladder_section(report.ladder));
+  document.add(margin_section(report));
   if (report.sweep) {
-    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+    for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
   }
-  return sheet;
+  return document;
 }
 
 std::string rank_json(const RankReport& report) {

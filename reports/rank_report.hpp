@@ -4,13 +4,13 @@
 #include <string>
 
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/ranking_study.hpp"
 
 namespace reeve::reports {
 
 // Where columns are chosen, of the tables the ranking alone.
-Sheet rank_sheet(const RankReport& report, const ListColumns& columns = {});
+Document rank_document(const RankReport& report, const ListColumns& columns = {});
 std::string rank_json(const RankReport& report);
 
 }  // namespace reeve::reports

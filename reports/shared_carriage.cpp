@@ -40,7 +40,7 @@ std::string shared_carriage_text(const Network& network) {
                      tied ? "trees of tendons" : "tendons", assumption);
 }
 
-std::vector<SheetLine> shared_carriage_lines(const std::vector<ListedDesign>& shown) {
+std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown) {
   std::vector<std::size_t> ranks;
   for (const ListedDesign& design : shown) {
     const Network network = expand(parse_routing(design.ranked.design.word));

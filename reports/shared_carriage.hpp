@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/network.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/listed_design.hpp"
 
 namespace reeve::reports {
@@ -22,6 +22,6 @@ int tree_count(const Network& network);
 std::string shared_carriage_text(const Network& network);
 
 // Of a list that is shown: which of its ranks are meant; no line if there are none.
-std::vector<SheetLine> shared_carriage_lines(const std::vector<ListedDesign>& shown);
+std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown);
 
 }  // namespace reeve::reports

@@ -179,8 +179,8 @@ std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
   return contacts;
 }
 
-Sheet show_sheet(const ShownRouting& report) {
-  std::vector<SheetLine> lines{{heading(report)}};
+Document show_document(const ShownRouting& report) {
+  std::vector<DocumentLine> lines{{heading(report)}};
   if (report.own_hardware) {
     lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
   }
@@ -190,23 +190,23 @@ Sheet show_sheet(const ShownRouting& report) {
   if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
     lines.push_back({shared});
   }
-  for (const SheetLine& line : model_lines(report.model, report.unconverged)) {
+  for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
-  for (const SheetLine& line : absent_finger_lines(report.model, report.network.fingers)) {
+  for (const DocumentLine& line : absent_finger_lines(report.model, report.network.fingers)) {
     lines.push_back(line);
   }
-  Sheet sheet{{{"", std::nullopt, lines},
-               {fmt::format("Tensions {}, {}", unit_text(report),
-                            report.direction == Direction::pull ? "pulling" : "releasing"),
-                tension_table(report),
-                {}},
-               {"Shares of the strands, %", share_table(report), {}},
-               {"Sliding", contact_table(report), {}},
-               {"Over these grasps, pulling", objective_list(report), {}}}};
-  if (!report.hand) return sheet;
-  for (Section& section : hand_sections(*report.hand)) sheet.add(std::move(section));
-  return sheet;
+  Document document{{{"", std::nullopt, lines},
+                     {fmt::format("Tensions {}, {}", unit_text(report),
+                                  report.direction == Direction::pull ? "pulling" : "releasing"),
+                      tension_table(report),
+                      {}},
+                     {"Shares of the strands, %", share_table(report), {}},
+                     {"Sliding", contact_table(report), {}},
+                     {"Over these grasps, pulling", objective_list(report), {}}}};
+  if (!report.hand) return document;
+  for (Section& section : hand_sections(*report.hand)) document.add(std::move(section));
+  return document;
 }
 
 Json to_json(const ShownRouting& report) {

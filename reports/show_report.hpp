@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "studies/shown_routing.hpp"
 
@@ -18,7 +18,7 @@ struct ShownContact {
 };
 std::vector<ShownContact> shown_contacts(const ShownRouting& report);
 
-Sheet show_sheet(const ShownRouting& report);
+Document show_document(const ShownRouting& report);
 Json to_json(const ShownRouting& report);
 std::string show_json(const ShownRouting& report);
 // The routing's schematic: in one grasp, or without any its parts alone.

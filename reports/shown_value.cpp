@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/telling_digits.hpp"
 
 namespace reeve::reports {

@@ -29,10 +29,10 @@ std::vector<Objective> objectives_of(const SizingReport& report) {
 }
 
 // Dimensions that suit the goal may ask more of the motor than it has.
-std::vector<SheetLine> motor_lines(const SizingReport& report) {
+std::vector<DocumentLine> motor_lines(const SizingReport& report) {
   const MotorParts& motor = report.options.nominal.hardware.motor;
   const ObjectiveValues& values = report.designs.front().design.after.values;
-  std::vector<SheetLine> lines;
+  std::vector<DocumentLine> lines;
   const auto compare = [&](const std::optional<double>& has, Objective objective,
                            const char* what) {
     const double needed = value(values, objective);

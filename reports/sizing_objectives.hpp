@@ -2,7 +2,7 @@
 // whether a given motor is enough for the hand as it is sized.
 #pragma once
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/sizing_study.hpp"
 
 namespace reeve::reports {

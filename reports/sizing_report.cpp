@@ -24,14 +24,14 @@ namespace {
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
-std::vector<SheetLine> opening_lines(const SizingReport& report) {
+std::vector<DocumentLine> opening_lines(const SizingReport& report) {
   const SizingOptions& options = report.options;
-  std::vector<SheetLine> lines;
+  std::vector<DocumentLine> lines;
   if (report.partial) {
     lines.push_back({"PARTIAL: stopped; the best so far, without sensitivities", true});
   }
   for (const std::string& note : report.notes) lines.push_back({"Note: " + note, true});
-  for (const SheetLine& line : model_lines(options.nominal, report.unconverged)) {
+  for (const DocumentLine& line : model_lines(options.nominal, report.unconverged)) {
     lines.push_back(line);
   }
   lines.push_back(
@@ -183,7 +183,7 @@ std::size_t worst_finger(const std::vector<double>& target, const std::vector<do
 }
 
 // Of a target: what is possible at the nominal coefficients.
-SheetLine target_line(const SizingOptions& options, const SizedDesign& design) {
+DocumentLine target_line(const SizingOptions& options, const SizedDesign& design) {
   const std::vector<double>& target = options.goal.target;
   const std::size_t worst = worst_finger(target, design.nearest_shares);
   const double share = on_grid(design.nearest_shares[worst]);
@@ -252,9 +252,9 @@ SizingSections sizing_sections(const SizingReport& report) {
           shares_section(report), objective_section(report)};
 }
 
-Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns) {
+Document sizing_document(const SizingReport& report, const std::vector<std::string>& columns) {
   SizingSections sections = sizing_sections(report);
-  Sheet sheet{{{"", std::nullopt, std::move(sections.opening)}}};
+  Document document{{{"", std::nullopt, std::move(sections.opening)}}};
   if (!columns.empty()) {
     const std::vector<std::string> of_dimensions = dimension_column_names();
     const bool dimensions = std::find(of_dimensions.begin(), of_dimensions.end(),
@@ -263,14 +263,14 @@ Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& c
     section.table = with_columns(dimensions ? variable_table(report.designs.front().design, true)
                                             : sized_table(report, true),
                                  columns);
-    sheet.add(std::move(section));
-    return sheet;
+    document.add(std::move(section));
+    return document;
   }
   for (Section* section :
        {&sections.ranking, &sections.best, &sections.shares, &sections.objectives}) {
-    sheet.add(std::move(*section));
+    document.add(std::move(*section));
   }
-  return sheet;
+  return document;
 }
 
 std::vector<std::string> dimension_column_names() {

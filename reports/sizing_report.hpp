@@ -6,14 +6,14 @@
 
 #include "catalog/hardware_file.hpp"
 #include "core/uncertainty_ranges.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/sizing_study.hpp"
 
 namespace reeve::reports {
 
-// Pieces of it, for the sheet and the page. Without a table or a line one holds nothing.
+// Pieces of it, for the document and the page. Without a table or a line one holds nothing.
 struct SizingSections {
-  std::vector<SheetLine> opening;
+  std::vector<DocumentLine> opening;
   Section ranking;     // where there are several
   Section best;        // the dimensions of the best
   Section shares;      // of a target
@@ -23,7 +23,7 @@ SizingSections sizing_sections(const SizingReport& report);
 
 // The ranking, where there are several, and the best of them in full. Where columns are chosen, the
 // one table that has them: the dimensions of the best, or the ranking.
-Sheet sizing_sheet(const SizingReport& report, const std::vector<std::string>& columns = {});
+Document sizing_document(const SizingReport& report, const std::vector<std::string>& columns = {});
 
 // What can be chosen of either; no name is in both.
 std::vector<std::string> dimension_column_names();

@@ -51,15 +51,16 @@ struct Batch {
 
 class Exploration {
  public:
-  Exploration(const ExploreOptions& options, const Keeping& keeping, Look look)
+  Exploration(const ExploreOptions& options, const Checkpoint& checkpoint,
+              EvaluatedDesigns evaluated)
       : options_(options),
-        keeping_(keeping),
-        tells_reaches_(look == Look::at_all || pruning_constraints(options) == 0),
-        source_(options, !tells_reaches_ && !keeping.design),
+        checkpoint_(checkpoint),
+        tells_reaches_(evaluated == EvaluatedDesigns::all || pruning_constraints(options) == 0),
+        source_(options, !tells_reaches_ && !checkpoint.design),
         range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
         references_(options, workers_.count()),
-        part_(keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options)) {
+        part_(checkpoint.before ? part_of(*checkpoint.before, options) : ExplorationPart(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
                                deciding_objectives(options));
@@ -72,7 +73,7 @@ class Exploration {
     }
     batch_.slots.resize(batch_size);
     next_.slots.resize(batch_size);
-    if (keeping.before && part_.total != range_.end - range_.begin) {
+    if (checkpoint.before && part_.total != range_.end - range_.begin) {
       throw InputError(fmt::format("what was kept is of {} routings, and there are {}", part_.total,
                                    range_.end - range_.begin));
     }
@@ -94,12 +95,12 @@ class Exploration {
       collect(done);
       if (supervision.report) supervision.report({generated_, part_.total, before});
       stopped = must_stop();
-      if (keeping_.save && !stopped && keeping_.is_due()) save();
+      if (checkpoint_.save && !stopped && checkpoint_.is_due()) save();
     }
     source_.stop_with(nullptr);
     add_up();
     // A shard without routings is saved, too, but once.
-    if (keeping_.save && (generated_ > before || !keeping_.before)) keeping_.save(part_);
+    if (checkpoint_.save && (generated_ > before || !checkpoint_.before)) checkpoint_.save(part_);
     return std::move(part_);
   }
 
@@ -136,7 +137,7 @@ class Exploration {
 
   void save() {
     add_up();
-    keeping_.save(part_);
+    checkpoint_.save(part_);
   }
 
   bool must_stop() const { return stop_ != nullptr && stop_->load(); }
@@ -209,7 +210,7 @@ class Exploration {
     slot.may_be_rung = may_be_kept && part_.ladder.may_be_rung(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
     if (seen_) hold_against_seen(slot);
-    if (slot.may_rank || slot.may_be_rung || keeping_.design) {
+    if (slot.may_rank || slot.may_be_rung || checkpoint_.design) {
       slot.word = to_word(slot.routing);
       // Who reads what is kept asks for any of them.
       if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
@@ -280,7 +281,7 @@ class Exploration {
     for (std::size_t i = 0; i < done; ++i) {
       const Slot& slot = batch_.slots[i];
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
-      if (keeping_.design) keeping_.design({slot.place, slot.word, slot.all_values});
+      if (checkpoint_.design) checkpoint_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
       if (slot.may_rank) part_.archive.add({slot.word, values});
@@ -303,11 +304,11 @@ class Exploration {
   }
 
   const ExploreOptions& options_;
-  const Keeping& keeping_;
+  const Checkpoint& checkpoint_;
   const std::size_t deciding_parts_ = decided_by_parts(options_.constraints, options_.generator);
   const bool parts_decide_ = deciding_parts_ == options_.constraints.size();
   const bool tells_reaches_;
-  const bool keeps_ = keeping_.save || keeping_.design;
+  const bool keeps_ = checkpoint_.save || checkpoint_.design;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double seconds_before_ = 0;
   RoutingSource source_;
@@ -332,8 +333,8 @@ struct OwnExploration {
   explicit OwnExploration(const ExploreOptions& asked) : options(asked) {}
 
   ExploreOptions options;
-  Keeping nothing_kept;
-  Exploration exploration{options, nothing_kept, Look::at_what_may_be_kept};
+  Checkpoint nothing_kept;
+  Exploration exploration{options, nothing_kept, EvaluatedDesigns::that_may_be_kept};
 };
 
 }  // namespace
@@ -345,9 +346,9 @@ PieceSearch piece_search(const ExploreOptions& options) {
   };
 }
 
-ExplorationPart search_batches(const ExploreOptions& options, const Keeping& keeping, Look look,
-                               const Supervision& supervision) {
-  return Exploration(options, keeping, look).run(supervision);
+ExplorationPart search_batches(const ExploreOptions& options, const Checkpoint& checkpoint,
+                               EvaluatedDesigns evaluated, const Supervision& supervision) {
+  return Exploration(options, checkpoint, evaluated).run(supervision);
 }
 
 }  // namespace reeve::search

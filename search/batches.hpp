@@ -11,9 +11,9 @@ namespace reeve::search {
 
 // Whether designs are left out that constraints reject for their parts alone, or all are looked at
 // to say how near they come.
-enum class Look : std::uint8_t { at_what_may_be_kept, at_all };
+enum class EvaluatedDesigns : std::uint8_t { that_may_be_kept, all };
 
-ExplorationPart search_batches(const ExploreOptions& options, const Keeping& keeping, Look look,
-                               const Supervision& supervision);
+ExplorationPart search_batches(const ExploreOptions& options, const Checkpoint& checkpoint,
+                               EvaluatedDesigns evaluated, const Supervision& supervision);
 
 }  // namespace reeve::search

@@ -94,7 +94,7 @@ std::vector<Rejection> rejections(const ExplorationPart& part) {
 }
 
 // Nothing where nothing was evaluated, so that no constraint is to blame.
-std::vector<ConstraintReach> unmet(const ExplorationPart& part) {
+std::vector<ConstraintReach> infeasible(const ExplorationPart& part) {
   const bool is_whole = part.generated == part.total;
   return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
 }
@@ -252,7 +252,7 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   std::vector<RankedDesign> listed = listed_of(std::move(content.ranked), options.top);
   std::vector<Routing> routings = evaluators.complete(listed);
   if (listed.empty()) {
-    result.unmet = unmet(part);
+    result.infeasible = infeasible(part);
   } else {
     result.ladder =
         ladder(part.ladder.candidates(), listed.front().design, options.order, options.ladder);

@@ -11,8 +11,8 @@
 
 #include "search/explore.hpp"
 #include "search/rank/archive.hpp"
+#include "search/rank/infeasible.hpp"
 #include "search/rank/ladder_archive.hpp"
-#include "search/rank/unmet.hpp"
 #include "search/sample.hpp"
 #include "search/shard_record.hpp"
 

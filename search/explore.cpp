@@ -43,27 +43,27 @@ bool find_reaches(ExplorationPart& part, const ExploreOptions& options,
   const bool are_known = pruning_constraints(options) == 0;
   const bool is_whole = part.generated == part.total;
   if (are_known || !is_whole || part.evaluated == 0 || !part.archive.members().empty()) return true;
-  const ExplorationPart all = search_batches(options, {}, Look::at_all, supervision);
+  const ExplorationPart all = search_batches(options, {}, EvaluatedDesigns::all, supervision);
   if (all.generated < all.total) return false;
   part.reaches = all.reaches;
   return true;
 }
 
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision,
-                      const Keeping& keeping, const Searcher& search) {
+                      const Checkpoint& checkpoint, const Searcher& search) {
   if (options.top == 0)
     throw InputError({.what = "top 0", .expected = "at least one design to keep"});
   const auto start = std::chrono::steady_clock::now();
   ExplorationPart part =
-      search ? search(options, supervision, keeping)
-             : search_batches(options, keeping, Look::at_what_may_be_kept, supervision);
+      search ? search(options, supervision, checkpoint)
+             : search_batches(options, checkpoint, EvaluatedDesigns::that_may_be_kept, supervision);
   const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
   ExploreResult result = conclude(std::move(part), options);
   result.partial |= !told;
-  result.made_all = static_cast<bool>(keeping.design);
+  result.made_all = static_cast<bool>(checkpoint.design);
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();
-  if (keeping.before) result.seconds += keeping.before->seconds;
+  if (checkpoint.before) result.seconds += checkpoint.before->seconds;
   if (result.record) result.record->seconds = result.seconds;
   return result;
 }

@@ -15,12 +15,12 @@
 #include "causes/model.hpp"
 #include "core/grasp.hpp"
 #include "core/part_prices.hpp"
+#include "search/checkpoint.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/score.hpp"
-#include "search/keeping.hpp"
+#include "search/rank/infeasible.hpp"
 #include "search/rank/ladder.hpp"
 #include "search/rank/ranking.hpp"
-#include "search/rank/unmet.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {
@@ -100,18 +100,18 @@ struct ExploreResult {
   Ladder ladder;  // without rungs where there is no design
   // Parallel to the constraints, if nothing meets all of them; of a shard with constraints on parts
   // alone not known.
-  std::vector<ConstraintReach> unmet;
+  std::vector<ConstraintReach> infeasible;
   std::optional<ShardRecord> record;  // if it was asked for
 };
 
 // Who goes through the routings of the shard, from where what is kept ends; what is kept of all of
 // them then.
 using Searcher =
-    std::function<ExplorationPart(const ExploreOptions&, const Supervision&, const Keeping&)>;
+    std::function<ExplorationPart(const ExploreOptions&, const Supervision&, const Checkpoint&)>;
 
 // Goes on where what is kept ends, to the same result as if it had not been stopped there. Without
 // a search this process goes through them alone.
 ExploreResult explore(const ExploreOptions& options, const Supervision& supervision = {},
-                      const Keeping& keeping = {}, const Searcher& search = {});
+                      const Checkpoint& checkpoint = {}, const Searcher& search = {});
 
 }  // namespace reeve::search

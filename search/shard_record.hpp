@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "search/rank/unmet.hpp"
+#include "search/rank/infeasible.hpp"
 
 namespace reeve::search {
 

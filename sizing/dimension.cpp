@@ -19,15 +19,17 @@ constexpr Interval weights{1e-3, 1e3};
 constexpr Interval arms{0.01, 1000};
 
 constexpr std::array quantities{
-    QuantityRow{Quantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger,
+    QuantityRow{SizedQuantity::sheath_angle, "sheath_angle", "sheaths", "rad", QuantityOf::finger,
                 angles},
-    QuantityRow{Quantity::tip_angle, "tip_angle", "tips", "rad", QuantityOf::finger, angles},
-    QuantityRow{Quantity::strand_mm, "strand_mm", "strands", "mm", QuantityOf::finger, lengths},
-    QuantityRow{Quantity::closing, "closing", "", "", QuantityOf::finger, weights},
-    QuantityRow{Quantity::arm_mm, "arm_mm", "arms", "mm", QuantityOf::finger, arms},
-    QuantityRow{Quantity::contact_angle, "contact_angle", "", "rad", QuantityOf::contact, angles},
-    QuantityRow{Quantity::motor_side_mm, "motor_side_mm", "", "mm", QuantityOf::hand, lengths},
-    QuantityRow{Quantity::hand_mm, "hand_mm", "", "mm", QuantityOf::hand, lengths},
+    QuantityRow{SizedQuantity::tip_angle, "tip_angle", "tips", "rad", QuantityOf::finger, angles},
+    QuantityRow{SizedQuantity::strand_mm, "strand_mm", "strands", "mm", QuantityOf::finger,
+                lengths},
+    QuantityRow{SizedQuantity::closing, "closing", "", "", QuantityOf::finger, weights},
+    QuantityRow{SizedQuantity::arm_mm, "arm_mm", "arms", "mm", QuantityOf::finger, arms},
+    QuantityRow{SizedQuantity::contact_angle, "contact_angle", "", "rad", QuantityOf::contact,
+                angles},
+    QuantityRow{SizedQuantity::motor_side_mm, "motor_side_mm", "", "mm", QuantityOf::hand, lengths},
+    QuantityRow{SizedQuantity::hand_mm, "hand_mm", "", "mm", QuantityOf::hand, lengths},
 };
 
 std::string quantity_names() {
@@ -71,7 +73,9 @@ bool is_between(const Dimension& dimension, const Segment& left, const Segment& 
 
 std::span<const QuantityRow> quantity_table() { return quantities; }
 
-const QuantityRow& row(Quantity quantity) { return quantities[static_cast<std::size_t>(quantity)]; }
+const QuantityRow& row(SizedQuantity quantity) {
+  return quantities[static_cast<std::size_t>(quantity)];
+}
 
 bool operator==(const Dimension& a, const Dimension& b) {
   return a.quantity == b.quantity && a.finger == b.finger &&

@@ -21,7 +21,7 @@
 
 namespace reeve::sizing {
 
-enum class Quantity : std::uint8_t {
+enum class SizedQuantity : std::uint8_t {
   sheath_angle,
   tip_angle,
   strand_mm,
@@ -35,7 +35,7 @@ enum class Quantity : std::uint8_t {
 enum class QuantityOf : std::uint8_t { finger, contact, hand };
 
 struct QuantityRow {
-  Quantity quantity;
+  SizedQuantity quantity;
   const char* name;
   const char* plural;  // "sheaths", to speak of all of them; "" if nobody does
   const char* unit;
@@ -44,10 +44,10 @@ struct QuantityRow {
 };
 
 std::span<const QuantityRow> quantity_table();
-const QuantityRow& row(Quantity quantity);
+const QuantityRow& row(SizedQuantity quantity);
 
 struct Dimension {
-  Quantity quantity{};
+  SizedQuantity quantity{};
   int finger = 0;        // of a finger's
   Segment from{}, to{};  // of a contact's, in either order
 
@@ -62,7 +62,7 @@ std::string to_text(const Dimension& dimension);
 
 // Some dimensions of one quantity, or without any named all of it that a routing has.
 struct DimensionName {
-  Quantity quantity{};
+  SizedQuantity quantity{};
   std::vector<Dimension> named;
 
   bool has(const Dimension& dimension) const;

@@ -27,7 +27,7 @@ GoalEvaluator::GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps,
 double GoalEvaluator::value(const Model& model) const {
   if (goal_.is_target()) return misses(model).norm();
   DesignEvaluator evaluator(model, grasps_, score_);
-  const ObjectiveValues values = evaluator.evaluate(routing_, extent_for(goal_.factors, score_));
+  const ObjectiveValues values = evaluator.evaluate(routing_, scope_for(goal_.factors, score_));
   double product = 1;
   for (const Objective factor : goal_.factors) product *= search::value(values, factor);
   return product;

@@ -43,8 +43,8 @@ void sort_by_finger(std::vector<PlacedDimension>& found) {
 }
 
 std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Hardware& hardware,
-                                               Quantity quantity) {
-  const bool sheaths = quantity == Quantity::sheath_angle;
+                                               SizedQuantity quantity) {
+  const bool sheaths = quantity == SizedQuantity::sheath_angle;
   const ContactPlace place = sheaths ? ContactPlace::sheath : ContactPlace::tip;
   std::vector<PlacedDimension> found;
   for_each_contact(
@@ -54,7 +54,7 @@ std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Har
         if (contact.place != place) return;
         PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad, sheaths};
         if (contact.finger == 0) {
-          here.dimension = {Quantity::contact_angle, 0, left, right};
+          here.dimension = {SizedQuantity::contact_angle, 0, left, right};
         } else if (has_own_angle(hardware, left, right)) {
           return;
         }
@@ -73,7 +73,7 @@ std::vector<PlacedDimension> angles_of_contacts(const Network& network, const Ha
                    [&](const Contact& contact, const Segment& left, const Segment& right,
                        const ContactLaw& law) {
                      if (contact.kind == ContactKind::bar) return;
-                     found.push_back({{Quantity::contact_angle, 0, left, right},
+                     found.push_back({{SizedQuantity::contact_angle, 0, left, right},
                                       law.angle_rad,
                                       contact.kind == ContactKind::sheath});
                    });
@@ -92,18 +92,18 @@ std::vector<PlacedDimension> arms_of_fingers(const Network& network, const Hardw
   for (int finger = 1; finger <= network.fingers; ++finger) {
     const FingerParts parts = finger_parts(hardware, finger);
     if (parts.joints.empty()) continue;
-    found.push_back({{Quantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm, false});
+    found.push_back({{SizedQuantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm, false});
   }
   return found;
 }
 
 std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Hardware& hardware,
-                                                Quantity quantity) {
+                                                SizedQuantity quantity) {
   std::vector<PlacedDimension> found;
-  if (quantity == Quantity::closing && hand(hardware)) return found;
+  if (quantity == SizedQuantity::closing && hand(hardware)) return found;
   for (int finger = 1; finger <= network.fingers; ++finger) {
     const FingerHardware* own = find_finger(hardware, finger);
-    const double nominal = quantity == Quantity::closing
+    const double nominal = quantity == SizedQuantity::closing
                                ? (own != nullptr ? own->closing.value_or(1) : 1)
                            : own != nullptr ? own->strand_mm.value_or(hardware.strand_mm)
                                             : hardware.strand_mm;
@@ -113,8 +113,8 @@ std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Ha
 }
 
 std::vector<PlacedDimension> lengths_of_hand(const Network& network, const Hardware& hardware,
-                                             Quantity quantity) {
-  const bool motor = quantity == Quantity::motor_side_mm;
+                                             SizedQuantity quantity) {
+  const bool motor = quantity == SizedQuantity::motor_side_mm;
   const SegmentKind kind = motor ? SegmentKind::motor_side : SegmentKind::hand;
   const bool there = std::any_of(network.segments.begin(), network.segments.end(),
                                  [&](const Segment& segment) { return segment.kind == kind; });
@@ -155,20 +155,20 @@ void set_arm(Hardware& hardware, int finger, double value) {
 }  // namespace
 
 std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
-                                           Quantity quantity) {
+                                           SizedQuantity quantity) {
   switch (quantity) {
-    case Quantity::sheath_angle:
-    case Quantity::tip_angle:
+    case SizedQuantity::sheath_angle:
+    case SizedQuantity::tip_angle:
       return angles_of_fingers(network, hardware, quantity);
-    case Quantity::contact_angle:
+    case SizedQuantity::contact_angle:
       return angles_of_contacts(network, hardware);
-    case Quantity::strand_mm:
-    case Quantity::closing:
+    case SizedQuantity::strand_mm:
+    case SizedQuantity::closing:
       return numbers_of_fingers(network, hardware, quantity);
-    case Quantity::arm_mm:
+    case SizedQuantity::arm_mm:
       return arms_of_fingers(network, hardware);
-    case Quantity::motor_side_mm:
-    case Quantity::hand_mm:
+    case SizedQuantity::motor_side_mm:
+    case SizedQuantity::hand_mm:
       return lengths_of_hand(network, hardware, quantity);
   }
   return {};
@@ -176,28 +176,28 @@ std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardwar
 
 void set(Hardware& hardware, const Dimension& dimension, double value) {
   switch (dimension.quantity) {
-    case Quantity::sheath_angle:
+    case SizedQuantity::sheath_angle:
       finger_of(hardware, dimension.finger).sheath_angle_rad = value;
       break;
-    case Quantity::tip_angle:
+    case SizedQuantity::tip_angle:
       finger_of(hardware, dimension.finger).tip_angle_rad = value;
       break;
-    case Quantity::strand_mm:
+    case SizedQuantity::strand_mm:
       finger_of(hardware, dimension.finger).strand_mm = value;
       break;
-    case Quantity::closing:
+    case SizedQuantity::closing:
       finger_of(hardware, dimension.finger).closing = value;
       break;
-    case Quantity::arm_mm:
+    case SizedQuantity::arm_mm:
       set_arm(hardware, dimension.finger, value);
       break;
-    case Quantity::contact_angle:
+    case SizedQuantity::contact_angle:
       contact_of(hardware, dimension).angle_rad = value;
       break;
-    case Quantity::motor_side_mm:
+    case SizedQuantity::motor_side_mm:
       hardware.motor_side_mm = value;
       break;
-    case Quantity::hand_mm:
+    case SizedQuantity::hand_mm:
       hardware.hand_mm = value;
       break;
   }

@@ -21,7 +21,7 @@ struct PlacedDimension {
 // those of sheaths that lead to no finger. What the hardware sets for single contacts is theirs,
 // and not the finger's. Fingers with joints have arms, and close by their excursions.
 std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
-                                           Quantity quantity);
+                                           SizedQuantity quantity);
 
 void set(Hardware& hardware, const Dimension& dimension, double value);
 

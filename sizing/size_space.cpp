@@ -24,7 +24,7 @@ std::string joint_name(const std::vector<PlacedDimension>& dimensions,
                        const std::vector<std::size_t>& members) {
   std::string fingers;
   std::string others;
-  const Quantity quantity = dimensions[members.front()].dimension.quantity;
+  const SizedQuantity quantity = dimensions[members.front()].dimension.quantity;
   for (const std::size_t i : members) {
     const Dimension& one = dimensions[i].dimension;
     if (one.quantity == quantity && one.finger > 0) {
@@ -195,7 +195,7 @@ void require_once(const std::vector<VariedRange>& ranges) {
 void require_none_hidden(const Network& network, const Hardware& hardware, const SizeSpace& space) {
   Hardware with_contacts = hardware;
   for (const PlacedDimension& placed : space.dimensions) {
-    if (placed.dimension.quantity == Quantity::contact_angle) {
+    if (placed.dimension.quantity == SizedQuantity::contact_angle) {
       set(with_contacts, placed.dimension, placed.nominal);
     }
   }

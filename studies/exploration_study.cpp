@@ -7,7 +7,7 @@
 #include "core/canonical.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
-#include "search/rank/alike.hpp"
+#include "search/rank/equivalent.hpp"
 #include "search/rank/places.hpp"
 
 namespace reeve::studies {
@@ -91,13 +91,13 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   const bool front_is_longer = result.front.size() > result.top.size();
   std::vector<RankedDesign>& ranked = front_is_longer ? result.front : result.top;
   std::vector<RankedDesign>& first = front_is_longer ? result.top : result.front;
-  const std::vector<std::size_t> alike =
-      first_alike(ranked, result.routings, options.order, options.generator.identity);
+  const std::vector<std::size_t> equivalent =
+      first_equivalent(ranked, result.routings, options.order, options.generator.identity);
   const std::vector<std::size_t> shared = places(ranked, options.order);
   const auto listed = [&](std::vector<RankedDesign> designs, std::vector<Routing> routings) {
     std::vector<ListedDesign> list =
         list_designs(std::move(designs), std::move(routings), drawn, catalogue);
-    mark_alike(list, alike);
+    mark_equivalent(list, equivalent);
     mark_places(list, shared);
     return list;
   };
@@ -125,9 +125,9 @@ ExploreReport planned_report(const ExploreOptions& options,
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue, const StudySupervision& supervision,
-                                const Keeping& keeping, const Searcher& search) {
+                                const Checkpoint& checkpoint, const Searcher& search) {
   return with_distributions(options,
-                            explore(options, supervision.during("exploring"), keeping, search),
+                            explore(options, supervision.during("exploring"), checkpoint, search),
                             uncertainty, catalogue, supervision);
 }
 

@@ -43,7 +43,7 @@ ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,
                                 const StudySupervision& supervision = {},
-                                const Keeping& keeping = {}, const Searcher& search = {});
+                                const Checkpoint& checkpoint = {}, const Searcher& search = {});
 
 // The same of shards that were explored elsewhere, all of them. Throws InputError on words that are
 // no routings of this exploration.

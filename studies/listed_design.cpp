@@ -29,12 +29,12 @@ void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size
   for (std::size_t i = 0; i < designs.size(); ++i) designs[i].place = places[i];
 }
 
-void mark_alike(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts) {
+void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts) {
   for (std::size_t i = 0; i < designs.size(); ++i) {
     if (firsts[i] == i) continue;
     ListedDesign& first = designs[firsts[i]];
     designs[i].same_as = first.ranked.design.word;
-    first.alike.push_back(designs[i].ranked.design.word);
+    first.equivalent.push_back(designs[i].ranked.design.word);
   }
 }
 

@@ -21,9 +21,9 @@ struct ListedDesign {
   std::string name;  // "" if it has none
   // Only where uncertainty was asked for.
   std::optional<RankDistribution> distribution;
-  // Designs that differ in bearings alone, which change nothing (search/rank/alike.hpp): of the
-  // first of them the words of the others that are listed, and of these its word.
-  std::vector<std::string> alike = {};
+  // Designs that differ in bearings alone, which change nothing (search/rank/equivalent.hpp): of
+  // the first of them the words of the others that are listed, and of these its word.
+  std::vector<std::string> equivalent = {};
   std::string same_as = {};
   Bands bands = {};       // only where uncertainty was asked for
   std::size_t place = 0;  // its rank, but that designs that are equal share the first of theirs
@@ -48,8 +48,8 @@ std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
 // Of a ranking that begins with these designs: search/rank/places.hpp.
 void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
 
-// Likewise: search/rank/alike.hpp.
-void mark_alike(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
+// Likewise: search/rank/equivalent.hpp.
+void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
 
 // `listed` is where ranks are looked up.
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,

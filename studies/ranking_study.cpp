@@ -4,7 +4,7 @@
 
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/rank/alike.hpp"
+#include "search/rank/equivalent.hpp"
 #include "search/rank/ladder_archive.hpp"
 #include "search/rank/places.hpp"
 
@@ -78,8 +78,8 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   }
   report.designs = list_designs(designs, routings, drawn, catalogue);
   // Fingers are told apart here: a finger of another number is no superfluous bearing.
-  mark_alike(report.designs,
-             first_alike(designs, routings, request.order, FingerIdentity::distinct));
+  mark_equivalent(report.designs,
+                  first_equivalent(designs, routings, request.order, FingerIdentity::distinct));
   mark_places(report.designs, places(designs, request.order));
   report.ladder =
       list_ladder(ladder_of(request, designs), report.designs, request.prices, catalogue);

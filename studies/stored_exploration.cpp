@@ -8,20 +8,20 @@ constexpr std::uint64_t most_at_a_time = 300000;
 
 }  // namespace
 
-Keeping keeping_in(ExplorationStore& store, std::chrono::seconds every) {
+Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every) {
   using Clock = std::chrono::steady_clock;
-  Keeping keeping;
-  keeping.before = store.record();
+  Checkpoint checkpoint;
+  checkpoint.before = store.record();
   if (store.keep() == Keep::all) {
-    keeping.design = [&store](const EvaluatedDesign& design) { store.add(design); };
+    checkpoint.design = [&store](const EvaluatedDesign& design) { store.add(design); };
   }
-  keeping.is_due = [&store, every, last = Clock::now()]() mutable {
+  checkpoint.is_due = [&store, every, last = Clock::now()]() mutable {
     const bool is_due = Clock::now() - last >= every || store.added_since_save() >= most_at_a_time;
     if (is_due) last = Clock::now();
     return is_due;
   };
-  keeping.save = [&store](ExplorationPart& so_far) { store.save(so_far); };
-  return keeping;
+  checkpoint.save = [&store](ExplorationPart& so_far) { store.save(so_far); };
+  return checkpoint;
 }
 
 }  // namespace reeve::studies

@@ -3,13 +3,13 @@
 
 #include <chrono>
 
-#include "search/keeping.hpp"
+#include "search/checkpoint.hpp"
 #include "store/exploration_store.hpp"
 
 namespace reeve::studies {
 
 // Goes on where the store ends; saves when so long has passed since the last time, or when many
 // designs have gathered. The store has to outlive it.
-Keeping keeping_in(ExplorationStore& store, std::chrono::seconds every);
+Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every);
 
 }  // namespace reeve::studies

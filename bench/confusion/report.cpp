@@ -177,8 +177,8 @@ bool reports_both(const Outcome& outcome) {
   const auto& groups = outcome.finding.indistinguishable;
   return std::any_of(groups.begin(), groups.end(), [&](const std::vector<std::string>& group) {
     const std::set<std::string> names(group.begin(), group.end());
-    return std::all_of(outcome.alike.begin(), outcome.alike.end(),
-                       [&](const std::string& alike) { return names.contains(alike); });
+    return std::all_of(outcome.equivalent.begin(), outcome.equivalent.end(),
+                       [&](const std::string& equivalent) { return names.contains(equivalent); });
   });
 }
 

@@ -205,7 +205,7 @@ void diagnose_alias(const DiagnoseOptions& options, Outcome& outcome) {
   const Trial& trial = outcome.trial;
   const auto alias = testing::plant_alias(trial.alias, trial.plan.noise, trial.seed);
   diagnose_planted(alias.aliased, options, outcome);
-  outcome.alike.assign(alias.names.begin(), alias.names.end());
+  outcome.equivalent.assign(alias.names.begin(), alias.names.end());
   outcome.with_more = finding_of(diagnose(parse(alias.separated.csv), {}, options));
 }
 
@@ -224,7 +224,7 @@ bool asks_for_the_right_one(Part part) {
 }
 
 // The name, or the group of those that explain the data as it does.
-std::vector<std::string> said_alike(const Finding& finding, const std::string& name) {
+std::vector<std::string> said_equivalent(const Finding& finding, const std::string& name) {
   for (const auto& group : finding.indistinguishable) {
     if (group.front() == name) return group;
   }
@@ -287,7 +287,7 @@ bool names_among_others(const Outcome& outcome) {
   if (finding.verdict != Verdict::indistinguishable || names_wrong(outcome, finding)) return false;
   std::set<std::string> said;
   for (const std::string& name : finding.named) {
-    for (const std::string& one : said_alike(finding, name)) said.insert(one);
+    for (const std::string& one : said_equivalent(finding, name)) said.insert(one);
   }
   return outcome.planted.size() <= finding.named.size() &&
          std::all_of(outcome.planted.begin(), outcome.planted.end(),
@@ -299,8 +299,8 @@ bool names_wrong(const Outcome& outcome, const Finding& finding) {
     return std::find(outcome.planted.begin(), outcome.planted.end(), name) != outcome.planted.end();
   };
   return std::any_of(finding.named.begin(), finding.named.end(), [&](const std::string& name) {
-    const std::vector<std::string> alike = said_alike(finding, name);
-    return std::none_of(alike.begin(), alike.end(), is_hidden);
+    const std::vector<std::string> equivalent = said_equivalent(finding, name);
+    return std::none_of(equivalent.begin(), equivalent.end(), is_hidden);
   });
 }
 

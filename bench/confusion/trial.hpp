@@ -69,9 +69,9 @@ struct Finding {
 
 struct Outcome {
   Trial trial;
-  std::vector<std::string> planted;  // names of the causes
-  std::vector<std::string> alike;    // alias: the hidden cause, and the one that looks like it
-  double oracle = 0;                 // the least log-likelihood ratio of the hidden causes
+  std::vector<std::string> planted;     // names of the causes
+  std::vector<std::string> equivalent;  // alias: the hidden cause, and the one that looks like it
+  double oracle = 0;                    // the least log-likelihood ratio of the hidden causes
   std::optional<Separability> separability;
   Finding finding;
   std::optional<Finding> with_more;      // alias: with the separating rows; dirty: of that file

@@ -7,7 +7,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
-#include "reports/catalogue_sheet.hpp"
+#include "reports/catalogue_document.hpp"
 #include "reports/check_report.hpp"
 
 namespace reeve::cli {
@@ -56,7 +56,7 @@ void add_check(CLI::App& program, int& exit_code) {
   command->callback([flags, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
     const CheckReport report = checked(*flags, catalogue);
-    if (flags->svg.is_given()) flags->svg.write(catalogue_sheet(solve(catalogue)));
+    if (flags->svg.is_given()) flags->svg.write(catalogue_document(solve(catalogue)));
     std::cout << (flags->format.is("json") ? check_json(report)
                                            : printed(check_sheet(report), flags->format));
     exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;

@@ -165,7 +165,7 @@ int run(const DiagnoseFlags& flags, const CLI::App& command) {
     write_file(flags.save_model, model_toml(result, flags));
   }
   std::cout << (flags.format.is("json") ? diagnosis_json(result)
-                                        : printed(diagnosis_sheet(result), flags.format));
+                                        : printed(diagnosis_document(result), flags.format));
   if (flags.out_given->count() > 0) {
     std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out,
                            flags.format);

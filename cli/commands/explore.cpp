@@ -30,7 +30,7 @@
 #include "reports/output/files.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
-#include "studies/shared/crew.hpp"
+#include "studies/shared/ranks.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -52,12 +52,12 @@ ExploreReport planned(const ExploreInputs& inputs) {
 }
 
 // With none of the catalogue's routings, which may not be among them.
-Sheet shortest_sheet(const ExploreInputs& inputs, const ListedWith& with) {
+Document shortest_document(const ExploreInputs& inputs, const ListedWith& with) {
   ExploreReport report = planned(inputs);
   report.top = {shortest_line("M-1-F", inputs.options.order, with)};
   report.front = report.top;
   report.ladder = shortest_ladder(report.top.front(), inputs.options.order, inputs.options.ladder);
-  return explore_sheet(report, inputs.columns);
+  return explore_document(report, inputs.columns);
 }
 
 ExploreInputs read(const ExploreFlags& flags) {
@@ -77,7 +77,7 @@ ExploreInputs read(const ExploreFlags& flags) {
   }
   inputs.over = flags.sweep.read();
   require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty);
-  flags.tables.require_room(flags.format, [&] { return shortest_sheet(inputs, with); });
+  flags.tables.require_room(flags.format, [&] { return shortest_document(inputs, with); });
   return inputs;
 }
 
@@ -91,7 +91,7 @@ class OpenedStore {
     }
   }
 
-  Keeping keeping() { return store_ ? flags_.store.keeping(*store_) : Keeping{}; }
+  Checkpoint checkpoint() { return store_ ? flags_.store.checkpoint(*store_) : Checkpoint{}; }
 
  private:
   const ExploreFlags& flags_;
@@ -99,11 +99,11 @@ class OpenedStore {
 };
 
 ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& records,
-                   const Keeping& keeping, const StudySupervision& supervision,
+                   const Checkpoint& checkpoint, const StudySupervision& supervision,
                    const Searcher& search = {}) {
   ExploreReport report = records.empty()
                              ? exploration_study(inputs.options, inputs.uncertainty,
-                                                 inputs.catalogue, supervision, keeping, search)
+                                                 inputs.catalogue, supervision, checkpoint, search)
                              : merged_study(inputs.options, inputs.uncertainty, records,
                                             inputs.catalogue, supervision);
   if (inputs.over) {
@@ -165,16 +165,16 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
         const Searcher& shared = {}) {
   prepare_folder(flags, shards);
   OpenedStore store(flags, command, inputs);
-  const Keeping keeping = store.keeping();
-  if (shared && keeping.design) refuse_to_keep_all();
+  const Checkpoint checkpoint = store.checkpoint();
+  if (shared && checkpoint.design) refuse_to_keep_all();
   const ExploreReport report = supervised([&](const StudySupervision& supervision) {
-    return made(inputs, records, keeping, supervision, shared);
+    return made(inputs, records, checkpoint, supervision, shared);
   });
   if (shared) require_all_present(report, flags);
   write_exploration(report, command, inputs.catalogue, flags.details, flags.out);
   std::cout << (flags.format.is("json")
                     ? explore_summary_json(report)
-                    : flags.tables.printed(explore_sheet(report, inputs.columns), flags.format));
+                    : flags.tables.printed(explore_document(report, inputs.columns), flags.format));
   std::cout << announced(
       fmt::format("index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, {}{}summary.json "
                   "and figures",
@@ -253,7 +253,7 @@ ExploreReport asked_exploration(const Arguments& arguments, const StudySupervisi
   const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
   const ExploreInputs inputs = read(asked.flags());
   OpenedStore store(asked.flags(), asked.command(), inputs);
-  return made(inputs, {}, store.keeping(), supervision);
+  return made(inputs, {}, store.checkpoint(), supervision);
 }
 
 void write_asked(const ExploreReport& report, const Arguments& arguments) {

@@ -58,16 +58,16 @@ void print(const ImportReport& result, const ImportFlags& flags, bool written) {
     std::cout << import_json(result);
     return;
   }
-  Sheet sheet = import_sheet(result);
+  Document document = import_sheet(result);
   if (flags.format.is("table")) {
     Section last;
     if (written) last.lines.push_back({fmt::format("Written: {}", flags.out)});
     if (flags.plot_given->count() > 0) {
       last.lines.push_back({fmt::format("Plot: {}", flags.plot)});
     }
-    sheet.add(last);
+    document.add(last);
   }
-  std::cout << printed(sheet, flags.format);
+  std::cout << printed(document, flags.format);
 }
 
 std::string import_command(const CLI::App& command) {

@@ -116,7 +116,7 @@ void print(const RankReport& report, const RankFlags& flags, const ListColumns& 
   } else if (format.is("csv")) {
     std::cout << design_csv(report.designs);
   } else {
-    std::cout << flags.tables.printed(rank_sheet(report, columns), format);
+    std::cout << flags.tables.printed(rank_document(report, columns), format);
   }
 }
 
@@ -173,7 +173,8 @@ void add_distributions(RankReport& report, TensionDistributions distributions) {
   report.details->distributions = std::move(distributions);
 }
 
-Sheet shortest_sheet(const RankRequest& asked, const ListedWith& with, const ListColumns& columns) {
+Document shortest_document(const RankRequest& asked, const ListedWith& with,
+                           const ListColumns& columns) {
   RankReport report;
   report.order = asked.order;
   report.score = asked.score;
@@ -185,7 +186,7 @@ Sheet shortest_sheet(const RankRequest& asked, const ListedWith& with, const Lis
   if (report.designs.size() > 1) {
     report.ladder = shortest_ladder(report.designs.front(), asked.order, asked.ladder);
   }
-  return rank_sheet(report, columns);
+  return rank_document(report, columns);
 }
 
 // What takes long and would then be shown nowhere: a page has both.
@@ -214,7 +215,7 @@ int run(const RankFlags& flags, const CLI::App& command) {
                         asked.draws.has_value()};
   const ListColumns columns =
       flags.tables.read_columns(flags.format, list_column_names(with), missing_columns(with));
-  flags.tables.require_room(flags.format, [&] { return shortest_sheet(asked, with, columns); });
+  flags.tables.require_room(flags.format, [&] { return shortest_document(asked, with, columns); });
   require_places(flags);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;

@@ -122,7 +122,7 @@ void run(const ShowFlags& flags, const CLI::App& command) {
   } else if (flags.format.is("dot")) {
     std::cout << dot(flags, shown);
   } else {
-    std::cout << printed(show_sheet(shown), flags.format);
+    std::cout << printed(show_document(shown), flags.format);
   }
   if (flags.out.is_given()) {
     std::cout << announced("index.html, routing.json and figures", folder, flags.format);

@@ -177,7 +177,7 @@ void print(const SizingReport& report, const SizeFlags& flags,
            const std::vector<std::string>& columns) {
   std::cout << (flags.format.is("json")
                     ? sizing_json(report)
-                    : flags.tables.printed(sizing_sheet(report, columns), flags.format));
+                    : flags.tables.printed(sizing_document(report, columns), flags.format));
   if (flags.save_given->count() > 0 && flags.format.is("table")) {
     std::cout << "\nHardware file: " << flags.save << '\n';
   }
@@ -223,9 +223,9 @@ struct SizeInputs {
   std::vector<std::string> columns;
 };
 
-Sheet shortest_sheet(const SizeInputs& inputs) {
-  return sizing_sheet(planned_sizing(inputs.routings, inputs.options, inputs.catalogue),
-                      inputs.columns);
+Document shortest_document(const SizeInputs& inputs) {
+  return sizing_document(planned_sizing(inputs.routings, inputs.options, inputs.catalogue),
+                         inputs.columns);
 }
 
 SizeInputs read(const SizeFlags& flags) {
@@ -241,7 +241,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
   inputs.columns = read_columns(flags, hardware);
   flags.tables.require_width(flags.format);
-  flags.tables.require_room(flags.format, [&] { return shortest_sheet(inputs); });
+  flags.tables.require_room(flags.format, [&] { return shortest_document(inputs); });
   return inputs;
 }
 

@@ -135,7 +135,7 @@ std::string printed(const StoredRanking& ranking, const ListColumns& columns,
                     const TableFlags& tables, const FormatOption& format) {
   if (format.is("json")) return stored_ranking_json(ranking);
   if (format.is("csv")) return stored_ranking_csv(ranking);
-  return tables.printed(stored_ranking_sheet(ranking, columns), format);
+  return tables.printed(stored_ranking_document(ranking, columns), format);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ double read_number(const std::string& option, const std::string& text, Range ran
 }
 
 // "5:60" or "5,10,20".
-Levels read_levels(const std::string& option, const std::string& text, Range range) {
-  Levels levels;
+PlannedLevels read_levels(const std::string& option, const std::string& text, Range range) {
+  PlannedLevels levels;
   const std::size_t colon = text.find(':');
   const auto read = [&](const std::string& item) {
     double number = 0;

@@ -41,8 +41,8 @@ void StoreFlags::open(std::optional<ExplorationStore>& store, const ExploreRepor
   });
 }
 
-Keeping StoreFlags::keeping(ExplorationStore& store) const {
-  return keeping_in(store, std::chrono::seconds(seconds_));
+Checkpoint StoreFlags::checkpoint(ExplorationStore& store) const {
+  return checkpoint_in(store, std::chrono::seconds(seconds_));
 }
 
 }  // namespace reeve::cli

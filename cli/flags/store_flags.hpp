@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
-#include "search/keeping.hpp"
+#include "search/checkpoint.hpp"
 #include "store/exploration_store.hpp"
 #include "studies/exploration_study.hpp"
 
@@ -24,7 +24,7 @@ class StoreFlags {
   // Of the exploration that is planned. Throws InputError.
   void open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
             const std::vector<std::string>& arguments) const;
-  Keeping keeping(ExplorationStore& store) const;
+  Checkpoint checkpoint(ExplorationStore& store) const;
 
  private:
   std::string file_;

@@ -12,8 +12,8 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "reports/document/document_latex.hpp"
 #include "reports/document/latex_width.hpp"
-#include "reports/document/sheet_latex.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -103,20 +103,20 @@ double TableFlags::read_width(const FormatOption& format) const {
 }
 
 void TableFlags::require_room(const FormatOption& format,
-                              const std::function<Sheet()>& shortest) const {
+                              const std::function<Document()>& shortest) const {
   const double width = read_width(format);
   if (format.is("latex") && width > 0) require_fits(shortest(), width);
 }
 
-std::string TableFlags::printed(const Sheet& sheet, const FormatOption& format) const {
+std::string TableFlags::printed(const Document& document, const FormatOption& format) const {
   const double width = read_width(format);
-  if (format.is("latex") && width > 0 && least_width_pt(sheet) > width) {
+  if (format.is("latex") && width > 0 && least_width_pt(document) > width) {
     std::cerr << fmt::format(
         "reeve: a table is wider than --text-width '{}': it takes {:.0f}mm; fewer --columns take "
         "less\n",
-        text_width, std::ceil(least_width_pt(sheet) / pt_in_mm));
+        text_width, std::ceil(least_width_pt(document) / pt_in_mm));
   }
-  return cli::printed(sheet, format, width);
+  return cli::printed(document, format, width);
 }
 
 }  // namespace reeve::cli

@@ -9,7 +9,7 @@
 
 #include "cli/inputs.hpp"
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::cli {
 
@@ -24,11 +24,11 @@ struct TableFlags {
                            const std::vector<MissingColumns>& missing = {}) const;
   void require_width(const FormatOption& format) const { read_width(format); }
   // Throws InputError where it is known before the work that tables cannot be so narrow: `shortest`
-  // makes the sheet with the shortest cells that it may come to have.
-  void require_room(const FormatOption& format, const std::function<Sheet()>& shortest) const;
+  // makes the document with the shortest cells that it may come to have.
+  void require_room(const FormatOption& format, const std::function<Document()>& shortest) const;
 
   // As `printed` of printing.hpp, within the width.
-  std::string printed(const Sheet& sheet, const FormatOption& format) const;
+  std::string printed(const Document& document, const FormatOption& format) const;
 
  private:
   // Of the text's columns with --format table, in pt with latex; 0: any.

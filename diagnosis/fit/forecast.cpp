@@ -21,7 +21,7 @@ struct NoForecast {
   std::string why;
 };
 
-Hardware hardware_of(const Model& model, const Block& block) {
+Hardware hardware_of(const Model& model, const ReadingBlock& block) {
   return effective_hardware(block.sheath_angle_rad
                                 ? with_sheath_angle(model.hardware, *block.sheath_angle_rad)
                                 : model.hardware,
@@ -30,7 +30,7 @@ Hardware hardware_of(const Model& model, const Block& block) {
 
 class BlockForecast {
  public:
-  BlockForecast(const Dataset& dataset, const Model& model, const Block& block,
+  BlockForecast(const Dataset& dataset, const Model& model, const ReadingBlock& block,
                 const Hardware& hardware, Forecast& forecast)
       : dataset_(dataset),
         model_(model),
@@ -161,7 +161,7 @@ class BlockForecast {
 
   const Dataset& dataset_;
   const Model& model_;
-  const Block& block_;
+  const ReadingBlock& block_;
   const MeasuredRouting& routing_;
   ModelSolver solver_;
   Grasp grasp_;
@@ -179,7 +179,7 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
   Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                   std::vector<bool>(dataset.rows.size(), false)};
-  for (const Block& block : dataset.blocks) {
+  for (const ReadingBlock& block : dataset.blocks) {
     const std::size_t reading = dataset.rows[block.rows.front()].reading;
     const Hardware hardware = hardware_of(model, block);
     if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};

@@ -54,7 +54,7 @@ bool stand_together(const Dataset& dataset, const NumberedContact& a, const Numb
                       [&](const Contact& other) { return other.kind == contact.kind; });
     return static_cast<std::size_t>(count) > contact.number;
   };
-  return std::any_of(dataset.blocks.begin(), dataset.blocks.end(), [&](const Block& block) {
+  return std::any_of(dataset.blocks.begin(), dataset.blocks.end(), [&](const ReadingBlock& block) {
     const Network& network = dataset.data->routings[block.routing].network;
     return has(network, a) && has(network, b);
   });
@@ -183,7 +183,7 @@ std::optional<Mounted> mounted_kind(ContactKind contact) {
 
 std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
   std::size_t most = 0;
-  for (const Block& block : dataset.blocks) {
+  for (const ReadingBlock& block : dataset.blocks) {
     const auto& contacts = dataset.data->routings[block.routing].network.contacts;
     const auto count = std::count_if(contacts.begin(), contacts.end(),
                                      [&](const auto& contact) { return contact.kind == kind; });

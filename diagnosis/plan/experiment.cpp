@@ -52,7 +52,8 @@ class RunPlanner {
     return numbers;
   }
 
-  std::vector<double> values(Factor factor, const Levels& levels, bool logarithmic = false) const {
+  std::vector<double> values(Factor factor, const PlannedLevels& levels,
+                             bool logarithmic = false) const {
     std::vector<double> values;
     values.reserve(rows_);
     if (!levels.list.empty()) {
@@ -89,14 +90,14 @@ class RunPlanner {
   std::size_t mounting_;
 };
 
-double cycle_at(const Levels& cycle, std::size_t row, std::size_t rows) {
+double cycle_at(const PlannedLevels& cycle, std::size_t row, std::size_t rows) {
   if (!cycle.list.empty()) return cycle.list[row * cycle.list.size() / rows];
   const double share = rows > 1 ? static_cast<double>(row) / static_cast<double>(rows - 1) : 0;
   return std::clamp(std::round(between(cycle.range, share, false)), cycle.range.low,
                     cycle.range.high);
 }
 
-bool varies(const Levels& levels) {
+bool varies(const PlannedLevels& levels) {
   return levels.list.size() > 1 || (levels.list.empty() && levels.range.low < levels.range.high);
 }
 
@@ -156,7 +157,8 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
     const RunPlanner planner(plan, seed, run);
     const std::vector<std::size_t> motions =
         planner.levels(Factor::grasp, grasps.size() * plan.directions.size());
-    const auto values = [&](Factor factor, const std::optional<Levels>& levels, bool logarithmic) {
+    const auto values = [&](Factor factor, const std::optional<PlannedLevels>& levels,
+                            bool logarithmic) {
       return levels ? planner.values(factor, *levels, logarithmic) : std::vector<double>{};
     };
     const std::vector<double> tensions =

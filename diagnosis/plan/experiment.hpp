@@ -26,7 +26,7 @@
 namespace reeve::diagnosis {
 
 // What a condition takes: a range, or the levels of a list if it has any.
-struct Levels {
+struct PlannedLevels {
   Range range;
   std::vector<double> list;
 };
@@ -42,11 +42,11 @@ struct PlannedRouting {
 struct ExperimentPlan {
   std::vector<PlannedRouting> routings;
   std::vector<Direction> directions{Direction::pull};
-  Levels motor_tension_N{{5, 60}, {}};
-  std::optional<Levels> speed_mm_s;
-  std::optional<Levels> cycle;
-  std::optional<Levels> temperature_C;
-  std::optional<Levels> sheath_angle_rad;  // of all sheaths; without it, the hardware's
+  PlannedLevels motor_tension_N{{5, 60}, {}};
+  std::optional<PlannedLevels> speed_mm_s;
+  std::optional<PlannedLevels> cycle;
+  std::optional<PlannedLevels> temperature_C;
+  std::optional<PlannedLevels> sheath_angle_rad;  // of all sheaths; without it, the hardware's
   std::vector<Segment> channels;
   std::size_t runs = 12;
   std::size_t rows = 20;    // of a run: conditions that are set

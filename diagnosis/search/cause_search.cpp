@@ -4,8 +4,8 @@
 
 #include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/search/calibration.hpp"
-#include "diagnosis/search/outlook.hpp"
 #include "diagnosis/search/rivals.hpp"
+#include "diagnosis/search/screened_causes.hpp"
 #include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
@@ -50,11 +50,11 @@ class Search {
 
  private:
   bool accept_one() {
-    const Outlook outlook(problem_, result_.model, candidates_, workers_);
-    if (outlook.candidates().empty()) return false;
-    std::vector<double> greatest = greatest_by_chance(outlook, nullptr);
+    const ScreenedCauses screened(problem_, result_.model, candidates_, workers_);
+    if (screened.candidates().empty()) return false;
+    std::vector<double> greatest = greatest_by_chance(screened, nullptr);
     if (stop_()) return false;
-    const auto which = outlook.contenders(most_contenders, Outlook::Laws::always);
+    const auto which = screened.contenders(most_contenders, ScreenedCauses::Laws::always);
     std::vector<Fit> fits(which.size());
     const auto is_no_line = [](const Candidate& candidate) {
       return candidate.effect.cause->reach() == Reach::hardware || !candidate.has_size();
@@ -62,18 +62,18 @@ class Search {
     const auto fit_those = [&](bool no_line) {
       std::vector<std::size_t> places, candidates;
       for (std::size_t i = 0; i < which.size(); ++i) {
-        if (is_no_line(outlook.candidates()[which[i]]) != no_line) continue;
+        if (is_no_line(screened.candidates()[which[i]]) != no_line) continue;
         places.push_back(i);
         candidates.push_back(which[i]);
       }
-      std::vector<Fit> fitted = outlook.fit_each(candidates);
+      std::vector<Fit> fitted = screened.fit_each(candidates);
       for (std::size_t i = 0; i < places.size(); ++i) fits[places[i]] = std::move(fitted[i]);
       return places;
     };
     const double before = misfit(problem_, result_.model);
     // What is wrong with the hardware may be so far from what it says of itself, and what is there
     // or not is so much at once, that the first order sees little of the gain.
-    double observed = outlook.screening().greatest_gain(outlook.residuals());
+    double observed = screened.screening().greatest_gain(screened.residuals());
     for (const std::size_t i : fit_those(true)) {
       observed = std::max(observed, gain(before, fits[i].misfit));
     }
@@ -82,30 +82,30 @@ class Search {
     if (result_.p_value_of_next <= alpha && !problem_.shared.empty() &&
         observed < beyond_chance * greatest.back()) {
       const MountedDraws mounted(*problem_.dataset, result_.model, mounting_);
-      greatest = greatest_by_chance(outlook, &mounted);
+      greatest = greatest_by_chance(screened, &mounted);
       judge(observed, alpha, greatest);
     }
     if (result_.p_value_of_next > alpha || stop_()) return false;
     fit_those(false);
     const std::size_t best = likeliest(problem_, fits);
     if (gain(before, fits[best].misfit) < critical_gain_) return false;
-    const Effect effect = outlook.candidates()[which[best]].effect;
+    const Effect effect = screened.candidates()[which[best]].effect;
     result_.model = std::move(fits[best].model);
     result_.accepted.push_back({effect, result_.p_value_of_next});
     settle();
     return true;
   }
 
-  std::vector<double> greatest_by_chance(const Outlook& outlook,
+  std::vector<double> greatest_by_chance(const ScreenedCauses& screened,
                                          const MountedDraws* mounted) const {
-    const NullModel null_model(problem_, outlook.projection(), outlook.at(),
+    const NullModel null_model(problem_, screened.projection(), screened.at(),
                                streams::seed_of_step(options_.seed, result_.accepted.size()),
                                options_.replicates, mounted);
     std::vector<double> greatest(null_model.replicates());
     null_model.for_each(
         workers_,
         [&](std::size_t first, const Eigen::MatrixXd& drawn) {
-          const std::vector<double> gains = outlook.screening().greatest_gains(drawn);
+          const std::vector<double> gains = screened.screening().greatest_gains(drawn);
           std::copy(gains.begin(), gains.end(),
                     greatest.begin() + static_cast<std::ptrdiff_t>(first));
         },
@@ -176,13 +176,13 @@ class Search {
     const double now = misfit(problem_, result_.model);
     const Fit base = fit(
         problem_, without(result_.model, place(result_.model, result_.accepted[accepted].effect)));
-    const Outlook outlook(problem_, base.model, candidates_, workers_);
-    const auto which = outlook.contenders(most_rivals, Outlook::Laws::by_gain);
-    std::vector<Fit> fits = outlook.fit_each(which);
+    const ScreenedCauses screened(problem_, base.model, candidates_, workers_);
+    const auto which = screened.contenders(most_rivals, ScreenedCauses::Laws::by_gain);
+    std::vector<Fit> fits = screened.fit_each(which);
     const std::size_t best = fits.empty() ? 0 : likeliest(problem_, fits);
     if (!fits.empty() && gain(now, fits[best].misfit) > least_advantage) {
       result_.model = std::move(fits[best].model);
-      result_.accepted[accepted].effect = outlook.candidates()[which[best]].effect;
+      result_.accepted[accepted].effect = screened.candidates()[which[best]].effect;
       settle();
       return true;
     }
@@ -207,14 +207,14 @@ class Search {
         return is_accepted(effect) && !same_effect(effect, accepted.effect);
       });
       const Fit base = fit(problem_, alone);
-      const Outlook outlook(problem_, base.model, candidates_, workers_);
-      const auto which = outlook.contenders(most_rivals, Outlook::Laws::always);
-      std::vector<Fit> fits = outlook.fit_each(which);
+      const ScreenedCauses screened(problem_, base.model, candidates_, workers_);
+      const auto which = screened.contenders(most_rivals, ScreenedCauses::Laws::always);
+      std::vector<Fit> fits = screened.fit_each(which);
       const std::size_t i = likeliest(problem_, fits);
       if (fits.empty() || (best.misfit > 0 && fits[i].misfit >= best.misfit)) continue;
       best = std::move(fits[i]);
       kept = accepted;
-      taken = {outlook.candidates()[which[i]].effect, accepted.p_value};
+      taken = {screened.candidates()[which[i]].effect, accepted.p_value};
     }
     if (best.model.effects.empty() || gain(best.misfit, now) >= critical_gain_) return;
     result_.model = std::move(best.model);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/search/outlook.hpp"
+#include "diagnosis/search/screened_causes.hpp"
 
 namespace reeve::diagnosis {
 
@@ -16,9 +16,9 @@ std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_
     if (candidate.name != accepted) others.push_back(candidate);
   }
   const Fit base = fit(problem, without(model, effect));
-  const Outlook outlook(problem, base.model, others, workers);
-  const auto which = outlook.contenders(most, Outlook::Laws::always);
-  const std::vector<Fit> fits = outlook.fit_each(which);
+  const ScreenedCauses screened(problem, base.model, others, workers);
+  const auto which = screened.contenders(most, ScreenedCauses::Laws::always);
+  const std::vector<Fit> fits = screened.fit_each(which);
   const double now = misfit(problem, model);
   const double degrees = problem.dataset->degrees_of_freedom();
   const auto merit = [&](double left, const Model& by) {
@@ -29,7 +29,7 @@ std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (!has_tensions(fits[i])) continue;
     const double deficit = merit(now, model) - merit(fits[i].misfit, fits[i].model);
-    result.push_back({outlook.candidates()[which[i]].name, fits[i], deficit});
+    result.push_back({screened.candidates()[which[i]].name, fits[i], deficit});
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Rival& a, const Rival& b) { return a.deficit < b.deficit; });

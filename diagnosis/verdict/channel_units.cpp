@@ -44,8 +44,8 @@ std::vector<ChannelLevel> channel_levels(const Dataset& all, const Forecast& at)
       levels.push_back({std::nan(""), std::nan("")});
       continue;
     }
-    const double middle = middle_of(of_channel);
-    levels.push_back({middle, middle_of(distances_from(std::move(of_channel), middle))});
+    const double middle = median(of_channel);
+    levels.push_back({middle, median(distances_from(std::move(of_channel), middle))});
   }
   return levels;
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/fit/scatter.hpp"
-#include "diagnosis/sample.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 
 namespace reeve::diagnosis {

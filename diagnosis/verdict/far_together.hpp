@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "diagnosis/verdict/far_sides.hpp"
-#include "diagnosis/verdict/what_is_left.hpp"
+#include "diagnosis/verdict/residual_structure.hpp"
 
 namespace reeve::diagnosis {
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "numerics/robust.hpp"
+
 namespace reeve::diagnosis {
 namespace {
 
@@ -17,19 +19,19 @@ constexpr double least_noise = 1e-9;           // relative: readings without any
 constexpr double normal_consistency = 0.6745;  // MAD of a normal distribution over its deviation
 
 // Two measured segments with nothing measured between them.
-struct Stretch {
+struct MeasuredStretch {
   const TendonSpan* tendon = nullptr;
   std::size_t left = 0;  // segments of the network, in walk order
   std::size_t right = 0;
   std::vector<std::size_t> contacts;  // from left to right
 };
 
-std::vector<Stretch> stretches(const Network& network, const std::vector<bool>& measured) {
-  std::vector<Stretch> result;
+std::vector<MeasuredStretch> stretches(const Network& network, const std::vector<bool>& measured) {
+  std::vector<MeasuredStretch> result;
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.segments; ++k) {
       if (!measured[tendon.first_segment + k]) continue;
-      Stretch stretch{&tendon, tendon.first_segment + k, tendon.first_segment + k, {}};
+      MeasuredStretch stretch{&tendon, tendon.first_segment + k, tendon.first_segment + k, {}};
       for (std::size_t c = k; c < k + tendon.contacts; ++c) {
         const std::size_t at = c % tendon.segments;
         if (at >= tendon.contacts) break;  // the end of an open tendon
@@ -69,7 +71,7 @@ std::vector<std::pair<GroupKey, std::vector<Row>>> groups(const MeasuredData& da
 
 // +1: the tension falls from left to right by all the friction there is; -1: from right to left;
 // 0: some contact holds with less, or they work against each other.
-int fall(const Stretch& stretch, const Mechanics& mechanics, const TensionState& state) {
+int fall(const MeasuredStretch& stretch, const Mechanics& mechanics, const TensionState& state) {
   constexpr double used_up = 1 - 1e-6;
   int result = 0;
   for (const std::size_t contact : stretch.contacts) {
@@ -101,7 +103,7 @@ class LossTable {
     for (const Row& row : rows) {
       for (const auto& [segment, cell] : row) measured[segment] = true;
     }
-    for (const Stretch& stretch : stretches(network, measured)) {
+    for (const MeasuredStretch& stretch : stretches(network, measured)) {
       const int way = fall(stretch, mechanics, state);
       if (way == 0) continue;
       const std::size_t high = way > 0 ? stretch.left : stretch.right;
@@ -159,12 +161,6 @@ class LossTable {
   const Model& model_;
   std::vector<Loss> result_;
 };
-
-double median(std::vector<double> values) {
-  const std::size_t half = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 // |0.6745 (x − median) / MAD| of each.
 std::vector<double> scores(std::vector<double> values, double least) {

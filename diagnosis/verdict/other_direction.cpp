@@ -31,7 +31,7 @@ RowDistances distances(const MeasuredData& data, const std::vector<std::size_t>&
       if (forecast_N > 0 && measured_N > 0)
         off.push_back(std::abs(std::log(measured_N / forecast_N)));
     }
-    result[row.reading] = middle_of(std::move(off));
+    result[row.reading] = median(std::move(off));
   }
   return result;
 }
@@ -48,7 +48,7 @@ double usual_distance(const RowDistances& recorded, const RowDistances& other) {
   for (std::size_t r = 0; r < recorded.size(); ++r) {
     if (recorded[r] >= 0 && other[r] >= 0) lesser.push_back(std::min(recorded[r], other[r]));
   }
-  return middle_of(std::move(lesser));
+  return median(std::move(lesser));
 }
 
 struct OddRun {

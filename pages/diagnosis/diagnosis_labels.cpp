@@ -19,14 +19,14 @@ Causes names_of(const std::vector<NamedCause>& causes) {
 }
 
 // The models in which one of a group's names stands in the place of the first.
-bool is_alike(const DiagnosisResult& result, const Causes& model) {
+bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
   for (const Causes& group : result.indistinguishable) {
     Causes others = names_of(result.causes);
     std::erase(others, group.front());
     for (std::size_t i = 1; i < group.size(); ++i) {
-      Causes alike{group[i]};
-      alike.insert(alike.end(), others.begin(), others.end());
-      if (model == alike) return true;
+      Causes equivalent{group[i]};
+      equivalent.insert(equivalent.end(), others.begin(), others.end());
+      if (model == equivalent) return true;
     }
   }
   return false;
@@ -91,7 +91,7 @@ std::string compared_alt(const DiagnosisReport& report) {
 
 std::string standing(const DiagnosisResult& result, const std::vector<std::string>& model) {
   if (model == names_of(result.causes)) return "named";
-  if (is_alike(result, model)) return "cannot be told from it";
+  if (is_equivalent(result, model)) return "cannot be told from it";
   return is_refuted(result, model) ? "not confirmed" : "weighed";
 }
 

@@ -68,7 +68,7 @@ Json word_or_null(const ListedDesign* design) {
 Json answer_body(const ExploreReport& report, const SolveDesign& solve) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   Json body{{"answer", Json::array()}, {"slots", Json::array()}};
-  for (const SheetLine& line : answer_lines(listed, report.ladder)) {
+  for (const DocumentLine& line : answer_lines(listed, report.ladder)) {
     body["answer"].push_back(line.text + ".");
   }
   if (listed.empty()) return body;

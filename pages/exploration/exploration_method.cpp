@@ -68,7 +68,7 @@ std::vector<std::string> explored_words(const ExploreReport& report) {
   text.push_back(friction_text(effective_hardware(options.model)));
   const std::string hand = hand_text(options.model.hardware);
   if (!hand.empty()) text.push_back("Hand: " + hand + ".");
-  for (const SheetLine& line : model_lines(options.model, report.result.unconverged)) {
+  for (const DocumentLine& line : model_lines(options.model, report.result.unconverged)) {
     text.push_back(line.text);
   }
   return text;

@@ -136,7 +136,7 @@ std::vector<std::string> won(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty()) {
     std::vector<std::string> text{"No design is left to rank: every routing was rejected."};
-    for (const SheetLine& line : unmet_lines(report.options, report.result)) {
+    for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
       text.push_back(line.text + ".");
     }
     return text;
@@ -215,7 +215,7 @@ std::vector<std::string> changes(const ExploreReport& report) {
   }
   text.push_back(draws_text(report, listed));
   constexpr std::size_t best = 10;
-  for (const SheetLine& line : shared_carriage_lines(one_of_each(listed, best)))
+  for (const DocumentLine& line : shared_carriage_lines(one_of_each(listed, best)))
     text.push_back(line.text + ".");
   return text;
 }

@@ -1,9 +1,9 @@
-// A table of a result (reports/document/sheet.hpp) in a page. Cells are text, which is escaped.
+// A table of a result (reports/document/document.hpp) in a page. Cells are text, which is escaped.
 #pragma once
 
 #include <string>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::pages {
 

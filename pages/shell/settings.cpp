@@ -128,7 +128,7 @@ HtmlTable grasp_table(const GraspSet& grasps) {
 std::string settings_html(const Model& model, std::uint64_t unconverged, const GraspSet& grasps,
                           const std::string& command, const std::string& more) {
   Json lines = Json::array();
-  for (const SheetLine& line : model_lines(model, unconverged))
+  for (const DocumentLine& line : model_lines(model, unconverged))
     lines.push_back({{"text", line.text}});
   return render("settings.mustache", {{"model", lines},
                                       {"grasps", html(grasp_table(grasps))},

@@ -9,7 +9,7 @@
 #include "reports/check_report.hpp"
 #include "reports/compare_report.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 #include "reports/exploration/count_report.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
 #include "reports/import_report.hpp"
@@ -47,9 +47,9 @@ void save(const Report& report, const Arguments& arguments) {
 
 template <typename Report>
 void bind_report(py::class_<Report>& report, std::string (*json)(const Report&),
-                 Sheet (*sheet)(const Report&)) {
-  report.def("json", json).def("text", [sheet](const Report& self) {
-    return reports::text(sheet(self));
+                 Document (*document)(const Report&)) {
+  report.def("json", json).def("text", [document](const Report& self) {
+    return reports::text(document(self));
   });
 }
 
@@ -66,7 +66,7 @@ void bind_designs(py::class_<Found>& found, const ExploreReport& (*report)(const
 void bind_exploration(py::module_& module) {
   py::class_<ExploreReport> report(module, "ExploreReport");
   bind_report<ExploreReport>(report, &explore_summary_json,
-                             [](const ExploreReport& self) { return explore_sheet(self); });
+                             [](const ExploreReport& self) { return explore_document(self); });
   bind_designs<ExploreReport>(
       report, [](const ExploreReport& self) -> const ExploreReport& { return self; });
   report.def("save", &save<ExploreReport>).def("partial", &partial_note);
@@ -80,7 +80,7 @@ void bind_merging(py::module_& module) {
   py::class_<MergedExploration> report(module, "MergedExploration");
   bind_report<MergedExploration>(
       report, [](const MergedExploration& self) { return explore_summary_json(self.report); },
-      [](const MergedExploration& self) { return explore_sheet(self.report); });
+      [](const MergedExploration& self) { return explore_document(self.report); });
   bind_designs<MergedExploration>(
       report, [](const MergedExploration& self) -> const ExploreReport& { return self.report; });
   report.def("save", &save<MergedExploration>).def("partial", [](const MergedExploration& self) {
@@ -94,7 +94,7 @@ void bind_merging(py::module_& module) {
 void bind_ranking(py::module_& module) {
   py::class_<RankReport> report(module, "RankReport");
   bind_report<RankReport>(report, &rank_json,
-                          [](const RankReport& self) { return rank_sheet(self); });
+                          [](const RankReport& self) { return rank_document(self); });
   report.def("save", &save<RankReport>)
       .def("designs", [](const RankReport& self) { return design_columns(self.designs); })
       .def("call_data", [](RankReport& self, const std::string& name) {
@@ -108,8 +108,9 @@ void bind_ranking(py::module_& module) {
 
 void bind_stored_ranking(py::module_& module) {
   py::class_<StoredRanking> report(module, "StoredRanking");
-  bind_report<StoredRanking>(report, &stored_ranking_json,
-                             [](const StoredRanking& self) { return stored_ranking_sheet(self); });
+  bind_report<StoredRanking>(report, &stored_ranking_json, [](const StoredRanking& self) {
+    return stored_ranking_document(self);
+  });
   bind_designs<StoredRanking>(
       report, [](const StoredRanking& self) -> const ExploreReport& { return self.report; });
   module.def("rank_stored", &cli::asked_stored_ranking, py::call_guard<py::gil_scoped_release>());
@@ -118,7 +119,7 @@ void bind_stored_ranking(py::module_& module) {
 void bind_sizing(py::module_& module) {
   py::class_<SizingReport> report(module, "SizingReport");
   bind_report<SizingReport>(report, &sizing_json,
-                            [](const SizingReport& self) { return sizing_sheet(self); });
+                            [](const SizingReport& self) { return sizing_document(self); });
   report.def("save", &save<SizingReport>)
       .def("hardware_toml",
            [](const SizingReport& self, const Arguments& arguments) {
@@ -132,7 +133,7 @@ void bind_sizing(py::module_& module) {
 
 void bind_diagnosis(py::module_& module) {
   py::class_<DiagnosisReport> report(module, "DiagnosisReport");
-  bind_report<DiagnosisReport>(report, &diagnosis_json, &diagnosis_sheet);
+  bind_report<DiagnosisReport>(report, &diagnosis_json, &diagnosis_document);
   report.def("save", &save<DiagnosisReport>)
       .def("answer", &diagnosis_answer)
       .def("residuals_csv", &diagnosis_residuals_csv)
@@ -146,7 +147,7 @@ void bind_diagnosis(py::module_& module) {
 
 void bind_showing(py::module_& module) {
   py::class_<ShownRouting> report(module, "ShownRouting");
-  bind_report<ShownRouting>(report, &show_json, &show_sheet);
+  bind_report<ShownRouting>(report, &show_json, &show_document);
   report.def("save", &save<ShownRouting>)
       .def("svg", [](const ShownRouting& self, std::optional<std::size_t> grasp) {
         return show_svg(self, grasp ? &self.grasps.at(*grasp) : nullptr);

@@ -46,7 +46,7 @@ std::optional<DataNote> spread_repeated_times(LoggedSeries& series) {
   const std::size_t repeats = time_s.size() - stamps.size();
   if (repeats * samples_per_repeat < time_s.size() || stamps.size() < 2) return std::nullopt;
   std::vector<double> steps = steps_of(stamps, time_s);
-  const double usual = middle_of(steps);
+  const double usual = median(steps);
   if (!(usual > 0)) return std::nullopt;
   steps.push_back(usual);
   for (std::size_t k = 0; k < stamps.size(); ++k) {

@@ -32,7 +32,7 @@ std::vector<double> what_pulls(const LoggedSeries& series, const LoggedSignal& s
 }
 
 bool is_below_zero_under_load(const LoggedSignal& signal, const std::vector<double>& loads_N) {
-  const double half_N = middle_of(loads_N);
+  const double half_N = median(loads_N);
   SignCount signs;
   for (std::size_t i = 0; i < loads_N.size(); ++i) {
     if (loads_N[i] >= half_N && !std::isnan(signal.values[i])) signs.add(signal.values[i]);

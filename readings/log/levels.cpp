@@ -69,7 +69,7 @@ class LevelSearch {
         first.push_back(level_signal(blocks_[begin + i], k));
         last.push_back(level_signal(blocks_[end - 1 - i], k));
       }
-      const double change = std::abs(middle_of(std::move(last)) - middle_of(std::move(first)));
+      const double change = std::abs(median(std::move(last)) - median(std::move(first)));
       if (change > allowed(k, blocks_[begin].load_N)) return true;
     }
     return false;
@@ -78,7 +78,7 @@ class LevelSearch {
   double load(std::size_t begin, std::size_t end) const {
     std::vector<double> loads;
     for (std::size_t i = begin; i < end; ++i) loads.push_back(blocks_[i].load_N);
-    return middle_of(std::move(loads));
+    return median(std::move(loads));
   }
 
   void set_directions(std::vector<BlockStretch>& levels) const {

@@ -23,7 +23,7 @@ NoiseLevel level_of(const std::vector<ForecastError>& errors, std::size_t begin,
     tensions.push_back(errors[i].tension_N);
     sizes.push_back(errors[i].error_N);
   }
-  return {middle_of(std::move(tensions)), deviation_about_zero(std::move(sizes))};
+  return {median(std::move(tensions)), mad_about_zero(std::move(sizes))};
 }
 
 double squared(double value) { return value * value; }

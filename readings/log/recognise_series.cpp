@@ -59,7 +59,7 @@ bool is_regular(const std::vector<double>& steps, double usual) {
 std::optional<DataNote> by_clock(const MeasuredData& data, std::size_t clock) {
   const std::vector<double> steps = clock_steps(data, clock);
   if (steps.size() + 1 < least_fast_rows) return std::nullopt;
-  const double usual = middle_of(steps);
+  const double usual = median(steps);
   if (!(usual > 0)) return std::nullopt;
   const bool regular = steps.size() + 1 >= least_rows_by_clock && is_regular(steps, usual);
   if (!regular && usual > fast_step_s) return std::nullopt;

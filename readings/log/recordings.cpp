@@ -52,7 +52,7 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
       if (step > 0) steps.push_back(step);
     }
   }
-  return steps.empty() ? 0 : middle_of(std::move(steps));
+  return steps.empty() ? 0 : median(std::move(steps));
 }
 
 std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,

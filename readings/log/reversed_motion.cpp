@@ -30,10 +30,10 @@ MedianLoad median_load(const std::vector<SteadyReading>& readings, Direction dir
     variances.push_back(load->deviation_N * load->deviation_N /
                         static_cast<double>(reading.readings));
   }
-  MedianLoad result{loads_N.size(), middle_of(loads_N), 0};
+  MedianLoad result{loads_N.size(), median(loads_N), 0};
   for (double& load_N : loads_N) load_N -= result.median_N;
-  const double scatter_N = deviation_about_zero(std::move(loads_N));
-  const double variance = scatter_N * scatter_N + middle_of(std::move(variances));
+  const double scatter_N = mad_about_zero(std::move(loads_N));
+  const double variance = scatter_N * scatter_N + median(std::move(variances));
   result.variance = of_a_median * variance / static_cast<double>(result.readings);
   return result;
 }

@@ -12,8 +12,7 @@ namespace {
 double median_within(const LoggedSignal& signal, std::size_t begin, std::size_t end) {
   if (!signal.is_logged()) return std::numeric_limits<double>::quiet_NaN();
   const auto at = signal.values.begin();
-  return middle_of(
-      {at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)});
+  return median({at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)});
 }
 
 SeriesBlock block_of(const LoggedSeries& series, std::size_t begin, std::size_t end) {

@@ -71,14 +71,14 @@ std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks) {
   double greatest = 0;
   std::vector<double> loads;
   for (const SeriesBlock& block : blocks) loads.push_back(block.load_N);
-  const double load_N = std::abs(middle_of(std::move(loads)));
+  const double load_N = std::abs(median(std::move(loads)));
   for (std::size_t k = 0; k < blocks.front().tensions_N.size(); ++k) {
     if (!is_logged(blocks, k)) continue;
     std::vector<double> later;
     for (std::size_t i = blocks.size() / 2; i < blocks.size(); ++i) {
       later.push_back(ratio(blocks[i], k));
     }
-    result.push_back({k, std::abs(middle_of(std::move(later))), 0, 0, 0});
+    result.push_back({k, std::abs(median(std::move(later))), 0, 0, 0});
     greatest = std::max(greatest, result.back().level);
   }
   for (WatchedRatio& ratio : result) {

@@ -54,16 +54,16 @@ std::vector<double> resistant_residuals(const std::vector<double>& times,
                                         const std::vector<double>& values) {
   const auto third = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, times.size() / 3));
   const auto first = [&](const std::vector<double>& all) {
-    return middle_of({all.begin(), all.begin() + third});
+    return median({all.begin(), all.begin() + third});
   };
   const auto last = [&](const std::vector<double>& all) {
-    return middle_of({all.end() - third, all.end()});
+    return median({all.end() - third, all.end()});
   };
   const double seconds = last(times) - first(times);
   const double slope = seconds > 0 ? (last(values) - first(values)) / seconds : 0;
   std::vector<double> residuals;
   for (std::size_t i = 0; i < times.size(); ++i) residuals.push_back(values[i] - slope * times[i]);
-  const double middle = middle_of(residuals);
+  const double middle = median(residuals);
   for (double& residual : residuals) residual -= middle;
   return residuals;
 }
@@ -133,8 +133,8 @@ class Averaging {
     for (const LoggedSignal* signal : chosen_) {
       const std::vector<double> values = values_at(signal->values, kept_);
       const std::vector<double> residuals = resistant_residuals(times, values);
-      const double allowed = std::max(spike_deviations * deviation_about_zero(residuals),
-                                      tolerance_ * std::abs(middle_of(values)));
+      const double allowed = std::max(spike_deviations * mad_about_zero(residuals),
+                                      tolerance_ * std::abs(median(values)));
       for (std::size_t i = 0; i < kept_.size(); ++i) {
         if (std::abs(residuals[i]) > allowed) wild[kept_[i] - begin_] = true;
       }

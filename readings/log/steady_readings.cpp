@@ -105,8 +105,8 @@ class SteadySearch {
       first.push_back(blocks[stretch.begin + i].load_N);
       last.push_back(blocks[stretch.end - 1 - i].load_N);
     }
-    const double before = middle_of(std::move(first));
-    return (middle_of(std::move(last)) - before) / std::abs(before);
+    const double before = median(std::move(first));
+    return (median(std::move(last)) - before) / std::abs(before);
   }
 
   std::optional<Direction> said_direction(std::size_t part) const {

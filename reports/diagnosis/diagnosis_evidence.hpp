@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::reports {
 

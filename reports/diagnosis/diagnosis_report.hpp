@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/uncertainty_ranges.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/diagnosis_study.hpp"
 
 namespace reeve::reports {
@@ -12,7 +12,7 @@ namespace reeve::reports {
 // What is wrong, which cause, how much better: a few lines.
 std::string diagnosis_answer(const DiagnosisReport& report);
 // The answer, then what it rests on.
-Sheet diagnosis_sheet(const DiagnosisReport& report);
+Document diagnosis_document(const DiagnosisReport& report);
 std::string diagnosis_json(const DiagnosisReport& report);
 // One line for each reading and channel; a comment line at the top if the data are simulated.
 std::string diagnosis_residuals_csv(const DiagnosisReport& report);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnosis/diagnose.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 
 namespace reeve::reports {

@@ -240,17 +240,17 @@ Section ranking_section(const DiagnosisReport& report) {
 
 }  // namespace
 
-Sheet diagnosis_sheet(const DiagnosisReport& report) {
+Document diagnosis_document(const DiagnosisReport& report) {
   Section answer;
   add_lines(answer.lines, diagnosis_answer(report));
-  Sheet sheet{{answer}};
+  Document document{{answer}};
   for (const auto part : {causes_section, gains_section, weighed_section, indistinguishable_section,
                           left_section, shares_section, groups_section, losses_section,
                           next_section, ranking_section, data_section}) {
-    sheet.add(part(report));
+    document.add(part(report));
   }
-  sheet.add(notes_section(report.result.notes));
-  return sheet;
+  document.add(notes_section(report.result.notes));
+  return document;
 }
 
 }  // namespace reeve::reports

@@ -12,8 +12,8 @@
 
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"
+#include "reports/document/document_latex.hpp"
 #include "reports/document/latex_width.hpp"
-#include "reports/document/sheet_latex.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::reports {
 

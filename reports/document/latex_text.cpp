@@ -2,7 +2,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "reports/document/sheet_latex.hpp"
+#include "reports/document/document_latex.hpp"
 
 namespace reeve::reports {
 namespace {

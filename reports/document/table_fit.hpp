@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::reports {
 

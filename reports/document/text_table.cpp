@@ -26,7 +26,7 @@ Ink ink_of(Tint tint) {
 
 // One row of a table, in as many lines as its cells need.
 std::string row_text(const Table& table, const TableRow& row,
-                     const std::vector<std::size_t>& widths, Ink ink, const Look& look) {
+                     const std::vector<std::size_t>& widths, Ink ink, const TextStyle& look) {
   std::vector<std::vector<std::string>> cells;
   std::size_t height = 1;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -47,7 +47,7 @@ std::string row_text(const Table& table, const TableRow& row,
 }
 
 std::string part_text(const Table& table, const std::vector<std::size_t>& widths,
-                      const Look& look) {
+                      const TextStyle& look) {
   TableRow headings;
   for (const TableColumn& column : table.columns) headings.cells.push_back(text_heading(column));
   std::string text = row_text(table, headings, widths, Ink::strong, look);
@@ -59,7 +59,7 @@ std::string part_text(const Table& table, const std::vector<std::size_t>& widths
 
 }  // namespace
 
-std::string inked(const std::string& line, Ink ink, const Look& look) {
+std::string inked(const std::string& line, Ink ink, const TextStyle& look) {
   if (!look.colour || ink == Ink::plain || line.empty()) return line;
   const char* code = ink == Ink::strong ? "1"
                      : ink == Ink::good ? "32"
@@ -68,7 +68,7 @@ std::string inked(const std::string& line, Ink ink, const Look& look) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code, line);
 }
 
-std::string text(const Table& table, const Look& look) {
+std::string text(const Table& table, const TextStyle& look) {
   if (look.width == 0) return part_text(table, natural_widths(table), look);
   const FittedTable fitted = fit(table, look.width);
   std::string text;

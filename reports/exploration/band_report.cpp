@@ -42,9 +42,9 @@ std::string surest_text(const std::vector<ListedDesign>& shown) {
                              percent(nearly_all), short_name(*sure), sure->ranked.rank);
 }
 
-std::vector<SheetLine> met_lines(const std::vector<ListedDesign>& shown) {
+std::vector<DocumentLine> met_lines(const std::vector<ListedDesign>& shown) {
   if (shown.empty() || !shown.front().constraints_met) return {};
-  std::vector<SheetLine> lines{
+  std::vector<DocumentLine> lines{
       {"Meets all: in how many of the draws a design meets all constraints; which designs are "
        "listed, the nominal coefficients decide"}};
   if (std::string text = surest_text(shown); !text.empty()) lines.push_back({std::move(text)});
@@ -118,17 +118,18 @@ Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
           band_table(shown, swept_objectives(order)), met_lines(shown)};
 }
 
-std::vector<SheetLine> shared_first_lines(const std::vector<ListedDesign>& designs) {
+std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs) {
   std::vector<std::string> names;
-  bool only_alike = true;
+  bool only_equivalent = true;
   for (const ListedDesign& design : designs) {
     if (design.place != 1) continue;
     const std::string& first = designs.front().ranked.design.word;
-    only_alike = only_alike && (design.ranked.design.word == first || design.same_as == first);
+    only_equivalent =
+        only_equivalent && (design.ranked.design.word == first || design.same_as == first);
     names.push_back(short_name(design));
   }
   const bool drawn = !designs.empty() && designs.front().distribution.has_value();
-  if (names.size() < 2 || (only_alike && !drawn)) return {};
+  if (names.size() < 2 || (only_equivalent && !drawn)) return {};
   std::string text = "First place is shared by " + names.front();
   const std::size_t named = std::min(names.size(), sharers_named);
   const std::size_t more = names.size() - named;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "studies/listed_design.hpp"
 
@@ -30,7 +30,7 @@ Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
 
 // Who shares the first place, if that says more than that bearings change nothing: without draws
 // only where other designs do.
-std::vector<SheetLine> shared_first_lines(const std::vector<ListedDesign>& designs);
+std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs);
 
 // ",uniformity_mean_median,uniformity_mean_p5,uniformity_mean_p95,…" and ",0.98,0.97,0.99,…".
 std::string band_headings(const Bands& bands);

@@ -4,7 +4,7 @@
 
 namespace reeve::reports {
 
-Sheet count_sheet(const CountReport& report) {
+Document count_sheet(const CountReport& report) {
   const std::string unit = report.parts.blocks > 0 ? "tree" : "tendon";
   Table table{{text_column("routings"), number_column("number")}, {}};
   table.add({"all", std::to_string(report.counts.all)});

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "search/enumerate/counting.hpp"
 #include "search/limits/limited_counts.hpp"
 
@@ -17,7 +17,7 @@ struct CountReport {
   std::optional<LimitedCounts> limited;  // if there are constraints
 };
 
-Sheet count_sheet(const CountReport& report);
+Document count_sheet(const CountReport& report);
 std::string count_json(const CountReport& report);
 
 }  // namespace reeve::reports

@@ -93,7 +93,7 @@ std::string values_text(const ListedLadder& ladder, const ObjectiveValues& value
 }
 
 std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
-  return fmt::format("First: {}{}: {}", design_name(first), alike_text(first),
+  return fmt::format("First: {}{}: {}", design_name(first), equivalent_text(first),
                      values_text(ladder, first.ranked.design.values));
 }
 
@@ -176,16 +176,16 @@ std::string advised_text(const LadderOptions& options) {
   return text;
 }
 
-std::string alike_text(const ListedDesign& design) {
-  if (design.alike.empty()) return "";
+std::string equivalent_text(const ListedDesign& design) {
+  if (design.equivalent.empty()) return "";
   return fmt::format(", and {} more with other bearings, which change nothing",
-                     design.alike.size());
+                     design.equivalent.size());
 }
 
-std::vector<SheetLine> answer_lines(const std::vector<ListedDesign>& designs,
-                                    const ListedLadder& ladder) {
+std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
+                                       const ListedLadder& ladder) {
   if (designs.empty() || ladder.rungs.empty()) return {};
-  std::vector<SheetLine> lines{{first_text(designs.front(), ladder)}, {affordable_text(ladder)}};
+  std::vector<DocumentLine> lines{{first_text(designs.front(), ladder)}, {affordable_text(ladder)}};
   if (ladder.ladder.knee) {
     const Rung& rung = ladder.ladder.rungs[*ladder.ladder.knee];
     lines.push_back(
@@ -198,29 +198,30 @@ std::vector<SheetLine> answer_lines(const std::vector<ListedDesign>& designs,
   return lines;
 }
 
-std::vector<SheetLine> alike_lines(const std::vector<ListedDesign>& shown) {
-  std::vector<SheetLine> lines;
+std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& shown) {
+  std::vector<DocumentLine> lines;
   for (const ListedDesign& design : shown) {
-    if (design.alike.empty()) continue;
+    if (design.equivalent.empty()) continue;
     std::string text = fmt::format("Rank {} is also", design.ranked.rank);
-    for (std::size_t i = 0; i < std::min(named_at_most, design.alike.size()); ++i) {
-      text += (i == 0 ? " " : ", ") + design.alike[i];
+    for (std::size_t i = 0; i < std::min(named_at_most, design.equivalent.size()); ++i) {
+      text += (i == 0 ? " " : ", ") + design.equivalent[i];
     }
-    if (design.alike.size() > named_at_most) {
-      text += fmt::format(" and {} more", design.alike.size() - named_at_most);
+    if (design.equivalent.size() > named_at_most) {
+      text += fmt::format(" and {} more", design.equivalent.size() - named_at_most);
     }
     lines.push_back({text + ": other bearings, which change nothing here"});
   }
   return lines;
 }
 
-std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreResult& result) {
-  std::vector<SheetLine> alone;
-  std::vector<SheetLine> together;
+std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
+                                           const ExploreResult& result) {
+  std::vector<DocumentLine> alone;
+  std::vector<DocumentLine> together;
   const std::string unit = cost_unit(options.prices);
-  for (std::size_t c = 0; c < result.unmet.size(); ++c) {
+  for (std::size_t c = 0; c < result.infeasible.size(); ++c) {
     const Constraint& constraint = options.constraints[c];
-    const ConstraintReach& reach = result.unmet[c];
+    const ConstraintReach& reach = result.infeasible[c];
     const std::string least = nearest_text(constraint, reach.of_all, unit);
     if (!reach.met && !least.empty()) {
       alone.push_back({fmt::format("No design meets {}: {}", constraint.text, least), true});
@@ -231,15 +232,15 @@ std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreR
           {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});
     }
   }
-  if (result.unmet.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
+  if (result.infeasible.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
     return {{"No design of this shard meets the constraints", true}};
   }
-  if (!alone.empty() || result.unmet.empty()) return alone;
+  if (!alone.empty() || result.infeasible.empty()) return alone;
   together.insert(
       together.begin(),
       {fmt::format("Each of these constraints is met by some design, but {} by none",
-                   result.unmet.size() == 2 ? std::string("both")
-                                            : fmt::format("all {}", result.unmet.size())),
+                   result.infeasible.size() == 2 ? std::string("both")
+                                                 : fmt::format("all {}", result.infeasible.size())),
        true});
   return together;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/part_prices.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "search/explore.hpp"
 #include "studies/listed_design.hpp"
 
@@ -32,16 +32,17 @@ std::string ladder_title(const Ladder& ladder);
 std::string advised_text(const LadderOptions& options);
 
 // ", and 2 more with other bearings, which change nothing"; "" if there is none.
-std::string alike_text(const ListedDesign& design);
+std::string equivalent_text(const ListedDesign& design);
 
 // The first and the affordable design, and the knee. Nothing of nothing.
-std::vector<SheetLine> answer_lines(const std::vector<ListedDesign>& designs,
-                                    const ListedLadder& ladder);
+std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
+                                       const ListedLadder& ladder);
 
 // Which listed designs one line stands for, of the lines that are shown.
-std::vector<SheetLine> alike_lines(const std::vector<ListedDesign>& shown);
+std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& shown);
 
 // Of an exploration whose constraints no design meets together; otherwise nothing.
-std::vector<SheetLine> unmet_lines(const ExploreOptions& options, const ExploreResult& result);
+std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
+                                           const ExploreResult& result);
 
 }  // namespace reeve::reports

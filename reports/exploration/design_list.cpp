@@ -42,7 +42,7 @@ bool has_blocks(const std::vector<ListedDesign>& designs) {
 
 bool has_alike(const std::vector<ListedDesign>& designs) {
   return std::any_of(designs.begin(), designs.end(),
-                     [](const ListedDesign& design) { return !design.alike.empty(); });
+                     [](const ListedDesign& design) { return !design.equivalent.empty(); });
 }
 
 bool has_cost(const std::vector<ListedDesign>& designs) {
@@ -95,11 +95,11 @@ std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values
   return cell;
 }
 
-std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool alike, bool apart,
-                                 const std::string& cost_unit) {
+std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool equivalent,
+                                 bool apart, const std::string& cost_unit) {
   std::vector<TableColumn> columns{number_column("rank"), number_column("front", "", 2),
                                    text_column("name"), text_column("routing")};
-  if (alike) columns.push_back(number_column("alike", "", 1));
+  if (equivalent) columns.push_back(number_column("alike", "", 1));
   for (const ColumnRows& rows : objectives) {
     columns.push_back(objective_column(rows, apart, cost_unit));
   }
@@ -156,13 +156,15 @@ Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objecti
                    const ListColumns& wanted) {
   const bool all = !wanted.chosen.empty();
   const std::vector<ColumnRows> objectives = objective_columns(designs, std::move(shown), wanted);
-  const bool alike = all || has_alike(designs);
-  Table table{columns(objectives, alike, all || wanted.apart, wanted.cost_unit), {}};
+  const bool equivalent = all || has_alike(designs);
+  Table table{columns(objectives, equivalent, all || wanted.apart, wanted.cost_unit), {}};
   for (const ListedDesign& design : designs) {
     std::vector<std::string> cells{
         std::to_string(design.ranked.rank), std::to_string(design.ranked.front),
         design.name.empty() ? "-" : design.name, design.ranked.design.word};
-    if (alike) cells.push_back(design.alike.empty() ? "" : fmt::format("+{}", design.alike.size()));
+    if (equivalent)
+      cells.push_back(design.equivalent.empty() ? ""
+                                                : fmt::format("+{}", design.equivalent.size()));
     for (const ColumnRows& rows : objectives) {
       cells.push_back(objective_cell(rows, design.ranked.design.values));
     }
@@ -203,9 +205,9 @@ std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs, 
   return firsts;
 }
 
-std::vector<SheetLine> list_notes(const std::vector<ListedDesign>& shown) {
-  std::vector<SheetLine> lines = alike_lines(shown);
-  for (SheetLine& line : shared_carriage_lines(shown)) lines.push_back(std::move(line));
+std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown) {
+  std::vector<DocumentLine> lines = equivalent_lines(shown);
+  for (DocumentLine& line : shared_carriage_lines(shown)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -282,7 +284,7 @@ Json to_json(const ListedDesign& design) {
             {"routing", design.ranked.design.word},
             {"name", text_or_null(design.name)}};
   add_objectives(json, design.ranked.design.values);
-  json["alike"] = design.alike;
+  json["alike"] = design.equivalent;
   json["same_as"] = text_or_null(design.same_as);
   json["place"] = design.place;
   if (design.distribution) {

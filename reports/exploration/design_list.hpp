@@ -7,7 +7,7 @@
 
 #include "core/part_prices.hpp"
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/number_texts.hpp"
 #include "studies/listed_design.hpp"
@@ -44,7 +44,7 @@ std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs,
                                       std::size_t most = static_cast<std::size_t>(-1));
 
 // Below such a table: which designs stand for others, and which rest on how their tendons share.
-std::vector<SheetLine> list_notes(const std::vector<ListedDesign>& shown);
+std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown);
 
 // ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
 std::string objective_headings(const ObjectiveValues& values);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/listed_design.hpp"
 
 namespace reeve::reports {

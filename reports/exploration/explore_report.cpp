@@ -123,13 +123,13 @@ Section known_section(const ExploreReport& report) {
   return {"Where the known routings stand", table, {}};
 }
 
-std::vector<SheetLine> opening_lines(const ExploreReport& report) {
+std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   const ExploreResult& result = report.result;
-  std::vector<SheetLine> lines{{counts_text(report)}, {evaluated_text(result)}};
+  std::vector<DocumentLine> lines{{counts_text(report)}, {evaluated_text(result)}};
   const std::string note = partial_note(report);
   if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
   for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
-  for (const SheetLine& line : model_lines(report.options.model, result.unconverged)) {
+  for (const DocumentLine& line : model_lines(report.options.model, result.unconverged)) {
     lines.push_back(line);
   }
   if (report.options.order.by_score) {
@@ -141,9 +141,9 @@ std::vector<SheetLine> opening_lines(const ExploreReport& report) {
 }
 
 Section answer_section(const ExploreReport& report) {
-  std::vector<SheetLine> lines = unmet_lines(report.options, report.result);
-  for (const SheetLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
-  for (const SheetLine& line : shared_first_lines(report.top)) lines.push_back(line);
+  std::vector<DocumentLine> lines = infeasible_lines(report.options, report.result);
+  for (const DocumentLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  for (const DocumentLine& line : shared_first_lines(report.top)) lines.push_back(line);
   return {"", std::nullopt, lines};
 }
 
@@ -173,10 +173,10 @@ Json nearest_json(const Nearest& nearest) {
           {"above", value_or_null(nearest.above, json)}};
 }
 
-Json unmet_json(const ExploreReport& report) {
+Json infeasible_json(const ExploreReport& report) {
   Json json = Json::array();
-  for (std::size_t c = 0; c < report.result.unmet.size(); ++c) {
-    const ConstraintReach& reach = report.result.unmet[c];
+  for (std::size_t c = 0; c < report.result.infeasible.size(); ++c) {
+    const ConstraintReach& reach = report.result.infeasible[c];
     json.push_back(
         {{"constraint", report.options.constraints[c].text},
          {"met_by_any", reach.met},
@@ -188,44 +188,44 @@ Json unmet_json(const ExploreReport& report) {
 
 }  // namespace
 
-Sheet explore_sheet(const ExploreReport& report, const ListColumns& wanted) {
+Document explore_document(const ExploreReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.options.prices);
   const std::vector<ListedDesign> top = one_of_each(report.top, shown_at_most);
   const Section best{fmt::format("Top {}", top.size()),
                      design_table(top, objectives_to_show(report), columns), list_notes(top)};
-  Sheet sheet{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
+  Document document{{{"", std::nullopt, opening_lines(report)}, answer_section(report)}};
   if (!columns.chosen.empty()) {
-    sheet.add(best);
-    return sheet;
+    document.add(best);
+    return document;
   }
   // What constraints leave nothing of, the answer says.
   if (!top.empty()) {
-    sheet.add(front_section(report, columns));
-    sheet.add(best);
+    document.add(front_section(report, columns));
+    document.add(best);
     if (report.uncertainty) {
-      sheet.add(band_section(top, report.options.order, *report.uncertainty));
+      document.add(band_section(top, report.options.order, *report.uncertainty));
     }
   }
-  sheet.add(ladder_section(report.ladder));
-  sheet.add(known_section(report));
+  document.add(ladder_section(report.ladder));
+  document.add(known_section(report));
   if (report.sweep) {
-    for (Section& section : sweep_sections(*report.sweep)) sheet.add(std::move(section));
+    for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
   }
-  return sheet;
+  return document;
 }
 
 std::vector<std::string> notes(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const Hardware hardware = effective_hardware(options.model);
-  const bool alike = treats_fingers_alike(options.grasps, options.generator.fingers) &&
-                     treats_fingers_alike(hardware, options.generator.fingers);
+  const bool equivalent = treats_fingers_alike(options.grasps, options.generator.fingers) &&
+                          treats_fingers_alike(hardware, options.generator.fingers);
   std::vector<std::string> notes = absent_finger_notes(options.model, options.generator.fingers);
   if (report.uncertainty) {
     for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
       notes.push_back(std::move(note));
     }
   }
-  if (alike || options.generator.identity == FingerIdentity::distinct) return notes;
+  if (equivalent || options.generator.identity == FingerIdentity::distinct) return notes;
   notes.insert(notes.begin(),
                "the grasps or the hardware tell the fingers apart, but routings were listed for "
                "identical fingers: each was evaluated with the finger numbers of its word only; "
@@ -314,7 +314,7 @@ std::string explore_summary_json(const ExploreReport& report) {
   json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);
-  json["unmet"] = unmet_json(report);
+  json["unmet"] = infeasible_json(report);
   if (report.sweep_over) json["sweep"] = value_or_null(report.sweep, sweep_json);
   json["exploration"] = exploration_id(report);
   json["settings"] = explore_settings(report);

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "studies/exploration_study.hpp"
 
 namespace reeve::reports {
 
 // Where columns are chosen, of the tables that of the best alone.
-Sheet explore_sheet(const ExploreReport& report, const ListColumns& columns = {});
+Document explore_document(const ExploreReport& report, const ListColumns& columns = {});
 std::string explore_summary_json(const ExploreReport& report);
 // What was asked, as in the summary.
 Json explore_settings(const ExploreReport& report);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/part_prices.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "studies/listed_design.hpp"
 

@@ -130,7 +130,7 @@ void ListedDesignText::append(std::string& text, const ListedDesign& design) {
   text += ",\n      \"name\": ";
   append_name(text, design.name);
   append_objectives(text, ranked.design.values);
-  append_words(text, design.alike);
+  append_words(text, design.equivalent);
   text += ",\n      \"same_as\": ";
   append_word_or_null(text, design.same_as);
   text += ",\n      \"place\": ";

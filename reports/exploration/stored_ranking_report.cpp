@@ -54,9 +54,9 @@ std::string partial_text(const StoredRanking& ranking) {
                      result.total, ranking.shards, ranking.of_shards);
 }
 
-std::vector<SheetLine> opening(const StoredRanking& ranking) {
+std::vector<DocumentLine> opening(const StoredRanking& ranking) {
   const ExploreResult& result = ranking.report.result;
-  std::vector<SheetLine> lines{
+  std::vector<DocumentLine> lines{
       {fmt::format("{} designs kept of {} evaluated, {} of them do not meet the constraints",
                    ranking.kept, result.evaluated, ranking.failed)}};
   if (ranking.partial) lines.push_back({"PARTIAL: " + partial_text(ranking), true});
@@ -69,24 +69,24 @@ std::vector<SheetLine> opening(const StoredRanking& ranking) {
 
 }  // namespace
 
-Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& columns) {
+Document stored_ranking_document(const StoredRanking& ranking, const ListColumns& columns) {
   const ExploreReport& report = ranking.report;
   std::vector<ListedDesign> lines = one_of_each(report.top);
   if (lines.size() > most_lines) lines.resize(most_lines);
-  Sheet sheet{{{"", std::nullopt, opening(ranking)}}};
+  Document document{{{"", std::nullopt, opening(ranking)}}};
   if (lines.empty()) {
-    sheet.add({"", std::nullopt, {{"No design that was kept meets the constraints"}}});
-    return sheet;
+    document.add({"", std::nullopt, {{"No design that was kept meets the constraints"}}});
+    return document;
   }
-  sheet.add({"", std::nullopt, answer_lines(report.top, report.ladder)});
+  document.add({"", std::nullopt, answer_lines(report.top, report.ladder)});
   const ExploreOptions& options = report.options;
-  sheet.add(
+  document.add(
       {fmt::format("Top {}", lines.size()),
        design_table(lines, shown_objectives(options.order, options.score, options.constraints),
                     priced(columns, options.prices)),
        list_notes(lines)});
-  if (columns.chosen.empty()) sheet.add(ladder_section(report.ladder));
-  return sheet;
+  if (columns.chosen.empty()) document.add(ladder_section(report.ladder));
+  return document;
 }
 
 std::string stored_ranking_json(const StoredRanking& ranking) {

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 #include "studies/stored_ranking.hpp"
 
 namespace reeve::reports {
 
-Sheet stored_ranking_sheet(const StoredRanking& ranking, const ListColumns& columns = {});
+Document stored_ranking_document(const StoredRanking& ranking, const ListColumns& columns = {});
 std::string stored_ranking_json(const StoredRanking& ranking);
 std::string stored_ranking_csv(const StoredRanking& ranking);
 

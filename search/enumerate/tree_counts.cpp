@@ -85,10 +85,10 @@ class Counter {
 
   std::uint64_t all_pairs(const SizeTable& table, std::uint64_t variants, TreeSize size) const {
     std::uint64_t sum = 0;
-    Split split{{}, size};
+    SizePair split{{}, size};
     do {
       sum = plus(sum, pairs(table, variants, split, identity_));
-    } while (next_split(split));
+    } while (next_pair(split));
     return sum;
   }
 
@@ -140,7 +140,7 @@ bool may_hang_on_motor(const PartSet& parts) {
   return std::find(parts.ends.begin(), parts.ends.end(), TokenKind::motor_end) != parts.ends.end();
 }
 
-bool next_split(Split& split) {
+bool next_pair(SizePair& split) {
   const TreeSize size{split.first.fingers + split.second.fingers,
                       split.first.blocks + split.second.blocks};
   if (split.first.blocks < size.blocks) {
@@ -153,7 +153,7 @@ bool next_split(Split& split) {
   return true;
 }
 
-std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const Split& split,
+std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const SizePair& split,
                     FingerIdentity identity) {
   const auto [first, second] = split;
   const std::uint64_t firsts = times(variants, table[first]);

@@ -89,14 +89,14 @@ bool may_hang_on_motor(const PartSet& parts);
 
 // The members of an unordered pair: with identical fingers the lesser size first, with distinct
 // ones the one that has the least finger.
-struct Split {
+struct SizePair {
   TreeSize first;
   TreeSize second;
 };
 // The splits of a size are Split{{}, size} and what this makes of it until it is false.
-bool next_split(Split& split);
+bool next_pair(SizePair& split);
 // How many pairs of table[first] and table[second], each in so many variants.
-std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const Split& split,
+std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const SizePair& split,
                     FingerIdentity identity);
 
 struct TreeCounts {

@@ -96,8 +96,8 @@ void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
 
 TreeDecoder::Pair TreeDecoder::decode_pair(const SizeTable& table, std::uint64_t variants,
                                            TreeSize size, FingerSet fingers, Digits& digits) const {
-  Split split{{}, size};
-  while (!digits.is_among(pairs(table, variants, split, identity_))) next_split(split);
+  SizePair split{{}, size};
+  while (!digits.is_among(pairs(table, variants, split, identity_))) next_pair(split);
   const std::uint64_t firsts = variants * table[split.first];
   if (identity_ == FingerIdentity::identical && split.first == split.second) {
     std::uint64_t lesser = digits.rest();

@@ -12,7 +12,9 @@
 namespace reeve::search {
 namespace {
 
-bool are_of_strands(const Extent& extent) { return extent == Extent{false, false, false}; }
+bool are_of_strands(const EvaluationScope& scope) {
+  return scope == EvaluationScope{false, false, false};
+}
 
 std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& score) {
   if (std::find(wanted.begin(), wanted.end(), Objective::score) != wanted.end()) {
@@ -44,7 +46,7 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
     : wanted_(with_terms(std::move(wanted), score)),
       score_(score),
       prices_(prices),
-      extent_(extent_for(wanted_, score)),
+      extent_(scope_for(wanted_, score)),
       scored_(contains(wanted_, Objective::score)),
       compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
                         contains(wanted_, Objective::finger_uniformity_worst)),
@@ -68,7 +70,7 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
 // Motor tension of the trees as they are solved alone.
 double DecidingEvaluator::scale(bool jams) const {
   double motor = 0;
-  for (const TreeState& state : states_) {
+  for (const SolvedTree& state : states_) {
     if (jams && !state.jams) continue;
     for (const double tension : state.motor_side) motor += tension;
   }
@@ -78,7 +80,7 @@ double DecidingEvaluator::scale(bool jams) const {
 FingerPulls DecidingEvaluator::finger_pulls_at(double motor, bool jams) const {
   FingerPulls pulls{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t t = 0; t < states_.size(); ++t) {
-    const TreeState& state = states_[t];
+    const SolvedTree& state = states_[t];
     FingerArray pull{};
     for (std::size_t i = 0; i < state.strand.size() && !(jams && !state.jams); ++i) {
       pull[(*trees_)[t]->strand_finger[i]] += state.strand[i] / motor;
@@ -94,7 +96,7 @@ FingerPulls DecidingEvaluator::finger_pulls_at(double motor, bool jams) const {
 // Strand by strand, as core/performance does.
 Performance DecidingEvaluator::performance_at(double motor, bool jams) const {
   StrandTally tally;
-  for (const TreeState& state : states_) {
+  for (const SolvedTree& state : states_) {
     const bool slack = jams && !state.jams;
     for (std::size_t i = 0; i < state.strand.size(); ++i) {
       tally.add(slack ? 0 : state.strand[i] / motor, state.closing[i]);
@@ -123,8 +125,8 @@ double DecidingEvaluator::travel() const {
   double motor_sides = 0;
   double closing = 0;
   bool jams = false;
-  for (const TreeStates* tree : *trees_) {
-    const TreeState state = tree->in_state(0);
+  for (const SolvedTrees* tree : *trees_) {
+    const SolvedTree state = tree->in_state(0);
     strands += static_cast<double>(state.strand.size());
     motor_sides += static_cast<double>(state.motor_side.size());
     for (const double way : state.closing) closing += way;
@@ -137,7 +139,7 @@ double DecidingEvaluator::travel() const {
 
 double DecidingEvaluator::tendon_length() const {
   double sum = 0;
-  for (const TreeStates* tree : *trees_) {
+  for (const SolvedTrees* tree : *trees_) {
     sum = std::accumulate(tree->length.begin(), tree->length.end(), sum);
   }
   return sum;
@@ -175,7 +177,7 @@ bool DecidingEvaluator::combine(const Routing& routing) {
     if (!combine(grasps_[g], outcome_.grasps[g])) return false;
   }
   outcome_.parts = {};
-  for (const TreeStates* tree : *trees_) outcome_.parts += tree->outline.parts;
+  for (const SolvedTrees* tree : *trees_) outcome_.parts += tree->outline.parts;
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(), *prices_);
   return true;

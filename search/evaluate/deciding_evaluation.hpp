@@ -2,7 +2,7 @@
 //
 // Equal, bit for bit, to those that DesignEvaluator gives. Where all fingers are alike, no effect
 // of the model depends on tensions or contacts, and grasps hold one finger at most, each tree of a
-// routing is solved once and a routing is put together from its trees (trees/tree_states.hpp):
+// routing is solved once and a routing is put together from its trees (trees/solved_trees.hpp):
 //
 //   T_i = t_i / Σ t_j,  j: all motor-side segments
 //
@@ -60,7 +60,7 @@ class DecidingEvaluator {
   std::vector<Objective> wanted_;
   Score score_;
   std::optional<PartPrices> prices_;
-  Extent extent_;
+  EvaluationScope extent_;
   bool scored_ = false;
   bool compares_fingers_ = false;
   bool estimates_ = false;
@@ -72,8 +72,8 @@ class DecidingEvaluator {
 
   // Of one routing.
   std::vector<TreeSpan> spans_;
-  const std::vector<const TreeStates*>* trees_ = nullptr;
-  std::vector<TreeState> states_;  // of its trees, in one grasp
+  const std::vector<const SolvedTrees*>* trees_ = nullptr;
+  std::vector<SolvedTree> states_;  // of its trees, in one grasp
   DesignOutcome outcome_;
 };
 

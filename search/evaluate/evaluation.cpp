@@ -10,7 +10,7 @@
 
 namespace reeve::search {
 
-Extent extent_for(const std::vector<Objective>& objectives, const Score& score) {
+EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score& score) {
   const auto any_of_terms = [](const Score& terms, auto is_wanted) {
     return std::any_of(terms.terms.begin(), terms.terms.end(),
                        [&](const ScoreTerm& term) { return is_wanted(term.objective); });
@@ -82,18 +82,19 @@ const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
   return state;
 }
 
-GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Extent& extent) {
+GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope) {
   GraspOutcome outcome;
   outcome.weight = grasp.weight;
   const TensionState& pulled = solve(grasp.grasp, Direction::pull);
   outcome.jams = pulled.jams;
   const FingerPulls pulls = finger_pulls(network_, pulled);
   outcome.pull = performance(network_, pulled, pulls);
-  if (extent.indicators) outcome.indicators = indicators(network_, pulled, pulls, given_up_alike_);
-  if (judges_hand(extent)) {
+  if (scope.indicators)
+    outcome.indicators = indicators(network_, pulled, pulls, given_up_equivalent_);
+  if (judges_hand(scope)) {
     outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
   }
-  if (!extent.release) return outcome;
+  if (!scope.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.round_trip_efficiency = round_trip_efficiency(
       outcome.pull.efficiency, motor_efficiency(network_, released, Direction::release));
@@ -122,8 +123,8 @@ double DesignEvaluator::travel() {
   return strands / closing;
 }
 
-bool DesignEvaluator::judges_hand(const Extent& extent) const {
-  return extent.hand && hand_ && first_unknown_finger(*hand_, network_.fingers) == 0;
+bool DesignEvaluator::judges_hand(const EvaluationScope& scope) const {
+  return scope.hand && hand_ && first_unknown_finger(*hand_, network_.fingers) == 0;
 }
 
 HandOutcome DesignEvaluator::hand_outcome() {
@@ -133,16 +134,17 @@ HandOutcome DesignEvaluator::hand_outcome() {
   return {stroke, closing.closure, hand_->motor.close_s};
 }
 
-const DesignOutcome& DesignEvaluator::outcome(const Routing& routing, const Extent& extent) {
+const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,
+                                              const EvaluationScope& scope) {
   try {
-    find_outcome(routing, extent);
+    find_outcome(routing, scope);
   } catch (const OutOfRange& error) {
     throw error.at("routing '" + to_word(routing) + "'");
   }
   return outcome_;
 }
 
-void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent) {
+void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   builder_.require_in_range(network_, mechanics_);
@@ -150,18 +152,18 @@ void DesignEvaluator::find_outcome(const Routing& routing, const Extent& extent)
     model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
   }
   is_shared_ = shared_ && shared_->set_routing(routing);
-  if (extent.indicators) given_up_alike_ = closing_alike_.given_up(network_);
+  if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_);
   outcome_.grasps.clear();
-  for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, extent));
+  for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, scope));
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
-  outcome_.hand = judges_hand(extent) ? hand_outcome() : HandOutcome{};
+  outcome_.hand = judges_hand(scope) ? hand_outcome() : HandOutcome{};
 }
 
-ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const Extent& extent) {
+ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const EvaluationScope& scope) {
   ObjectiveValues values{};
-  compute_objectives(outcome(routing, extent), values);
+  compute_objectives(outcome(routing, scope), values);
   add_score(score_, values);
   return values;
 }

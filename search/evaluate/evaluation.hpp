@@ -24,16 +24,16 @@ namespace reeve::search {
 
 // What is worked out besides the pull and what follows from it at no cost; objectives that need
 // what is left out stay at 0.
-struct Extent {
+struct EvaluationScope {
   bool release = true;     // return friction; a second tension solve in each grasp
   bool indicators = true;  // core/indicators.hpp, and a score made of them
   bool hand = true;        // core/hand, of a hardware with a hand
 
-  friend bool operator==(const Extent&, const Extent&) = default;
+  friend bool operator==(const EvaluationScope&, const EvaluationScope&) = default;
 };
 
 // What these objectives need, the score that of its terms.
-Extent extent_for(const std::vector<Objective>& objectives, const Score& score);
+EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score& score);
 
 // Whether a tension solve with this model can fail to converge at all.
 bool may_not_converge(const Model& model);
@@ -53,12 +53,12 @@ class DesignEvaluator {
 
   // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
   // the model has no tensions.
-  const DesignOutcome& outcome(const Routing& routing, const Extent& extent = {});
+  const DesignOutcome& outcome(const Routing& routing, const EvaluationScope& scope = {});
 
   // Whether the hardware has a hand; routings with fingers that it does not know have none.
   bool has_hand() const { return hand_.has_value(); }
 
-  ObjectiveValues evaluate(const Routing& routing, const Extent& extent = {});
+  ObjectiveValues evaluate(const Routing& routing, const EvaluationScope& scope = {});
 
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
@@ -67,11 +67,11 @@ class DesignEvaluator {
   bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
-  void find_outcome(const Routing& routing, const Extent& extent);
-  GraspOutcome in_grasp(const WeightedGrasp& grasp, const Extent& extent);
+  void find_outcome(const Routing& routing, const EvaluationScope& scope);
+  GraspOutcome in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope);
   const TensionState& solve(Grasp grasp, Direction direction);
   double travel();
-  bool judges_hand(const Extent& extent) const;
+  bool judges_hand(const EvaluationScope& scope) const;
   HandOutcome hand_outcome();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
@@ -91,7 +91,7 @@ class DesignEvaluator {
   TensionSolver solver_;
   Kinematics kinematics_;  // of travel and stroke alone
   ClosingAlike closing_alike_;
-  double given_up_alike_ = 0;  // of the routing at hand, if indicators are asked for
+  double given_up_equivalent_ = 0;  // of the routing at hand, if indicators are asked for
   Motion motion_;
   TensionState state_;
   DesignOutcome outcome_;

@@ -64,8 +64,8 @@ const std::vector<const TreeOutline*>& KnownTrees::outlines(const Routing& routi
   return outlines_;
 }
 
-const std::vector<const TreeStates*>& KnownTrees::states(const Routing& routing,
-                                                         const std::vector<TreeSpan>& spans) {
+const std::vector<const SolvedTrees*>& KnownTrees::states(const Routing& routing,
+                                                          const std::vector<TreeSpan>& spans) {
   states_.clear();
   if (!find(routing, spans)) return states_;
   for (std::size_t t = 0; t < spans.size(); ++t) {

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/evaluate/solved_trees.hpp"
 #include "search/evaluate/tendon_sums.hpp"
 #include "search/evaluate/tree_spans.hpp"
-#include "search/evaluate/tree_states.hpp"
 
 namespace reeve::search {
 
@@ -28,8 +28,8 @@ class KnownTrees {
   // places share a hash. Sums of a tendon alone are those of its states but for rounding.
   const std::vector<const TreeOutline*>& outlines(const Routing& routing,
                                                   const std::vector<TreeSpan>& spans);
-  const std::vector<const TreeStates*>& states(const Routing& routing,
-                                               const std::vector<TreeSpan>& spans);
+  const std::vector<const SolvedTrees*>& states(const Routing& routing,
+                                                const std::vector<TreeSpan>& spans);
 
   // Trees solved so far.
   std::uint64_t solved() const { return solved_; }
@@ -41,7 +41,7 @@ class KnownTrees {
     TreeKey key;
     std::uint64_t asked = 0;  // when it was last; 0: it is empty
     bool solved = false;      // or else it has an outline alone
-    TreeStates states;
+    SolvedTrees states;
   };
 
   bool find(const Routing& routing, const std::vector<TreeSpan>& spans);
@@ -58,7 +58,7 @@ class KnownTrees {
   std::uint64_t solved_ = 0;
   std::vector<Place*> found_;
   std::vector<const TreeOutline*> outlines_;
-  std::vector<const TreeStates*> states_;
+  std::vector<const SolvedTrees*> states_;
 };
 
 }  // namespace reeve::search

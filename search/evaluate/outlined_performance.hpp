@@ -1,7 +1,7 @@
 // Uniformity and motor efficiency of a routing over its grasps, from the sums of its trees.
 //
 // In a grasp of which trees are in these states, least and greatest strand tension, motor tension
-// and work are those of the trees together (tree_states.hpp):
+// and work are those of the trees together (solved_trees.hpp):
 //
 //   uniformity = min_t least_t / max_t most_t,  efficiency = Σ_t work_t / Σ_t motor_t
 //

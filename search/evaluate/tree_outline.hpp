@@ -7,7 +7,7 @@
 
 namespace reeve::search {
 
-// What a state adds to a routing (tree_states.hpp has the t_i).
+// What a state adds to a routing (solved_trees.hpp has the t_i).
 struct TreeSums {
   bool jams = false;
   bool in_range = true;

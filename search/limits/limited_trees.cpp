@@ -136,10 +136,10 @@ std::optional<std::uint64_t> LimitedTrees::place_of(const Routing& routing) {
   if (!beside) return std::nullopt;
   const auto c = static_cast<std::size_t>(found - cells.begin());
   NumberedParts& numbered = parts_.numbered();
-  const NumberedParts::Goal alike = numbered.goal(ClassSet().set(classes_.of(tied)));
+  const NumberedParts::Goal equivalent = numbered.goal(ClassSet().set(classes_.of(tied)));
   Routing made;
-  for (auto set = numbered.first(cells_[c].sets, 0, alike); set;
-       set = numbered.first(cells_[c].sets, set->index + 1, alike)) {
+  for (auto set = numbered.first(cells_[c].sets, 0, equivalent); set;
+       set = numbered.first(cells_[c].sets, set->index + 1, equivalent)) {
     trees_.make(c, set->index, others, made);
     if (made == routing) return cells_[c].begin + set->index * found->tendons + *beside;
   }

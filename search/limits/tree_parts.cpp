@@ -92,7 +92,7 @@ TreeParts::Sort TreeParts::loop_through_pass(int m) {
 // Unordered pairs of members: of one size, or the lesser size first.
 template <typename Member>
 void TreeParts::append_pairs(TreeSize size, Member member, std::vector<Sort>& pairs) {
-  Split split{{}, size};
+  SizePair split{{}, size};
   do {
     const auto [first, second] = split;
     const bool is_lesser = first.fingers != second.fingers ? first.fingers < second.fingers
@@ -102,7 +102,7 @@ void TreeParts::append_pairs(TreeSize size, Member member, std::vector<Sort>& pa
     } else if (is_lesser) {
       pairs.push_back(numbered_.both(member(first), member(second)));
     }
-  } while (next_split(split));
+  } while (next_pair(split));
 }
 
 TreeParts::Sort TreeParts::half(TreeSize size) {

@@ -133,7 +133,7 @@ DesignEvaluator evaluator_of(const Model& model, const UncertaintyOptions& optio
 bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective>& objectives,
                const UncertaintyOptions& options, const DrawnModel& model, DrawLoop& loop,
                std::vector<Bands>& bands) {
-  const Extent extent = extent_for(objectives, options.score);
+  const EvaluationScope scope = scope_for(objectives, options.score);
   const std::size_t at_once = designs_at_once(options, objectives.size());
   while (bands.size() < routings.size()) {
     DrawnValues values(objectives, options.draws, bands.size(),
@@ -141,7 +141,7 @@ bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective
     const bool finished = loop.pass([&](std::size_t draw) {
       DesignEvaluator evaluator = evaluator_of(model(draw), options);
       for (std::size_t i = values.begin(); i < values.end(); ++i) {
-        values.keep(i, draw, evaluator.evaluate(routings[i], extent));
+        values.keep(i, draw, evaluator.evaluate(routings[i], scope));
       }
     });
     if (!finished) return false;

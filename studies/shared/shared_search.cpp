@@ -19,23 +19,23 @@ constexpr double part_of_elapsed = 0.05;
 constexpr std::uint64_t least_piece = 2048;
 constexpr auto patience = std::chrono::microseconds(200);
 
-ExplorationPart part_before(const Keeping& keeping, const ExploreOptions& options) {
-  return keeping.before ? part_of(*keeping.before, options) : ExplorationPart(options);
+ExplorationPart part_before(const Checkpoint& checkpoint, const ExploreOptions& options) {
+  return checkpoint.before ? part_of(*checkpoint.before, options) : ExplorationPart(options);
 }
 
 }  // namespace
 
 SharedSearch::SharedSearch(Processes& processes, std::string exploration, const RecordText& text,
                            const ExploreOptions& options, const Supervision& supervision,
-                           const Keeping& keeping)
+                           const Checkpoint& checkpoint)
     : processes_(processes),
       exploration_(std::move(exploration)),
       text_(text),
       supervision_(supervision),
-      keeping_(keeping),
+      checkpoint_(checkpoint),
       explore_here_(piece_search(options)),
-      absorb_(record_absorbing(options, static_cast<bool>(keeping.save))),
-      whole_(part_before(keeping, options)),
+      absorb_(record_absorbing(options, static_cast<bool>(checkpoint.save))),
+      whole_(part_before(checkpoint, options)),
       left_(shard_range(RoutingGenerator(options.generator).total(), options.shard.index,
                         options.shard.count)),
       begin_(left_.begin),
@@ -63,7 +63,7 @@ ExplorationPart SharedSearch::run() {
   }
   put_together();
   // A shard without routings is saved, too, but once.
-  if (keeping_.save && (whole_.generated > before_ || !keeping_.before)) save();
+  if (checkpoint_.save && (whole_.generated > before_ || !checkpoint_.before)) save();
   return std::move(whole_);
 }
 
@@ -81,7 +81,7 @@ ShardRange SharedSearch::cut_piece(int rank) {
 
 void SharedSearch::hand_to(int rank) {
   if (left_.begin == left_.end) return;
-  processes_.send(rank, to_bytes({CrewWord::piece, cut_piece(rank)}));
+  processes_.send(rank, to_bytes({RankWord::piece, cut_piece(rank)}));
 }
 
 void SharedSearch::explore_piece() {
@@ -96,14 +96,14 @@ void SharedSearch::explore_piece() {
 
 void SharedSearch::take_messages() {
   while (const std::optional<ProcessMessage> message = processes_.poll()) {
-    take(message->from, crew_message(message->bytes));
+    take(message->from, rank_message(message->bytes));
   }
 }
 
-void SharedSearch::take(int from, const CrewMessage& message) {
+void SharedSearch::take(int from, const RankMessage& message) {
   const std::string who = fmt::format("rank {} of {}", from, processes_.size());
   switch (message.word) {
-    case CrewWord::ready:
+    case RankWord::ready:
       if (message.text != exploration_) {
         throw InputError({.where = who,
                           .what = "it has read another exploration: its files, its catalogue or "
@@ -113,19 +113,19 @@ void SharedSearch::take(int from, const CrewMessage& message) {
       hand_to(from);
       hand_to(from);
       return;
-    case CrewWord::brought:
+    case RankWord::brought:
       keep(message.places.begin, from, text_.read(message.text));
       hand_to(from);
       return;
-    case CrewWord::bad_input:
+    case RankWord::bad_input:
       throw InputError({.where = who, .what = message.text});
-    case CrewWord::no_answer:
+    case RankWord::no_answer:
       throw OutOfRange(message.text);
-    case CrewWord::failed:
+    case RankWord::failed:
       throw FollowerFailed(who + ": " + message.text);
-    case CrewWord::gone:
-    case CrewWord::piece:
-    case CrewWord::over:
+    case RankWord::gone:
+    case RankWord::piece:
+    case RankWord::over:
       return;
   }
 }
@@ -151,12 +151,12 @@ void SharedSearch::put_together() {
 }
 
 void SharedSearch::save_if_due() {
-  if (keeping_.save && !is_stopped() && keeping_.is_due()) save();
+  if (checkpoint_.save && !is_stopped() && checkpoint_.is_due()) save();
 }
 
 void SharedSearch::save() {
   whole_.seconds = seconds_before_ + elapsed();
-  keeping_.save(whole_);
+  checkpoint_.save(whole_);
 }
 
 double SharedSearch::elapsed() const {

@@ -1,4 +1,4 @@
-// The leader's part of a search that several processes share (crew.hpp).
+// The leader's part of a search that several processes share (ranks.hpp).
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 
 #include "search/exploration_part.hpp"
 #include "search/pieces.hpp"
-#include "studies/shared/crew.hpp"
-#include "studies/shared/crew_message.hpp"
+#include "studies/shared/rank_message.hpp"
+#include "studies/shared/ranks.hpp"
 
 namespace reeve::studies {
 
@@ -20,7 +20,7 @@ class SharedSearch {
  public:
   SharedSearch(Processes& processes, std::string exploration, const RecordText& text,
                const ExploreOptions& options, const Supervision& supervision,
-               const Keeping& keeping);
+               const Checkpoint& checkpoint);
 
   // Throws what a follower reported.
   ExplorationPart run();
@@ -31,7 +31,7 @@ class SharedSearch {
   void hand_to(int rank);
   void explore_piece();
   void take_messages();
-  void take(int from, const CrewMessage& message);
+  void take(int from, const RankMessage& message);
   void keep(std::uint64_t begin, int rank, ShardRecord record);
   void put_together();
   void save_if_due();
@@ -43,7 +43,7 @@ class SharedSearch {
   std::string exploration_;
   RecordText text_;
   const Supervision& supervision_;
-  const Keeping& keeping_;
+  const Checkpoint& checkpoint_;
   PieceSearch explore_here_;
   RecordAbsorbing absorb_;
   ExplorationPart whole_;     // of the places before `together_`

@@ -13,11 +13,11 @@ namespace {
 class NamedEffects : public ::testing::Test {
  protected:
   NamedEffects() : plan_(plan_of({"M-1-T-2-F", "M-1-P-2-M"})) {
-    plan_.speed_mm_s = Levels{{1, 100}, {}};
-    plan_.cycle = Levels{{0, 3000}, {}};
-    plan_.temperature_C = Levels{{15, 35}, {}};
+    plan_.speed_mm_s = PlannedLevels{{1, 100}, {}};
+    plan_.cycle = PlannedLevels{{0, 3000}, {}};
+    plan_.temperature_C = PlannedLevels{{15, 35}, {}};
     plan_.directions = {Direction::pull, Direction::release};
-    plan_.sheath_angle_rad = Levels{{1, 6}, {}};
+    plan_.sheath_angle_rad = PlannedLevels{{1, 6}, {}};
   }
 
   Effect effect(const std::string& name, const std::vector<Setting>& settings = {}) const {
@@ -126,7 +126,7 @@ TEST_F(NamedEffects, ThatTheExperimentCannotShowSayWhatItLacks) {
   EXPECT_EQ(error("hysteresis"),
             "'hysteresis': pulling and releasing differ by it: expected readings of both "
             "directions");
-  plan_.sheath_angle_rad = Levels{{}, {3}};
+  plan_.sheath_angle_rad = PlannedLevels{{}, {3}};
   EXPECT_EQ(error("wrap_free_loss"),
             "'wrap_free_loss': it shows where sheath angles differ: expected more than one of "
             "them");

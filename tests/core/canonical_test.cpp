@@ -102,15 +102,15 @@ TEST(Canonical, BlocksAndBarsAreNumberedEachForThemselves) {
 }
 
 TEST(Canonical, ShapesIgnoreFingerNumbersAndNothingElse) {
-  const auto alike = [](const char* a, const char* b) {
+  const auto equivalent = [](const char* a, const char* b) {
     return same_shape(parse_routing(a).tendons[0], parse_routing(b).tendons[0]);
   };
-  EXPECT_TRUE(alike("M-1-T-2-F", "M-2-T-1-F"));
-  EXPECT_TRUE(alike("1-P-2b-T-1", "2-P-1b-T-2"));
-  EXPECT_FALSE(alike("M-1-T-2-F", "M-1-B-2-F"));
-  EXPECT_FALSE(alike("M-1-T-2-F", "M-1-T-2b-F"));
-  EXPECT_FALSE(alike("M-1-F", "M-1-T-F"));
-  EXPECT_FALSE(alike("M-1-F", "M-1-T-2-F"));
+  EXPECT_TRUE(equivalent("M-1-T-2-F", "M-2-T-1-F"));
+  EXPECT_TRUE(equivalent("1-P-2b-T-1", "2-P-1b-T-2"));
+  EXPECT_FALSE(equivalent("M-1-T-2-F", "M-1-B-2-F"));
+  EXPECT_FALSE(equivalent("M-1-T-2-F", "M-1-T-2b-F"));
+  EXPECT_FALSE(equivalent("M-1-F", "M-1-T-F"));
+  EXPECT_FALSE(equivalent("M-1-F", "M-1-T-2-F"));
 }
 
 // ---- symmetries, against all permutations of the fingers ----

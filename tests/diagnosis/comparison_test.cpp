@@ -98,7 +98,7 @@ TEST(ComparisonWithoutMotorTension, IsOfSharesOverTheMeasuredStrands) {
   const Comparison result = compared("run,routing,T1_N,T2_N,T3_N\nA,M-1-T-2-F,6,3,1\n");
   const double sum = 1 + past_tube + past_tube * past_tube;
   ASSERT_EQ(result.values.size(), 3U);
-  EXPECT_EQ(result.values[0].quantity, Quantity::share);
+  EXPECT_EQ(result.values[0].quantity, ComparedQuantity::share);
   EXPECT_NEAR(result.values[0].measured, 0.6, 1e-12);
   EXPECT_NEAR(result.values[0].predicted, 1 / sum, 1e-9);
   EXPECT_NEAR(result.values[2].residual(), 0.1 - past_tube * past_tube / sum, 1e-9);

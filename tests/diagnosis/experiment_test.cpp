@@ -16,9 +16,9 @@ namespace {
 ExperimentPlan full_plan() {
   ExperimentPlan plan = plan_of(three_routings);
   plan.directions = {Direction::pull, Direction::release};
-  plan.speed_mm_s = Levels{{1, 100}, {}};
-  plan.cycle = Levels{{0, 3000}, {}};
-  plan.temperature_C = Levels{{15, 35}, {}};
+  plan.speed_mm_s = PlannedLevels{{1, 100}, {}};
+  plan.cycle = PlannedLevels{{0, 3000}, {}};
+  plan.temperature_C = PlannedLevels{{15, 35}, {}};
   return plan;
 }
 
@@ -97,7 +97,8 @@ TEST(Experiment, ChangesEachConditionInAnOrderOfItsOwn) {
 }
 
 TEST(Experiment, NeverTurnsTheCycleBack) {
-  for (const Levels& cycle : {Levels{{0, 3000}, {}}, Levels{{}, {0, 10, 500}}}) {
+  for (const PlannedLevels& cycle :
+       {PlannedLevels{{0, 3000}, {}}, PlannedLevels{{}, {0, 10, 500}}}) {
     ExperimentPlan plan = full_plan();
     plan.cycle = cycle;
     const std::vector<PlannedReading> readings = schedule(plan, 1);
@@ -123,7 +124,7 @@ TEST(Experiment, TakesTheLevelsOfAListAndNoOthers) {
 TEST(Experiment, BendsTheSheathsInAnOrderOfItsOwn) {
   ExperimentPlan plan = full_plan();
   plan.runs = 100;
-  plan.sheath_angle_rad = Levels{{2, 6}, {}};
+  plan.sheath_angle_rad = PlannedLevels{{2, 6}, {}};
   double sum = 0;
   double squares = 0;
   const std::vector<PlannedReading> readings = schedule(plan, 1);
@@ -150,13 +151,13 @@ TEST(Experiment, ShowsWhatItVaries) {
   EXPECT_FALSE(survey(plan).sheath_angle_varies);
   plan.directions = {Direction::release, Direction::pull};
   EXPECT_TRUE(survey(plan).has_both_directions);
-  plan.sheath_angle_rad = Levels{{}, {3}};
+  plan.sheath_angle_rad = PlannedLevels{{}, {3}};
   EXPECT_FALSE(survey(plan).sheath_angle_varies);
-  plan.sheath_angle_rad = Levels{{}, {3, 4}};
+  plan.sheath_angle_rad = PlannedLevels{{}, {3, 4}};
   EXPECT_TRUE(survey(plan).sheath_angle_varies);
-  plan.sheath_angle_rad = Levels{{3, 3}, {}};
+  plan.sheath_angle_rad = PlannedLevels{{3, 3}, {}};
   EXPECT_FALSE(survey(plan).sheath_angle_varies);
-  plan.sheath_angle_rad = Levels{{3, 4}, {}};
+  plan.sheath_angle_rad = PlannedLevels{{3, 4}, {}};
   EXPECT_TRUE(survey(plan).sheath_angle_varies);
 }
 
@@ -206,7 +207,7 @@ TEST(Experiment, ThatCannotBeDoneIsNamed) {
   EXPECT_EQ(input_error([&] { validate(plan); }),
             "runs = 1000, of 1000 rows and 2 repeats: expected 1000000 readings at most");
   plan = plan_of(three_routings);
-  plan.cycle = Levels{{}, {10, 5}};
+  plan.cycle = PlannedLevels{{}, {10, 5}};
   EXPECT_EQ(input_error([&] { validate(plan); }), "cycles: expected a list that rises");
   plan = plan_of(three_routings);
   plan.channels.push_back(parse_segment("h1"));

@@ -86,14 +86,14 @@ TEST(PlantedPairs, AreBothNamed) {
 
 TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
   const PlantedAlias planted = plant_alias(AliasKind::speed_or_temperature, low_noise, 58);
-  const DiagnosisResult alike = diagnosed_plant(planted.aliased.csv);
-  EXPECT_EQ(alike.verdict, Verdict::indistinguishable);
-  ASSERT_FALSE(alike.indistinguishable.empty());
+  const DiagnosisResult equivalent = diagnosed_plant(planted.aliased.csv);
+  EXPECT_EQ(equivalent.verdict, Verdict::indistinguishable);
+  ASSERT_FALSE(equivalent.indistinguishable.empty());
   for (const std::string& name : planted.names) {
-    const auto& group = alike.indistinguishable.front();
+    const auto& group = equivalent.indistinguishable.front();
     EXPECT_NE(std::find(group.begin(), group.end(), name), group.end()) << name;
   }
-  EXPECT_TRUE(alike.separating_measurement.has_value());
+  EXPECT_TRUE(equivalent.separating_measurement.has_value());
   const DiagnosisResult apart = diagnosed_plant(planted.separated.csv);
   EXPECT_EQ(apart.verdict, Verdict::cause);
   EXPECT_EQ(named(apart), std::vector<std::string>{planted.names[0]});

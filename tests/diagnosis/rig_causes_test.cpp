@@ -44,7 +44,7 @@ struct HiddenInBench {
   const char* name;
   std::function<void(BenchRow&)> tendon;
   std::function<void(const BenchRow&, BenchReadings&)> sensors;
-  const char* alike = "";  // another cause of the same readings
+  const char* equivalent = "";  // another cause of the same readings
 };
 
 constexpr std::size_t bench_runs = 8;
@@ -121,8 +121,8 @@ TEST_P(HiddenInABench, IsNamedAndNothingElseIs) {
   options.replicates = 200;
   const DiagnosisResult result = diagnose(read_data(bench_csv(GetParam())), Hardware{}, options);
   ASSERT_EQ(result.causes.size(), 1U);
-  const std::string alike = GetParam().alike;
-  if (alike.empty()) {
+  const std::string equivalent = GetParam().equivalent;
+  if (equivalent.empty()) {
     EXPECT_EQ(result.causes[0].name, GetParam().name);
     EXPECT_EQ(result.verdict, Verdict::cause);
   } else {
@@ -130,7 +130,7 @@ TEST_P(HiddenInABench, IsNamedAndNothingElseIs) {
     ASSERT_EQ(result.indistinguishable.size(), 1U);
     const std::vector<std::string>& names = result.indistinguishable[0];
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
-              (std::set<std::string>{GetParam().name, alike}));
+              (std::set<std::string>{GetParam().name, equivalent}));
   }
 }
 

@@ -28,7 +28,7 @@ std::string seven_runs() {
 
 TEST(SplitByRun, NeverTearsARunApart) {
   const MeasuredData data = read_data(seven_runs());
-  const Split split = split_by_run(data, 0.3, 1);
+  const RunSplit split = split_by_run(data, 0.3, 1);
   std::set<std::size_t> training, held_out;
   for (const std::size_t i : split.training) training.insert(data.readings[i].run);
   for (const std::size_t i : split.held_out) held_out.insert(data.readings[i].run);
@@ -40,7 +40,7 @@ TEST(SplitByRun, NeverTearsARunApart) {
 TEST(SplitByRun, KeepsARunOfEveryRoutingInTraining) {
   const MeasuredData data = read_data(seven_runs());
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    const Split split = split_by_run(data, 0.5, seed);
+    const RunSplit split = split_by_run(data, 0.5, seed);
     std::set<std::size_t> routings;
     for (const std::size_t i : split.training) routings.insert(data.readings[i].routing);
     EXPECT_EQ(routings.size(), 3U) << seed;
@@ -74,7 +74,7 @@ TEST(SplitByRun, DropsRepeatedRowsOfAnyRun) {
   const MeasuredData data = read_data(
       "run,routing,motor_tension_N,T1_N,T2_N\n1,TR3,10,1.0013,2.1178\n1,TR3,10,1.0013,2.1178\n"
       "2,TR3,10,1.0013,2.1178\n2,TR3,10,1.0013,2.1242\n");
-  const Split split = split_by_run(data, 0, 1);
+  const RunSplit split = split_by_run(data, 0, 1);
   EXPECT_EQ(split.dropped, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(split.training, (std::vector<std::size_t>{0, 3}));
 }
@@ -90,7 +90,7 @@ TEST(Thinned, TakesFromEveryRunAlike) {
     text += (i < 80 ? "long" : "short") + std::string(",TR3,10,") + std::to_string(i) + "\n";
   }
   const MeasuredData data = read_data(text);
-  const Split split = split_by_run(data, 0, 1);
+  const RunSplit split = split_by_run(data, 0, 1);
   const auto kept = thinned(data, split.training, 20);
   const auto of_long = std::count_if(kept.begin(), kept.end(),
                                      [&](std::size_t i) { return data.readings[i].run == 0; });
@@ -106,7 +106,7 @@ TEST(Thinned, KeepsAsManyAsItMayOfManyShortRuns) {
     text += std::to_string(i / 3) + ",TR3,10," + std::to_string(i) + "e-2\n";
   }
   const MeasuredData data = read_data(text);
-  const Split split = split_by_run(data, 0, 1);
+  const RunSplit split = split_by_run(data, 0, 1);
   for (const std::size_t most : {100U, 170U, 299U}) {
     const auto kept = thinned(data, split.training, most);
     EXPECT_EQ(kept.size(), most);
@@ -121,7 +121,7 @@ TEST(Thinned, KeepsAsManyAsItMayOfManyShortRuns) {
 
 TEST(Thinned, LeavesAloneWhatIsNotTooMuch) {
   const MeasuredData data = read_data(seven_runs());
-  const Split split = split_by_run(data, 0, 1);
+  const RunSplit split = split_by_run(data, 0, 1);
   EXPECT_EQ(thinned(data, split.training, 28), split.training);
   EXPECT_EQ(thinned(data, split.training, 27).size(), 27U);
 }

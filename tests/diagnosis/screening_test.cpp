@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "diagnosis/search/outlook.hpp"
+#include "diagnosis/search/screened_causes.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -34,15 +34,15 @@ struct Seen {
   Workers workers{1};
   std::vector<Candidate> candidates;
   Model model;
-  Outlook outlook;
+  ScreenedCauses screened;
 
   Seen(double offset_N, std::vector<Candidate> among, Model before = {})
       : bench({offset_N, 0.2}, {5, 6, 1, 0}),
         candidates(std::move(among)),
         model(std::move(before)),
-        outlook(bench.problem, model, candidates, workers) {}
+        screened(bench.problem, model, candidates, workers) {}
 
-  std::vector<double> gains() const { return outlook.screening().gains(outlook.residuals()); }
+  std::vector<double> gains() const { return screened.screening().gains(screened.residuals()); }
 };
 
 // 30 readings of each strand: |e|² = 30 (x² + 4²), of which an offset on T1 takes 30 x².
@@ -55,7 +55,7 @@ TEST(Screening, GivesTheGainOfTheFirstOrderAtTheNoiseThatIsSeen) {
   const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()});
   EXPECT_NEAR(seen.gains()[0], gain(2, 30 * 4), 1e-3);
   EXPECT_NEAR(seen.gains()[1], gain(2, 30 * 16), 1e-3);
-  EXPECT_EQ(seen.outlook.screening().greatest_gain(seen.outlook.residuals()), seen.gains()[1]);
+  EXPECT_EQ(seen.screened.screening().greatest_gain(seen.screened.residuals()), seen.gains()[1]);
 }
 
 TEST(Screening, GivesNothingToASizeThatTheCauseCannotHave) {
@@ -86,7 +86,7 @@ TEST(Screening, StartsAFitAtTheSizeOfTheFirstOrderWithinTheRange) {
   const PatternCause small("small", {1}, {0, 0.06});
   const Seen seen(0.1, {on_T1.candidate(), small.candidate(), half_candidate});
   const auto starts = [&](std::size_t candidate) {
-    return seen.outlook.screening().starts(candidate, seen.outlook.residuals());
+    return seen.screened.screening().starts(candidate, seen.screened.residuals());
   };
   ASSERT_EQ(starts(0).size(), 3U);
   EXPECT_NEAR(starts(0)[0][0], 0.1, 1e-6);
@@ -103,7 +103,7 @@ TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
 }
 
 // Of three that gain, the two that gain most; with the laws of friction, these in any case.
-TEST(Outlook, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
+TEST(ScreenedCauses, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
   const PatternCause weak("weak", {0.05, 1, 1});
   Bench bench({0.1, 0.2}, {5, 6, 1, 0});
   std::vector<Candidate> among;
@@ -116,21 +116,21 @@ TEST(Outlook, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
   }
   Workers workers(1);
   const Model model;
-  const Outlook outlook(bench.problem, model, among, workers);
-  const std::vector<double> gains = outlook.screening().gains(outlook.residuals());
-  const auto two = outlook.contenders(2, Outlook::Laws::by_gain);
+  const ScreenedCauses screened(bench.problem, model, among, workers);
+  const std::vector<double> gains = screened.screening().gains(screened.residuals());
+  const auto two = screened.contenders(2, ScreenedCauses::Laws::by_gain);
   ASSERT_EQ(two.size(), 2U);
   EXPECT_EQ(two[0], 2U);  // on_T2
   EXPECT_GE(gains[two[0]], gains[two[1]]);
-  const auto none = outlook.contenders(0, Outlook::Laws::by_gain);
+  const auto none = screened.contenders(0, ScreenedCauses::Laws::by_gain);
   EXPECT_TRUE(none.empty());
-  EXPECT_EQ(outlook.contenders(0, Outlook::Laws::always), std::vector<std::size_t>{0});
+  EXPECT_EQ(screened.contenders(0, ScreenedCauses::Laws::always), std::vector<std::size_t>{0});
 }
 
-TEST(Outlook, LooksAtWhatTheModelDoesNotHave) {
+TEST(ScreenedCauses, LooksAtWhatTheModelDoesNotHave) {
   const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()}, on_T2.model(0.2));
-  ASSERT_EQ(seen.outlook.candidates().size(), 1U);
-  EXPECT_EQ(seen.outlook.candidates()[0].name, "on_T1");
+  ASSERT_EQ(seen.screened.candidates().size(), 1U);
+  EXPECT_EQ(seen.screened.candidates()[0].name, "on_T1");
 }
 
 }  // namespace

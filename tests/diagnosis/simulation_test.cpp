@@ -46,7 +46,7 @@ TEST(Simulation, WithoutNoiseAndCausesReadsThePlainModel) {
 
 TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
   ExperimentPlan plan = plan_of(three_routings);
-  plan.cycle = Levels{{0, 3000}, {}};
+  plan.cycle = PlannedLevels{{0, 3000}, {}};
   const Model model = model_with(plan, {{"load_dependent_friction", {{"exponent", "0.15"}}},
                                         {"wear", {{"change", "-0.4"}, {"cycles", "500"}}},
                                         {"wrong_grasp[M-1-P-2-M]", {{"recorded", "none"}}},
@@ -75,7 +75,7 @@ TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
 TEST(Simulation, TakesTheTransmissionsLossFromThePullAndBendsTheSheathsAsPlanned) {
   ExperimentPlan plan = plan_of({"M-1-T-2-F"});
   plan.directions = {Direction::pull, Direction::release};
-  plan.sheath_angle_rad = Levels{{0.5, 7}, {}};
+  plan.sheath_angle_rad = PlannedLevels{{0.5, 7}, {}};
   const Model model = model_with(plan, {{"constant_loss", {{"force_N", "2"}}},
                                         {"wrap_free_loss", {{"exponent", "0.3"}}},
                                         {"drift[T1]", {{"drift_N", "-1"}}}});

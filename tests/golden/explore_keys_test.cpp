@@ -16,8 +16,8 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
       "generated rejected evaluated pruned ranked partial notes total seconds designs_per_second "
       "front_equals_left_out front top best known ladder unmet exploration settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
-  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + alike);
-  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + alike);
+  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + equivalent);
+  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["known"][0]),
             "name routing rank front dominated_by generated rejected_by" + objectives);
   EXPECT_EQ(keys(json["settings"]),

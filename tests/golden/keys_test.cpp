@@ -50,7 +50,8 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
 
 TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"rank", "M-1-T-2-T-3-F", "--hardware", example_hand});
-  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + " hand" + alike);
+  EXPECT_EQ(keys(json["designs"][0]),
+            "rank front routing name" + objectives + " hand" + equivalent);
   EXPECT_EQ(keys(json["designs"][0]["hand"]), hand_objectives);
   const Json& hardware = json["settings"]["hardware"];
   EXPECT_EQ(keys(hardware), "tube bearing sheath lengths fingers contacts hand motor");
@@ -90,7 +91,7 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 TEST(KeysOfRank, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--catalog"});
   EXPECT_EQ(keys(json), "designs settings ladder version result_id");
-  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + alike);
+  EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["settings"]), common_settings);
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
   expect_pair(json["designs"][0]);
@@ -117,7 +118,7 @@ TEST(KeysOfTheModel, AreThePromisedOnes) {
 TEST(KeysOfRank, AddADistributionWithUncertainty) {
   const Json json = json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"});
   EXPECT_EQ(keys(json["designs"][0]),
-            "rank front routing name" + objectives + alike + " rank_distribution bands");
+            "rank front routing name" + objectives + equivalent + " rank_distribution bands");
   EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]),
             "first_share median p5 p95 first_shared");
   EXPECT_EQ(keys(json["designs"][0]["bands"]),

@@ -264,17 +264,17 @@ TEST(PageDesigns, NameTheDesignThatStandsForThem) {
   const ExploreReport report = explored(small_options());
   const std::vector<PageDesign> designs = page_designs(report, 1'000'000);
   const Json same_as = design_columns(designs, {})["same_as"];
-  std::size_t alike = 0;
+  std::size_t equivalent = 0;
   for (std::size_t i = 0; i < report.top.size(); ++i) {
     const std::string& of = report.top[i].same_as;
     if (of.empty()) {
       EXPECT_EQ(same_as[i], -1) << designs[i].word;
       continue;
     }
-    ++alike;
+    ++equivalent;
     EXPECT_EQ(designs[same_as[i].get<std::size_t>()].word, of);
   }
-  EXPECT_GT(alike, 5U);
+  EXPECT_GT(equivalent, 5U);
 }
 
 // A rung may lie beyond the list, and the page draws it all the same.

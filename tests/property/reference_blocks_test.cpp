@@ -162,9 +162,9 @@ TEST(ReferenceBlocks, FingersCloseAsAlikeAsABlockOfSeveralTendonsLets) {
 // Finger 4 held: 2 z2 = dl3 and 2 = dl5 + z2 leave one freedom beside dl1 = dl2 = 1.
 TEST(ReferenceBlocks, WhatTheConstraintsLeaveOpenHasTheLeastWeightedVariance) {
   const char* word = "M-Y1+1x-Y1-2x+Y2-Y1-5x+3x-Y2-4x";
-  const ReferenceResult alike = pulled(word, {4});
-  EXPECT_NEAR(alike.closing.at(3), 24.0 / 19, 1e-15);
-  EXPECT_NEAR(alike.closing.at(5), 26.0 / 19, 1e-15);
+  const ReferenceResult equivalent = pulled(word, {4});
+  EXPECT_NEAR(equivalent.closing.at(3), 24.0 / 19, 1e-15);
+  EXPECT_NEAR(equivalent.closing.at(5), 26.0 / 19, 1e-15);
   ReferenceHardware hardware = paper_hardware();
   hardware.closing_weight[5] = 2;
   const ReferenceResult weighed = pulled(word, {4}, hardware);

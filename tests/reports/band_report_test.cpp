@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"
@@ -74,7 +74,7 @@ TEST(BandTable, SaysHowOftenAllConstraintsAreMet) {
 TEST(BandSection, SaysHowConstraintsAreJudgedAndWhichDesignHoldsInNearlyAllDraws) {
   std::vector<ListedDesign> shown{drawn_design("A", 1, 1), drawn_design("B", 2, 2)};
   const auto lines = [&] {
-    const std::string all = text(Sheet{{band_section(shown, {}, {})}});
+    const std::string all = text(Document{{band_section(shown, {}, {})}});
     const std::size_t begin = all.find("Meets all: ");
     return begin == std::string::npos ? "" : all.substr(begin);
   };
@@ -156,7 +156,7 @@ TEST(BandSection, IsNothingWhereNothingWasDrawn) {
 }
 
 std::string line_of(const std::vector<ListedDesign>& designs) {
-  const std::vector<SheetLine> lines = shared_first_lines(designs);
+  const std::vector<DocumentLine> lines = shared_first_lines(designs);
   return lines.empty() ? "" : lines.front().text;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/ladder_report.hpp"
 
@@ -42,14 +42,14 @@ ListedLadder three_rungs(Objective by = Objective::sheaths) {
   return ladder;
 }
 
-std::string lines_text(const std::vector<SheetLine>& lines) {
-  return text(Sheet{{{"", std::nullopt, lines}}});
+std::string lines_text(const std::vector<DocumentLine>& lines) {
+  return text(Document{{{"", std::nullopt, lines}}});
 }
 
 TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
   const ListedLadder ladder = three_rungs();
   ListedDesign first = ladder.rungs[2];
-  first.alike = {"D", "E"};
+  first.equivalent = {"D", "E"};
   EXPECT_EQ(lines_text(answer_lines({first}, ladder)),
             "First: C, and 2 more with other bearings, which change nothing: 4 sheaths, uniformity "
             "0.800\n"
@@ -108,7 +108,8 @@ TEST(AnswerLines, SayACostOfGramsInKilograms) {
 }
 
 TEST(LadderTable, HasACostOfGramsInKilograms) {
-  const std::string table = text(Sheet{{ladder_section(thousandth(three_rungs(Objective::cost)))}});
+  const std::string table =
+      text(Document{{ladder_section(thousandth(three_rungs(Objective::cost)))}});
   for (const char* cost : {"\n   0.0100  ", "\n   0.0125  ", "\n   0.0300  "}) {
     EXPECT_NE(table.find(cost), std::string::npos) << table;
   }
@@ -137,18 +138,18 @@ TEST(AnswerLines, HaveUnits) {
                 .find("motor 65.8 N, travel 2.00, cost 44.40 EUR\n"),
             std::string::npos)
       << lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_NE(text(Sheet{{ladder_section(ladder)}}).find("  motor (N)  "), std::string::npos);
+  EXPECT_NE(text(Document{{ladder_section(ladder)}}).find("  motor (N)  "), std::string::npos);
 }
 
 TEST(AlikeLines, NameAFewAndCountTheRest) {
   ListedDesign design = three_rungs().rungs[2];
-  design.alike = {"D", "E", "F", "G", "H", "I"};
-  EXPECT_EQ(lines_text(alike_lines({design})),
+  design.equivalent = {"D", "E", "F", "G", "H", "I"};
+  EXPECT_EQ(lines_text(equivalent_lines({design})),
             "Rank 1 is also D, E, F, G and 2 more: other bearings, which change nothing here\n");
 }
 
 TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
-  EXPECT_EQ(text(Sheet{{ladder_section(three_rungs())}}),
+  EXPECT_EQ(text(Document{{ladder_section(three_rungs())}}),
             "What more sheaths buy: the best design with at most so many\n"
             "sheaths  name  routing  uniformity     gain     kept\n"
             "      1  -     A             0.500            62.5 %\n"
@@ -162,7 +163,7 @@ TEST(LadderTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
   for (Rung& rung : ladder.ladder.rungs) {
     rung.design.values[static_cast<std::size_t>(Objective::travel)] = 2;
   }
-  const std::string table = text(Sheet{{ladder_section(ladder)}});
+  const std::string table = text(Document{{ladder_section(ladder)}});
   EXPECT_NE(table.find(" +0.0 %"), std::string::npos) << table;
   EXPECT_EQ(table.find("-0.0"), std::string::npos) << table;
   EXPECT_EQ(ladder_json(ladder)["rungs"][1]["gains"].dump(), R"({"travel":0.0})");
@@ -199,44 +200,44 @@ TEST(LadderJson, NamesTheAffordableDesignAndTheKnee) {
   EXPECT_NEAR(json["rungs"][1]["gains"]["uniformity_mean"], 0.292, 1e-12);
 }
 
-std::string unmet_text(const std::vector<std::string>& constraints,
-                       const std::vector<ConstraintReach>& reaches) {
+std::string infeasible_text(const std::vector<std::string>& constraints,
+                            const std::vector<ConstraintReach>& reaches) {
   ExploreOptions options;
   for (const std::string& text : constraints) options.constraints.push_back(parse_constraint(text));
   ExploreResult result;
-  result.unmet = reaches;
-  return lines_text(unmet_lines(options, result));
+  result.infeasible = reaches;
+  return lines_text(infeasible_lines(options, result));
 }
 
-TEST(UnmetLines, SayTheLeastOrTheGreatest) {
-  EXPECT_EQ(unmet_text({"sheaths<=0"}, {{false, {1, std::nullopt}, {1, std::nullopt}}}),
+TEST(InfeasibleLines, SayTheLeastOrTheGreatest) {
+  EXPECT_EQ(infeasible_text({"sheaths<=0"}, {{false, {1, std::nullopt}, {1, std::nullopt}}}),
             "No design meets sheaths<=0: the least is 1\n");
-  EXPECT_EQ(unmet_text({"uniformity>=1"}, {{false, {std::nullopt, 0.9}, {std::nullopt, 0.9}}}),
+  EXPECT_EQ(infeasible_text({"uniformity>=1"}, {{false, {std::nullopt, 0.9}, {std::nullopt, 0.9}}}),
             "No design meets uniformity>=1: the greatest is 0.9\n");
-  EXPECT_EQ(unmet_text({"travel==3"}, {{false, {4, 2}, {4, 2}}}),
+  EXPECT_EQ(infeasible_text({"travel==3"}, {{false, {4, 2}, {4, 2}}}),
             "No design meets travel==3: the nearest are 2 and 4 mm/mm\n");
-  EXPECT_EQ(unmet_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
+  EXPECT_EQ(infeasible_text({"sheaths==9"}, {{false, {std::nullopt, 4}, {std::nullopt, 4}}}),
             "No design meets sheaths==9: the nearest is 4\n");
 }
 
 // No motor force is enough for a finger that hangs on slack strands.
-TEST(UnmetLines, GiveNoNumberOfWhatIsInfinite) {
+TEST(InfeasibleLines, GiveNoNumberOfWhatIsInfinite) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const Nearest no_end{infinite, std::nullopt};
-  EXPECT_EQ(unmet_text({"motor_force<=20"}, {{false, no_end, no_end}}),
+  EXPECT_EQ(infeasible_text({"motor_force<=20"}, {{false, no_end, no_end}}),
             "No design meets motor_force<=20: in all of them it is infinite\n");
-  EXPECT_EQ(unmet_text({"stroke==60"}, {{false, {infinite, 58.76543}, {infinite, 58.76543}}}),
+  EXPECT_EQ(infeasible_text({"stroke==60"}, {{false, {infinite, 58.76543}, {infinite, 58.76543}}}),
             "No design meets stroke==60: the nearest is 58.76 mm\n");
-  EXPECT_EQ(unmet_text({"motor_force<=20", "sheaths<=1"},
-                       {{true, no_end, no_end}, {true, {2, std::nullopt}, {2, std::nullopt}}}),
+  EXPECT_EQ(infeasible_text({"motor_force<=20", "sheaths<=1"},
+                            {{true, no_end, no_end}, {true, {2, std::nullopt}, {2, std::nullopt}}}),
             "Each of these constraints is met by some design, but both by none\n"
             "Of the designs that meet all but motor_force<=20, in all of them it is infinite\n"
             "Of the designs that meet all but sheaths<=1, the least is 2\n");
 }
 
-TEST(UnmetLines, RoundAwayFromTheBoundAndHaveAUnit) {
+TEST(InfeasibleLines, RoundAwayFromTheBoundAndHaveAUnit) {
   const auto one = [](const char* constraint, const Nearest& nearest) {
-    const std::string text = unmet_text({constraint}, {{false, nearest, nearest}});
+    const std::string text = infeasible_text({constraint}, {{false, nearest, nearest}});
     return text.substr(text.find(": ") + 2);
   };
   EXPECT_EQ(one("motor_force<=20", {37.65413219, std::nullopt}), "the least is 37.66 N\n");
@@ -246,10 +247,10 @@ TEST(UnmetLines, RoundAwayFromTheBoundAndHaveAUnit) {
   EXPECT_EQ(one("motor_force<=20", {12345.6, std::nullopt}), "the least is 12346 N\n");
 }
 
-TEST(UnmetLines, SayWhatGivesWayWhereOnlyAllTogetherAreTooMuch) {
-  EXPECT_EQ(unmet_text({"sheaths<=1", "uniformity>=0.99"},
-                       {{true, {2, std::nullopt}, {3, std::nullopt}},
-                        {true, {std::nullopt, 0.98}, {std::nullopt, 0.97}}}),
+TEST(InfeasibleLines, SayWhatGivesWayWhereOnlyAllTogetherAreTooMuch) {
+  EXPECT_EQ(infeasible_text({"sheaths<=1", "uniformity>=0.99"},
+                            {{true, {2, std::nullopt}, {3, std::nullopt}},
+                             {true, {std::nullopt, 0.98}, {std::nullopt, 0.97}}}),
             "Each of these constraints is met by some design, but both by none\n"
             "Of the designs that meet all but sheaths<=1, the least is 3\n"
             "Of the designs that meet all but uniformity>=0.99, the greatest is 0.97\n");

@@ -13,7 +13,7 @@
 #include "core/notation.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 
 namespace reeve {
 namespace {
@@ -176,7 +176,7 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   report.result.held_out = report.result.causes[0].held_out = held_out;
   report.result.held_out_runs = 2;
   report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
-  const std::string text = reports::text(diagnosis_sheet(report));
+  const std::string text = reports::text(diagnosis_document(report));
   EXPECT_NE(text.find("fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"), std::string::npos);
   EXPECT_NE(text.find("in fewer than 0.1 % of data sets"), std::string::npos);
   const auto line_with = [&](const std::string& beginning) {
@@ -214,10 +214,11 @@ TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
             Sentences{"With any one run left out and the others fitted, mu of tube_friction lies "
                       "between 0.060 and 0.095; run Tuesday moves it farthest."});
   // Below the causes, whether any reading has all strands or not.
-  const std::string sheet = text(diagnosis_sheet(report));
-  const std::size_t causes = sheet.find("Causes, each accepted against chance");
+  const std::string document = text(diagnosis_document(report));
+  const std::size_t causes = document.find("Causes, each accepted against chance");
   ASSERT_NE(causes, std::string::npos);
-  EXPECT_LT(sheet.find("With any one run left out", causes), sheet.find("stretch by stretch"));
+  EXPECT_LT(document.find("With any one run left out", causes),
+            document.find("stretch by stretch"));
 }
 
 TEST(DiagnosisEvidence, SaysWherePublishedLinesLoseOtherwiseThanTheirEquations) {

@@ -6,26 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
 
 namespace reeve {
 namespace {
 
-TEST(ExploreSheet, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
+TEST(ExploreDocument, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);
-  EXPECT_EQ(text(explore_sheet(report)).find("the score"), std::string::npos);
+  EXPECT_EQ(text(explore_document(report)).find("the score"), std::string::npos);
   report.options.order.by_score = true;
   report.options.score = parse_score("uniformity=2");
-  EXPECT_NE(text(explore_sheet(report))
+  EXPECT_NE(text(explore_document(report))
                 .find("Front by front over uniformity_mean, efficiency_mean, within a front by the "
                       "score, the weighted mean of uniformity_mean=2 (greater is better)\n"),
             std::string::npos)
-      << text(explore_sheet(report));
+      << text(explore_document(report));
 }
 
-TEST(ExploreSheet, PutsEachGeneratedRoutingInOneClass) {
+TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);
   report.options.constraints = {parse_constraint("sheaths<=2"), parse_constraint("jams<=0")};
@@ -35,19 +35,20 @@ TEST(ExploreSheet, PutsEachGeneratedRoutingInOneClass) {
   report.result.rejected = {{std::nullopt, 40}, {0, 20}, {1, 5}};
   report.result.seconds = 0.5;
   EXPECT_EQ(ranked_designs(report), 35U);
-  EXPECT_NE(text(explore_sheet(report))
+  EXPECT_NE(text(explore_document(report))
                 .find("100 of 200 routings generated in 0.50 s: 40 not actuated, 20 fail "
                       "sheaths<=2, 5 fail jams<=0, 35 ranked\n60 evaluated, 120 a second\n"),
             std::string::npos)
-      << text(explore_sheet(report));
+      << text(explore_document(report));
   report.result.pruned = 20;
-  EXPECT_NE(text(explore_sheet(report))
+  EXPECT_NE(text(explore_document(report))
                 .find("\nOf the 60 that are actuated 20 fail by their parts alone; the other 40 "
                       "evaluated, 80 a second\n"),
             std::string::npos)
-      << text(explore_sheet(report));
+      << text(explore_document(report));
   report.result.made_all = true;
-  EXPECT_NE(text(explore_sheet(report)).find("\n60 evaluated, 120 a second\n"), std::string::npos);
+  EXPECT_NE(text(explore_document(report)).find("\n60 evaluated, 120 a second\n"),
+            std::string::npos);
   EXPECT_EQ(Json::parse(explore_summary_json(report))["designs_per_second"], 120);
 }
 
@@ -93,14 +94,14 @@ TEST(ExploreNotes, SayThatFingersDifferWhereTheyDo) {
   EXPECT_EQ(notes_of({}), 1U);
 }
 
-TEST(StoredRankingSheet, HasTheNotesOfItsExploration) {
+TEST(StoredRankingDocument, HasTheNotesOfItsExploration) {
   StoredRanking ranking;
   ranking.report.options.generator.fingers = 2;
   ranking.report.options.grasps = single_grasps(2);
   const auto tip_mu = &FingerHardware::tip_mu;
   ranking.report.options.model.hardware.fingers = {finger_with(1, tip_mu, 0.5),
                                                    finger_with(7, tip_mu, 0.5)};
-  const std::string said = text(stored_ranking_sheet(ranking, {}));
+  const std::string said = text(stored_ranking_document(ranking, {}));
   EXPECT_NE(said.find("Note: the grasps or the hardware tell the fingers apart"), std::string::npos)
       << said;
   EXPECT_NE(said.find("Note: [finger.7] of the hardware changes nothing"), std::string::npos)
@@ -109,7 +110,7 @@ TEST(StoredRankingSheet, HasTheNotesOfItsExploration) {
 }
 
 // What statics say of one tendon, and what they do not say of two.
-TEST(ExploreSheet, SaysWhichDesignsRestOnHowTheirTendonsShare) {
+TEST(ExploreDocument, SaysWhichDesignsRestOnHowTheirTendonsShare) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);
   const auto listed = [](const char* word, std::size_t rank) {
@@ -119,16 +120,16 @@ TEST(ExploreSheet, SaysWhichDesignsRestOnHowTheirTendonsShare) {
     return design;
   };
   report.top = {listed("M-1-T-2-F", 1), listed("M-Y1+1x-Y1-2x", 2)};
-  EXPECT_EQ(text(explore_sheet(report)).find("on one carriage"), std::string::npos);
+  EXPECT_EQ(text(explore_document(report)).find("on one carriage"), std::string::npos);
   report.top.push_back(listed("M-1-F+M-2-F", 3));
-  EXPECT_NE(text(explore_sheet(report))
+  EXPECT_NE(text(explore_document(report))
                 .find("\nRank 3 has several tendons on one carriage: their "
                       "shares of its pull are those of tendons of one "
                       "stiffness that are mounted without slack;"),
             std::string::npos)
-      << text(explore_sheet(report));
+      << text(explore_document(report));
   report.top.push_back(listed("M-1-M+M-2-F", 4));
-  EXPECT_NE(text(explore_sheet(report)).find("\nRanks 3 and 4 have several tendons"),
+  EXPECT_NE(text(explore_document(report)).find("\nRanks 3 and 4 have several tendons"),
             std::string::npos);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/notation.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 #include "studies/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
 
@@ -28,11 +28,11 @@ ShownHand shown_of(const std::string& word, double stroke_mm, int fingers) {
 }
 
 std::string said_of(const std::string& word, double stroke_mm, int fingers) {
-  Sheet sheet;
+  Document document;
   for (const Section& section : reports::hand_sections(shown_of(word, stroke_mm, fingers))) {
-    sheet.add(section);
+    document.add(section);
   }
-  return text(sheet);
+  return text(document);
 }
 
 Json motor_of(const std::string& word, double stroke_mm, int fingers) {

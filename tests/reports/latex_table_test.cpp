@@ -5,8 +5,8 @@
 
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"
+#include "reports/document/document_latex.hpp"
 #include "reports/document/latex_width.hpp"
-#include "reports/document/sheet_latex.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -23,7 +23,7 @@ Table list() {
 }
 
 std::string typeset(const Table& table, double width_mm = 0) {
-  return latex(Sheet{{{"", table, {}}}}, width_mm * pt_in_mm);
+  return latex(Document{{{"", table, {}}}}, width_mm * pt_in_mm);
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -87,7 +87,7 @@ TEST(LatexTables, StillTooWideAreRefusedBeforehandWithWhatFits) {
   const Table chosen = with_columns(list(), {"rank", "routing", "way_mm", "share of all"});
   const auto complaint = [](const Table& table, double width_mm) -> std::string {
     try {
-      require_fits(Sheet{{{"", table, {}}}}, width_mm * pt_in_mm);
+      require_fits(Document{{{"", table, {}}}}, width_mm * pt_in_mm);
     } catch (const InputError& error) {
       return error.what();
     }

@@ -31,8 +31,8 @@ ListedDesign plain_design() {
 std::vector<ListedDesign> all_kinds() {
   std::vector<ListedDesign> designs(7, plain_design());
   designs[1].name = "a \"name\"\n\xff";
-  designs[2].alike = {"M-1b-B-2b-F"};
-  designs[3].alike = {"M-1-B-2b-F", "M-1b-B-2b-F"};
+  designs[2].equivalent = {"M-1b-B-2b-F"};
+  designs[3].equivalent = {"M-1-B-2b-F", "M-1b-B-2b-F"};
   designs[4].same_as = "M-1-B-2-F";
   designs[5].distribution = RankDistribution{0.5, 2, 1, 7};
   designs[5].bands = {{Objective::uniformity_mean, {0.25, 0.5, 0.75}}};

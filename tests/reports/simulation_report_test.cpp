@@ -37,10 +37,10 @@ ExperimentPlan full_plan() {
   plan.routings[0].label = "TR1";
   plan.routings[1].grasps.push_back(hold({1, 2}));
   plan.directions = {Direction::pull, Direction::release};
-  plan.speed_mm_s = Levels{{0.01, 100}, {}};
-  plan.cycle = Levels{{0, 1e9}, {}};
-  plan.temperature_C = Levels{{-20, 35}, {}};
-  plan.sheath_angle_rad = Levels{{0, 7}, {}};
+  plan.speed_mm_s = PlannedLevels{{0.01, 100}, {}};
+  plan.cycle = PlannedLevels{{0, 1e9}, {}};
+  plan.temperature_C = PlannedLevels{{-20, 35}, {}};
+  plan.sheath_angle_rad = PlannedLevels{{0, 7}, {}};
   plan.channels.push_back(parse_segment("a"));
   plan.channels.push_back(parse_segment("d"));
   return plan;

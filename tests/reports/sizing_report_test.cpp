@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 
 namespace reeve {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 // The lines of the table that begin with a dimension.
 std::vector<std::string> standing(const std::string& word, const SizingOptions& options) {
   const std::string said =
-      text(sizing_sheet(sizing_study({parse_routing(word)}, options, Catalogue{})));
+      text(sizing_document(sizing_study({parse_routing(word)}, options, Catalogue{})));
   std::vector<std::string> ends;
   for (const char* dimension : {"\ncontact_angle", "\nsheath_angle", "\ntip_angle"}) {
     const std::size_t begin = said.find(dimension);
@@ -40,19 +40,19 @@ SizingOptions asked(const std::string& goal, const std::vector<std::string>& var
 }
 
 // The bounds begin above the hardware's wrap, and a bar's arms share whatever comes.
-TEST(SizingSheet, CallsWhatDoesNotMatterFreeAlsoAtABound) {
+TEST(SizingDocument, CallsWhatDoesNotMatterFreeAlsoAtABound) {
   EXPECT_EQ(standing("M-W1+1x-W1/2:1-2x", asked("1=2,2=1", {"sheath_angle=7..9"})),
             std::vector<std::string>{"free"});
   EXPECT_EQ(standing("M-1-T-2-F", asked("efficiency", {"sheath_angle=3..9"})),
             std::vector<std::string>{"at its lower bound"});
 }
 
-TEST(SizingSheet, DoesNotCallFreeWhatWasNotLookedAt) {
+TEST(SizingDocument, DoesNotCallFreeWhatWasNotLookedAt) {
   const std::atomic<bool> at_once{true};
   const SizingReport report =
       sizing_study({parse_routing("M-1-T-2-F")}, asked("efficiency", {"sheath_angle=3..9"}),
                    Catalogue{}, {{}, &at_once});
-  EXPECT_EQ(text(sizing_sheet(report)).find("free"), std::string::npos);
+  EXPECT_EQ(text(sizing_document(report)).find("free"), std::string::npos);
 }
 
 }  // namespace

@@ -241,8 +241,8 @@ TEST(KnownTrees, SolvesAgainWhatWentAndSaysWhenThereIsNoPlace) {
     ASSERT_EQ(expected.size(), spans.size());
     if (seen.empty()) ++without_place;
     for (std::size_t t = 0; t < seen.size(); ++t) {
-      const TreeState a = seen[t]->in_state(1);
-      const TreeState b = expected[t]->in_state(1);
+      const SolvedTree a = seen[t]->in_state(1);
+      const SolvedTree b = expected[t]->in_state(1);
       ASSERT_TRUE(std::equal(a.strand.begin(), a.strand.end(), b.strand.begin(), b.strand.end()))
           << to_word(routing);
     }

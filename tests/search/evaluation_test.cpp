@@ -262,14 +262,16 @@ TEST(Evaluation, AReusedEvaluatorMayGoFromManyFingersToFew) {
 
 TEST(DesignEvaluator, WorksOutWhatObjectivesNeed) {
   const auto needs = [](Objective objective, const Score& score) {
-    return extent_for({Objective::sheaths, objective}, score);
+    return scope_for({Objective::sheaths, objective}, score);
   };
   const Score of_release{{{Objective::round_trip_efficiency, 2}}};
-  EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()), (Extent{false, false, false}));
-  EXPECT_EQ(needs(Objective::round_trip_efficiency, authors_score()), (Extent{true, false, false}));
-  EXPECT_EQ(needs(Objective::reliability, of_release), (Extent{false, true, false}));
-  EXPECT_EQ(needs(Objective::score, authors_score()), (Extent{false, true, false}));
-  EXPECT_EQ(needs(Objective::score, of_release), (Extent{true, false, false}));
+  EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()),
+            (EvaluationScope{false, false, false}));
+  EXPECT_EQ(needs(Objective::round_trip_efficiency, authors_score()),
+            (EvaluationScope{true, false, false}));
+  EXPECT_EQ(needs(Objective::reliability, of_release), (EvaluationScope{false, true, false}));
+  EXPECT_EQ(needs(Objective::score, authors_score()), (EvaluationScope{false, true, false}));
+  EXPECT_EQ(needs(Objective::score, of_release), (EvaluationScope{true, false, false}));
 }
 
 TEST(DesignEvaluator, LeavesOutWhatIsNotAskedFor) {

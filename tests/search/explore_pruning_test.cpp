@@ -26,10 +26,10 @@ void constrain(ExploreOptions& options, const std::vector<std::string>& texts) {
 
 // Who asks for every design gets every design.
 ExploreResult filtered(const ExploreOptions& options) {
-  Keeping keeping;
+  Checkpoint checkpoint;
   std::uint64_t designs = 0;
-  keeping.design = [&](const EvaluatedDesign&) { ++designs; };
-  ExploreResult result = explore(options, {}, keeping);
+  checkpoint.design = [&](const EvaluatedDesign&) { ++designs; };
+  ExploreResult result = explore(options, {}, checkpoint);
   EXPECT_EQ(designs, result.evaluated);
   return result;
 }
@@ -184,7 +184,7 @@ TEST(ExplorePruning, StoppedWhileItLooksAtAllAgainItIsPartial) {
   };
   const ExploreResult result = explore(options, supervision);
   EXPECT_TRUE(result.partial);
-  EXPECT_TRUE(result.unmet.empty());
+  EXPECT_TRUE(result.infeasible.empty());
   EXPECT_EQ(result.generated, result.total);
 }
 

@@ -27,8 +27,9 @@ Hardware hand_of_two_fingers() {
 }
 
 ObjectiveValues evaluate(const std::string& word, const Hardware& hardware,
-                         const GraspSet& grasps = single_grasps(2), const Extent& extent = {}) {
-  return DesignEvaluator(hardware, grasps).evaluate(parse_routing(word), extent);
+                         const GraspSet& grasps = single_grasps(2),
+                         const EvaluationScope& scope = {}) {
+  return DesignEvaluator(hardware, grasps).evaluate(parse_routing(word), scope);
 }
 
 TEST(HandObjectives, AreZeroAndNotThereWithoutAHand) {
@@ -85,9 +86,9 @@ TEST(HandObjectives, AreInfiniteWhereABlockedCarriageLeavesAFingerSlack) {
 
 TEST(HandObjectives, ThatNobodyAsksForAreLeftOut) {
   const std::vector<Objective> plain{Objective::uniformity_mean};
-  EXPECT_FALSE(extent_for(plain, authors_score()).hand);
-  EXPECT_TRUE(extent_for({Objective::closure}, authors_score()).hand);
-  EXPECT_TRUE(extent_for({Objective::score}, parse_score("stroke=0.1")).hand);
+  EXPECT_FALSE(scope_for(plain, authors_score()).hand);
+  EXPECT_TRUE(scope_for({Objective::closure}, authors_score()).hand);
+  EXPECT_TRUE(scope_for({Objective::score}, parse_score("stroke=0.1")).hand);
   const ObjectiveValues full = evaluate("M-1-T-2-F", hand_of_two_fingers());
   const ObjectiveValues left_out =
       evaluate("M-1-T-2-F", hand_of_two_fingers(), single_grasps(2), {true, true, false});

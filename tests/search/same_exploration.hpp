@@ -59,16 +59,16 @@ inline void expect_same_references(const ExploreResult& a, const ExploreResult& 
   }
 }
 
-inline void expect_same_unmet(const ExploreResult& a, const ExploreResult& b) {
-  ASSERT_EQ(a.unmet.size(), b.unmet.size());
-  for (std::size_t c = 0; c < a.unmet.size(); ++c) {
-    EXPECT_EQ(a.unmet[c].met, b.unmet[c].met);
-    EXPECT_EQ(a.unmet[c].of_all.above, b.unmet[c].of_all.above);
-    EXPECT_EQ(a.unmet[c].of_all.below, b.unmet[c].of_all.below);
-    EXPECT_EQ(a.unmet[c].of_those_that_meet_the_others.above,
-              b.unmet[c].of_those_that_meet_the_others.above);
-    EXPECT_EQ(a.unmet[c].of_those_that_meet_the_others.below,
-              b.unmet[c].of_those_that_meet_the_others.below);
+inline void expect_same_infeasible(const ExploreResult& a, const ExploreResult& b) {
+  ASSERT_EQ(a.infeasible.size(), b.infeasible.size());
+  for (std::size_t c = 0; c < a.infeasible.size(); ++c) {
+    EXPECT_EQ(a.infeasible[c].met, b.infeasible[c].met);
+    EXPECT_EQ(a.infeasible[c].of_all.above, b.infeasible[c].of_all.above);
+    EXPECT_EQ(a.infeasible[c].of_all.below, b.infeasible[c].of_all.below);
+    EXPECT_EQ(a.infeasible[c].of_those_that_meet_the_others.above,
+              b.infeasible[c].of_those_that_meet_the_others.above);
+    EXPECT_EQ(a.infeasible[c].of_those_that_meet_the_others.below,
+              b.infeasible[c].of_those_that_meet_the_others.below);
   }
 }
 
@@ -81,7 +81,7 @@ inline void expect_same_result(const ExploreResult& a, const ExploreResult& b) {
   EXPECT_EQ(words_of(a.sample), words_of(b.sample));
   EXPECT_EQ(rungs_of(a.ladder), rungs_of(b.ladder));
   expect_same_references(a, b);
-  expect_same_unmet(a, b);
+  expect_same_infeasible(a, b);
   ASSERT_TRUE(a.record && b.record);
   EXPECT_EQ(sampled_words(*a.record), sampled_words(*b.record));
   EXPECT_EQ(a.record->rungs, b.record->rungs);

@@ -8,7 +8,7 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/evaluate/tree_states.hpp"
+#include "search/evaluate/solved_trees.hpp"
 
 namespace reeve {
 namespace {
@@ -61,7 +61,7 @@ PartSet all_without_blocks() {
 std::size_t compared(const Hardware& hardware, int fingers) {
   TendonSums quick(hardware);
   TreeSolver solver(hardware);
-  TreeStates states;
+  SolvedTrees states;
   TreeOutline outline;
   std::vector<TreeSpan> spans;
   std::size_t many = 0;
@@ -100,7 +100,7 @@ TEST(TendonSums, KnowTheFingersBeforeIt) {
   ASSERT_TRUE(split_into_trees(routing, spans));
   TreeOutline outline;
   ASSERT_TRUE(quick.find(routing, spans[1], outline));
-  TreeStates alone;
+  SolvedTrees alone;
   TreeSolver(hardware).solve(parse_routing("M-1-B-2-P-3-F"), alone);
   expect_same(outline, alone.outline, "behind one finger");
 }

@@ -9,7 +9,7 @@
 namespace reeve::testing {
 namespace {
 
-std::string names(const std::string& word, Quantity quantity, const Hardware& hardware = {}) {
+std::string names(const std::string& word, SizedQuantity quantity, const Hardware& hardware = {}) {
   std::string list;
   for (const PlacedDimension& placed :
        dimensions_of(expand(parse_routing(word)), hardware, quantity)) {
@@ -49,19 +49,19 @@ std::string error_of(const std::string& word, const std::vector<std::string>& va
 }
 
 TEST(Dimensions, AreThoseThatARoutingHas) {
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::sheath_angle), "sheath_angle[1]");
-  EXPECT_EQ(names("1-P-2-P-1", Quantity::sheath_angle), "sheath_angle[1] sheath_angle[2]");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::tip_angle), "tip_angle[1] tip_angle[2]");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::contact_angle),
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::sheath_angle), "sheath_angle[1]");
+  EXPECT_EQ(names("1-P-2-P-1", SizedQuantity::sheath_angle), "sheath_angle[1] sheath_angle[2]");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::tip_angle), "tip_angle[1] tip_angle[2]");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::contact_angle),
             "contact_angle[a-T1] contact_angle[T1-T2] contact_angle[T2-T3] contact_angle[T3-T4]");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::hand_mm), "");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::motor_side_mm), "motor_side_mm");
-  EXPECT_EQ(names("1x-P-2x", Quantity::tip_angle), "");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::hand_mm), "");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::motor_side_mm), "motor_side_mm");
+  EXPECT_EQ(names("1x-P-2x", SizedQuantity::tip_angle), "");
 }
 
 TEST(Dimensions, OfASheathThatLeadsToNoFingerAreThatOfItsContact) {
-  EXPECT_EQ(names("M-Y1+1x-Y1-2x", Quantity::sheath_angle), "contact_angle[a-h1]");
-  EXPECT_TRUE(dimensions_of(expand(parse_routing("M-Y1+1x-Y1-2x")), {}, Quantity::sheath_angle)
+  EXPECT_EQ(names("M-Y1+1x-Y1-2x", SizedQuantity::sheath_angle), "contact_angle[a-h1]");
+  EXPECT_TRUE(dimensions_of(expand(parse_routing("M-Y1+1x-Y1-2x")), {}, SizedQuantity::sheath_angle)
                   .at(0)
                   .of_sheath);
 }
@@ -75,18 +75,18 @@ Hardware with_joints() {
 }
 
 TEST(Dimensions, OfAHandAreItsArms) {
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::arm_mm), "");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::arm_mm, with_joints()), "arm_mm[1] arm_mm[2]");
-  EXPECT_EQ(names("M-1-T-2-F", Quantity::closing, with_joints()), "");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::arm_mm), "");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::arm_mm, with_joints()), "arm_mm[1] arm_mm[2]");
+  EXPECT_EQ(names("M-1-T-2-F", SizedQuantity::closing, with_joints()), "");
   const auto arms =
-      dimensions_of(expand(parse_routing("M-1-T-2-F")), with_joints(), Quantity::arm_mm);
+      dimensions_of(expand(parse_routing("M-1-T-2-F")), with_joints(), SizedQuantity::arm_mm);
   EXPECT_EQ(arms.at(0).nominal, 12);
   EXPECT_EQ(arms.at(1).nominal, 10);
 }
 
 TEST(Dimensions, OfAnArmKeepTheRatiosOfTheFingersJoints) {
   Hardware hardware = with_joints();
-  set(hardware, {Quantity::arm_mm, 2, {}, {}}, 15);
+  set(hardware, {SizedQuantity::arm_mm, 2, {}, {}}, 15);
   const FingerParts parts = finger_parts(hardware, 2);
   ASSERT_EQ(parts.joints.size(), 2U);
   EXPECT_EQ(parts.joints[0].arm_mm, 15);
@@ -102,16 +102,16 @@ TEST(Dimensions, BeginWithWhatTheHardwareSays) {
   hardware.fingers.push_back({2, {}, 1.5, {}, {}, 80.0, 2});
   hardware.contacts.push_back({"T2", "T1", {}, 2.5});
   const Network network = expand(parse_routing("M-1-T-2b-F"));
-  const auto tips = dimensions_of(network, hardware, Quantity::tip_angle);
+  const auto tips = dimensions_of(network, hardware, SizedQuantity::tip_angle);
   ASSERT_EQ(tips.size(), 1U);  // that of finger 1 is its contact's
   EXPECT_EQ(tips[0].dimension.finger, 2);
   EXPECT_EQ(tips[0].nominal, 1.5);
-  const auto contacts = dimensions_of(network, hardware, Quantity::contact_angle);
+  const auto contacts = dimensions_of(network, hardware, SizedQuantity::contact_angle);
   EXPECT_EQ(contacts.at(1).nominal, 2.5);
   EXPECT_EQ(contacts.at(3).nominal, 1.5);
-  EXPECT_EQ(dimensions_of(network, hardware, Quantity::strand_mm).at(1).nominal, 80);
-  EXPECT_EQ(dimensions_of(network, hardware, Quantity::closing).at(1).nominal, 2);
-  EXPECT_EQ(dimensions_of(network, hardware, Quantity::closing).at(0).nominal, 1);
+  EXPECT_EQ(dimensions_of(network, hardware, SizedQuantity::strand_mm).at(1).nominal, 80);
+  EXPECT_EQ(dimensions_of(network, hardware, SizedQuantity::closing).at(1).nominal, 2);
+  EXPECT_EQ(dimensions_of(network, hardware, SizedQuantity::closing).at(0).nominal, 1);
 }
 
 TEST(Dimensions, AreSetWhereTheyAreReadFrom) {

@@ -184,7 +184,7 @@ void expect_roundings_fit(const SchematicLayout& layout) {
 }
 
 // Where the tendon touches a contact at its middle.
-Point middle_of(const DrawnContact& contact) {
+Point median(const DrawnContact& contact) {
   return {contact.centre.x, contact.centre.y + contact.apex * contact.radius};
 }
 
@@ -246,8 +246,8 @@ void expect_each_segment_once(const Network& network, const SchematicLayout& lay
                        layout.segments[right].path.front().at);
         continue;
       }
-      EXPECT_TRUE(same(layout.segments[left].path.back().at, middle_of(contact)));
-      EXPECT_TRUE(same(layout.segments[right].path.front().at, middle_of(contact)));
+      EXPECT_TRUE(same(layout.segments[left].path.back().at, median(contact)));
+      EXPECT_TRUE(same(layout.segments[right].path.front().at, median(contact)));
       const DrawnSegment& in = layout.segments[left];
       const Point before = in.path[in.path.size() - 2].at;
       const bool forward = contact.place == ContactPlace::sheath ? before.y < contact.centre.y

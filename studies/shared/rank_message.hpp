@@ -1,4 +1,4 @@
-// What the processes of a crew tell each other.
+// What the processes of one search tell each other.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace reeve::studies {
 
-enum class CrewWord : char {
+enum class RankWord : char {
   // Of a follower.
   ready = 'h',      // text: the id of the exploration that it has read
   brought = 'r',    // places.begin: of the piece; text: its record
@@ -21,13 +21,13 @@ enum class CrewWord : char {
   over = 'e',
 };
 
-struct CrewMessage {
-  CrewWord word = CrewWord::over;
+struct RankMessage {
+  RankWord word = RankWord::over;
   ShardRange places{};
   std::string text{};
 };
 
-std::string to_bytes(const CrewMessage& message);
-CrewMessage crew_message(const std::string& bytes);
+std::string to_bytes(const RankMessage& message);
+RankMessage rank_message(const std::string& bytes);
 
 }  // namespace reeve::studies

@@ -1,4 +1,4 @@
-#include "diagnosis/search/outlook.hpp"
+#include "diagnosis/search/screened_causes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +42,8 @@ bool shows(const Effect& effect, const Dataset& dataset) {
 
 }  // namespace
 
-Outlook::Outlook(const Problem& problem, const Model& model,
-                 const std::vector<Candidate>& candidates, Workers& workers)
+ScreenedCauses::ScreenedCauses(const Problem& problem, const Model& model,
+                               const std::vector<Candidate>& candidates, Workers& workers)
     : problem_(problem),
       model_(model),
       workers_(workers),
@@ -53,7 +53,7 @@ Outlook::Outlook(const Problem& problem, const Model& model,
       residuals_(projection_.taken_out(diagnosis::residuals(problem, at_))),
       screening_(problem, model, at_, projection_, candidates_, workers) {}
 
-std::vector<std::size_t> Outlook::likeliest_without_size() const {
+std::vector<std::size_t> ScreenedCauses::likeliest_without_size() const {
   constexpr std::size_t few = 3;
   const Model start = with_hardware_coefficients(model_);
   std::vector<std::pair<double, std::size_t>> by_misfit;
@@ -72,7 +72,7 @@ std::vector<std::size_t> Outlook::likeliest_without_size() const {
   return result;
 }
 
-std::vector<std::size_t> Outlook::contenders(std::size_t most, Laws laws) const {
+std::vector<std::size_t> ScreenedCauses::contenders(std::size_t most, Laws laws) const {
   const std::vector<double> gains = screening_.gains(residuals_);
   std::vector<std::size_t> order(candidates_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -91,7 +91,7 @@ std::vector<std::size_t> Outlook::contenders(std::size_t most, Laws laws) const 
   return result;
 }
 
-std::vector<Fit> Outlook::fit_each(const std::vector<std::size_t>& which) const {
+std::vector<Fit> ScreenedCauses::fit_each(const std::vector<std::size_t>& which) const {
   std::vector<Fit> fits(which.size());
   workers_.for_each_block(which.size(), 1, [&](const IndexBlock& block) {
     const std::size_t c = which[block.begin];

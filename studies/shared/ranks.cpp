@@ -1,4 +1,4 @@
-#include "studies/shared/crew.hpp"
+#include "studies/shared/ranks.hpp"
 
 #include <chrono>
 #include <new>
@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "search/exploration_part.hpp"
 #include "search/pieces.hpp"
-#include "studies/shared/crew_message.hpp"
+#include "studies/shared/rank_message.hpp"
 #include "studies/shared/shared_search.hpp"
 
 namespace reeve::studies {
@@ -30,7 +30,7 @@ Leader::~Leader() {
     const std::optional<ProcessMessage> message = processes_.poll();
     if (!message) {
       wait_a_moment();
-    } else if (crew_message(message->bytes).word == CrewWord::gone) {
+    } else if (rank_message(message->bytes).word == RankWord::gone) {
       --here;
     }
   }
@@ -40,15 +40,15 @@ Leader::~Leader() {
 void Leader::send_home() {
   if (std::exchange(is_over_, true)) return;
   for (int rank = 1; rank < processes_.size(); ++rank) {
-    processes_.send(rank, to_bytes({CrewWord::over}));
+    processes_.send(rank, to_bytes({RankWord::over}));
   }
 }
 
 Searcher Leader::search(const std::string& exploration, const RecordText& text) {
   return [this, exploration, text](const ExploreOptions& options, const Supervision& supervision,
-                                   const Keeping& keeping) {
+                                   const Checkpoint& checkpoint) {
     ExplorationPart part =
-        SharedSearch(processes_, exploration, text, options, supervision, keeping).run();
+        SharedSearch(processes_, exploration, text, options, supervision, checkpoint).run();
     // What is left to do the leader does alone.
     send_home();
     return part;
@@ -57,7 +57,7 @@ Searcher Leader::search(const std::string& exploration, const RecordText& text) 
 
 void Follower::follow(const ExploreOptions& options, const std::string& exploration,
                       const RecordText& text) {
-  processes_.send(the_leader, to_bytes({CrewWord::ready, {}, exploration}));
+  processes_.send(the_leader, to_bytes({RankWord::ready, {}, exploration}));
   const PieceSearch explore = piece_search(options);
   const Supervision supervision{[this](const Progress&) { take_messages(); }, &is_over_};
   while (true) {
@@ -72,16 +72,16 @@ void Follower::follow(const ExploreOptions& options, const std::string& explorat
     ExplorationPart part = explore(piece, supervision);
     if (is_over_) return;
     processes_.send(the_leader,
-                    to_bytes({CrewWord::brought, piece, text.written(record_of(part))}));
+                    to_bytes({RankWord::brought, piece, text.written(record_of(part))}));
   }
 }
 
 void Follower::report_failure(const std::exception& failure) {
   const bool is_input = dynamic_cast<const InputError*>(&failure) != nullptr;
   const bool is_range = dynamic_cast<const OutOfRange*>(&failure) != nullptr;
-  const CrewWord word = is_input   ? CrewWord::bad_input
-                        : is_range ? CrewWord::no_answer
-                                   : CrewWord::failed;
+  const RankWord word = is_input   ? RankWord::bad_input
+                        : is_range ? RankWord::no_answer
+                                   : RankWord::failed;
   const bool is_memory = dynamic_cast<const std::bad_alloc*>(&failure) != nullptr;
   processes_.send(the_leader,
                   to_bytes({word, {}, is_memory ? "not enough memory" : failure.what()}));
@@ -92,15 +92,15 @@ void Follower::go_home() {
     wait_a_moment();
     take_messages();
   }
-  processes_.send(the_leader, to_bytes({CrewWord::gone}));
+  processes_.send(the_leader, to_bytes({RankWord::gone}));
   processes_.finish();
 }
 
 void Follower::take_messages() {
   while (const std::optional<ProcessMessage> message = processes_.poll()) {
-    const CrewMessage told = crew_message(message->bytes);
-    if (told.word == CrewWord::piece) pieces_.push_back(told.places);
-    if (told.word == CrewWord::over) is_over_ = true;
+    const RankMessage told = rank_message(message->bytes);
+    if (told.word == RankWord::piece) pieces_.push_back(told.places);
+    if (told.word == RankWord::over) is_over_ = true;
   }
 }
 

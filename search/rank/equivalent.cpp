@@ -1,4 +1,4 @@
-#include "search/rank/alike.hpp"
+#include "search/rank/equivalent.hpp"
 
 #include <map>
 #include <numeric>
@@ -52,9 +52,9 @@ Routing without_bearings(Routing routing, FingerIdentity identity) {
   return canonical(routing, identity);
 }
 
-std::vector<std::size_t> first_alike(const std::vector<RankedDesign>& ranked,
-                                     const std::vector<Routing>& routings, const Order& order,
-                                     FingerIdentity identity) {
+std::vector<std::size_t> first_equivalent(const std::vector<RankedDesign>& ranked,
+                                          const std::vector<Routing>& routings, const Order& order,
+                                          FingerIdentity identity) {
   std::vector<std::size_t> firsts(ranked.size());
   std::iota(firsts.begin(), firsts.end(), std::size_t{0});
   for (std::size_t begin = 0; begin < ranked.size();) {

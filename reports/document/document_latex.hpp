@@ -1,4 +1,4 @@
-// A sheet as LaTeX: each table a whole tabular with the rules of booktabs, to be read in with
+// A document as LaTeX: each table a whole tabular with the rules of booktabs, to be read in with
 // \input. Caveats are typeset; titles and other lines are comments. It needs no other package:
 // numbers of a column stand with their decimal marks below each other since the shorter ones are
 // filled up with phantoms.
@@ -11,19 +11,19 @@
 
 #include <string>
 
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::reports {
 
-std::string latex(const Sheet& sheet, double width_pt = 0);  // 0: any
+std::string latex(const Document& document, double width_pt = 0);  // 0: any
 
 // What the widest of the tables takes if everything is done to make it narrow: below, it stands
 // out.
-double least_width_pt(const Sheet& sheet);
+double least_width_pt(const Document& document);
 
-// Of a sheet with the shortest cells that it may come to have. Throws InputError that says what it
+// Of a document with the shortest cells that it may come to have. Throws InputError that says what it
 // takes.
-void require_fits(const Sheet& sheet, double width_pt);
+void require_fits(const Document& document, double width_pt);
 
 // Text as LaTeX typesets it, with any engine.
 std::string latex_escaped(const std::string& text);

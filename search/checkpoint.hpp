@@ -24,7 +24,7 @@ struct EvaluatedDesign {
 };
 
 // All may be empty; `is_due` and `save` go together.
-struct Keeping {
+struct Checkpoint {
   // Of the same exploration and shard, where it goes on.
   std::optional<ShardRecord> before{};
   // Every design, in the order of the places; each is then evaluated in full.

@@ -19,14 +19,15 @@ struct Replicates {
   std::size_t count = 1000;
 };
 
-struct WhatIsLeft {
+struct ResidualStructure {
   std::optional<RowScatter> row_scatter;
   StructureResult structure;
 };
 
 // `alpha` is that below which a finding is judged again. Without meaning once `stop` has said so.
-WhatIsLeft what_is_left(const Problem& problem, const Model& model, const MountingScatter& mounting,
-                        double alpha, const Replicates& replicates, Workers& workers,
-                        const std::function<bool()>& stop);
+ResidualStructure residual_structure(const Problem& problem, const Model& model,
+                                     const MountingScatter& mounting, double alpha,
+                                     const Replicates& replicates, Workers& workers,
+                                     const std::function<bool()>& stop);
 
 }  // namespace reeve::diagnosis

@@ -13,38 +13,38 @@
 namespace reeve::testing {
 namespace {
 
-TEST(ExploreKeeping, GoesOnFromEverySaveToTheSameResult) {
+TEST(ExploreCheckpoint, GoesOnFromEverySaveToTheSameResult) {
   const ExploreResult whole = explore(kept_options(2));
   std::vector<ShardRecord> saved;
-  Keeping keeping;
-  keeping.is_due = [] { return true; };
+  Checkpoint checkpoint;
+  checkpoint.is_due = [] { return true; };
   DesignEvaluator evaluator({}, kept_options(1).grasps, kept_options(1).score);
-  keeping.save = [&](ExplorationPart& part) {
+  checkpoint.save = [&](ExplorationPart& part) {
     saved.push_back(record_of(part));
     for (const ArchivedDesign& kept : part.archive.members()) {
       ASSERT_EQ(kept.design.values, evaluator.evaluate(parse_routing(kept.design.word)));
     }
   };
-  expect_same(explore(kept_options(1), {}, keeping), whole);
+  expect_same(explore(kept_options(1), {}, checkpoint), whole);
   ASSERT_GT(saved.size(), 5U);
   for (const std::size_t i : {std::size_t{0}, std::size_t{3}, saved.size() - 1}) {
     SCOPED_TRACE(i);
-    Keeping later;
+    Checkpoint later;
     later.before = saved[i];
     expect_same(explore(kept_options(2), {}, later), whole);
   }
 }
 
 // Whether or not they are among the best, or meet the constraints.
-TEST(ExploreKeeping, GivesEveryDesignOnceInFull) {
+TEST(ExploreCheckpoint, GivesEveryDesignOnceInFull) {
   ExploreOptions options = kept_options(2);
   std::map<std::uint64_t, EvaluatedDesign> designs;
-  Keeping keeping;
-  keeping.design = [&](const EvaluatedDesign& design) {
+  Checkpoint checkpoint;
+  checkpoint.design = [&](const EvaluatedDesign& design) {
     EXPECT_TRUE(designs.empty() || designs.rbegin()->first < design.place);
     designs.emplace(design.place, design);
   };
-  const ExploreResult result = explore(options, {}, keeping);
+  const ExploreResult result = explore(options, {}, checkpoint);
   EXPECT_EQ(designs.size(), result.evaluated);
   RoutingGenerator generator(options.generator);
   DesignEvaluator evaluator(options.model, options.grasps, options.score);
@@ -58,7 +58,7 @@ TEST(ExploreKeeping, GivesEveryDesignOnceInFull) {
 }
 
 // The beginning of a shard is found step by step, which may take minutes.
-TEST(ExploreKeeping, StoppedOnTheWayToItsBeginningHasNothingYetAndGoesOn) {
+TEST(ExploreCheckpoint, StoppedOnTheWayToItsBeginningHasNothingYetAndGoesOn) {
   ExploreOptions options = kept_options(2);
   options.generator.fingers = 8;
   options.grasps = single_grasps(8);
@@ -67,14 +67,14 @@ TEST(ExploreKeeping, StoppedOnTheWayToItsBeginningHasNothingYetAndGoesOn) {
   options.shard = {2, 20};
   const std::atomic<bool> stop = true;
   std::vector<ShardRecord> saved;
-  Keeping keeping;
-  keeping.save = [&](ExplorationPart& part) { saved.push_back(record_of(part)); };
-  const ExploreResult stopped = explore(options, {{}, &stop}, keeping);
+  Checkpoint checkpoint;
+  checkpoint.save = [&](ExplorationPart& part) { saved.push_back(record_of(part)); };
+  const ExploreResult stopped = explore(options, {{}, &stop}, checkpoint);
   EXPECT_TRUE(stopped.partial);
   EXPECT_EQ(stopped.generated, 0U);
   EXPECT_GT(stopped.total, 1'000'000U);
   ASSERT_EQ(saved.size(), 1U);
-  Keeping later;
+  Checkpoint later;
   later.before = saved[0];
   const ExploreResult whole = explore(options);
   const ExploreResult gone_on = explore(options, {}, later);

@@ -1,4 +1,4 @@
-#include "search/rank/unmet.hpp"
+#include "search/rank/infeasible.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 namespace reeve::testing {
 namespace {
 
-std::vector<ConstraintReach> unmet(const std::vector<std::string>& texts, int fingers = 2) {
+std::vector<ConstraintReach> infeasible(const std::vector<std::string>& texts, int fingers = 2) {
   ExploreOptions options = options_for(full_parts(), fingers);
   for (const std::string& text : texts) options.constraints.push_back(parse_constraint(text));
-  return explore(options).unmet;
+  return explore(options).infeasible;
 }
 
 TEST(Unmet, SaysTheLeastOfAnUpperBoundThatNothingMeets) {
-  const std::vector<ConstraintReach> reaches = unmet({"sheaths<=0"});
+  const std::vector<ConstraintReach> reaches = infeasible({"sheaths<=0"});
   ASSERT_EQ(reaches.size(), 1U);
   EXPECT_FALSE(reaches[0].met);
   EXPECT_EQ(reaches[0].of_all.above, 1);
@@ -25,14 +25,14 @@ TEST(Unmet, SaysTheLeastOfAnUpperBoundThatNothingMeets) {
 }
 
 TEST(Unmet, SaysTheGreatestOfALowerBound) {
-  const std::vector<ConstraintReach> reaches = unmet({"uniformity>=1"});
+  const std::vector<ConstraintReach> reaches = infeasible({"uniformity>=1"});
   ASSERT_EQ(reaches.size(), 1U);
   EXPECT_EQ(reaches[0].of_all.below, 0.9979088913);  // TR7's
   EXPECT_FALSE(reaches[0].of_all.above);
 }
 
 TEST(Unmet, SaysBothNeighboursOfAnEquality) {
-  const std::vector<ConstraintReach> reaches = unmet({"travel==1.5"});
+  const std::vector<ConstraintReach> reaches = infeasible({"travel==1.5"});
   ASSERT_EQ(reaches.size(), 1U);
   EXPECT_EQ(reaches[0].of_all.below, 1.3333333333);
   EXPECT_EQ(reaches[0].of_all.above, 2);
@@ -40,12 +40,12 @@ TEST(Unmet, SaysBothNeighboursOfAnEquality) {
 
 // Nothing lies between; the bound itself is the nearest that does not meet it.
 TEST(Unmet, TakesTheBoundItselfOfAStrictComparison) {
-  EXPECT_EQ(unmet({"sheaths<1"})[0].of_all.above, 1);
+  EXPECT_EQ(infeasible({"sheaths<1"})[0].of_all.above, 1);
 }
 
 TEST(Unmet, LooksAtDesignsThatMeetTheOthers) {
   const std::vector<std::string> texts{"sheaths<=1", "uniformity>=0.995"};
-  const std::vector<ConstraintReach> reaches = unmet(texts);
+  const std::vector<ConstraintReach> reaches = infeasible(texts);
   ASSERT_EQ(reaches.size(), 2U);
   const Naive all = naive_program(options_for(full_parts(), 2));
   double sheaths = 1e9;
@@ -62,16 +62,16 @@ TEST(Unmet, LooksAtDesignsThatMeetTheOthers) {
 }
 
 TEST(Unmet, IsNothingWhereSomeDesignIsLeft) {
-  EXPECT_TRUE(unmet({"sheaths<=1"}).empty());
-  EXPECT_TRUE(unmet({}).empty());
+  EXPECT_TRUE(infeasible({"sheaths<=1"}).empty());
+  EXPECT_TRUE(infeasible({}).empty());
 }
 
 TEST(Unmet, IsTheSameForAnyNumberOfThreads) {
   ExploreOptions options = several_batches();
   options.constraints = {parse_constraint("sheaths<=1"), parse_constraint("uniformity>=0.98")};
-  const std::vector<ConstraintReach> one = explore(options).unmet;
+  const std::vector<ConstraintReach> one = explore(options).infeasible;
   options.threads = 3;
-  const std::vector<ConstraintReach> three = explore(options).unmet;
+  const std::vector<ConstraintReach> three = explore(options).infeasible;
   ASSERT_EQ(one.size(), 2U);
   ASSERT_EQ(three.size(), 2U);
   for (std::size_t c = 0; c < 2; ++c) {

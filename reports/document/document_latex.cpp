@@ -1,4 +1,4 @@
-#include "reports/document/sheet_latex.hpp"
+#include "reports/document/document_latex.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string comment(const std::string& text) {
 std::string latex_section(const Section& section, double width_pt) {
   std::string text = section.title.empty() ? "" : comment(section.title);
   if (section.table) text += latex(*section.table, width_pt);
-  for (const SheetLine& line : section.lines) {
+  for (const DocumentLine& line : section.lines) {
     text += line.caveat ? "\\noindent " + latex_escaped(line.text) + "\\par\n" : comment(line.text);
   }
   return text;
@@ -31,25 +31,25 @@ std::string latex_section(const Section& section, double width_pt) {
 
 }  // namespace
 
-std::string latex(const Sheet& sheet, double width_pt) {
+std::string latex(const Document& document, double width_pt) {
   std::string text = "% Tables for \\input; they need \\usepackage{booktabs} in the preamble.\n";
-  for (const Section& section : sheet.sections) text += "\n" + latex_section(section, width_pt);
+  for (const Section& section : document.sections) text += "\n" + latex_section(section, width_pt);
   return text;
 }
 
-double least_width_pt(const Sheet& sheet) {
+double least_width_pt(const Document& document) {
   double widest = 0;
-  for (const Section& section : sheet.sections) {
+  for (const Section& section : document.sections) {
     if (section.table) widest = std::max(widest, least_width_pt(*section.table));
   }
   return widest;
 }
 
-void require_fits(const Sheet& sheet, double width_pt) {
-  for (const Section& section : sheet.sections) {
+void require_fits(const Document& document, double width_pt) {
+  for (const Section& section : document.sections) {
     if (section.table && section.table->chosen) require_chosen_fit(*section.table, width_pt);
   }
-  const double takes_pt = least_width_pt(sheet);
+  const double takes_pt = least_width_pt(document);
   if (takes_pt <= width_pt) return;
   throw InputError(
       {.what = "--text-width",

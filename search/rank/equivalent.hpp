@@ -20,8 +20,8 @@ Routing without_bearings(Routing routing, FingerIdentity identity);
 
 // For each design the place of the first that it is like: its own if there is none before it.
 // `ranked` is best first and `routings` begins parallel to it.
-std::vector<std::size_t> first_alike(const std::vector<RankedDesign>& ranked,
-                                     const std::vector<Routing>& routings, const Order& order,
-                                     FingerIdentity identity);
+std::vector<std::size_t> first_equivalent(const std::vector<RankedDesign>& ranked,
+                                          const std::vector<Routing>& routings, const Order& order,
+                                          FingerIdentity identity);
 
 }  // namespace reeve::search

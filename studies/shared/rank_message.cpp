@@ -1,4 +1,4 @@
-#include "studies/shared/crew_message.hpp"
+#include "studies/shared/rank_message.hpp"
 
 #include <cstring>
 
@@ -10,14 +10,14 @@ constexpr std::size_t head = 1 + sizeof(ShardRange);
 
 }  // namespace
 
-std::string to_bytes(const CrewMessage& message) {
+std::string to_bytes(const RankMessage& message) {
   std::string bytes(head, static_cast<char>(message.word));
   std::memcpy(bytes.data() + 1, &message.places, sizeof message.places);
   return bytes + message.text;
 }
 
-CrewMessage crew_message(const std::string& bytes) {
-  CrewMessage message{static_cast<CrewWord>(bytes.front()), {}, bytes.substr(head)};
+RankMessage rank_message(const std::string& bytes) {
+  RankMessage message{static_cast<RankWord>(bytes.front()), {}, bytes.substr(head)};
   std::memcpy(&message.places, bytes.data() + 1, sizeof message.places);
   return message;
 }

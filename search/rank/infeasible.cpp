@@ -1,4 +1,4 @@
-#include "search/rank/unmet.hpp"
+#include "search/rank/infeasible.hpp"
 
 #include <algorithm>
 

@@ -1,16 +1,16 @@
 // One sheet, three writers.
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reports/document/sheet_latex.hpp"
-#include "reports/document/sheet_markdown.hpp"
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_latex.hpp"
+#include "reports/document/document_markdown.hpp"
+#include "reports/document/document_text.hpp"
 
 namespace reeve {
 namespace {
 
-Sheet sheet() {
+Document document() {
   Table table{{text_column("name"), number_column("travel", "mm/mm")}, {}};
   table.add({"a_b | c", "-1.25"});
   table.add({"longer", "-"});
@@ -19,8 +19,8 @@ Sheet sheet() {
            {"Notes", std::nullopt, {{"- first_thing"}, {"- 2nd"}}}}};
 }
 
-TEST(SheetText, KeepsSectionsApart) {
-  EXPECT_EQ(text(sheet()),
+TEST(DocumentText, KeepsSectionsApart) {
+  EXPECT_EQ(text(document()),
             "3 of 4 routings\n"
             "PARTIAL: 100 % of none\n"
             "\n"
@@ -36,21 +36,21 @@ TEST(SheetText, KeepsSectionsApart) {
             "- 2nd\n");
 }
 
-TEST(SheetText, WrapsTitlesAndGoesOnBelowTheEntryOfAList) {
-  const Sheet wide{
+TEST(DocumentText, WrapsTitlesAndGoesOnBelowTheEntryOfAList) {
+  const Document wide{
       {{"Top 2,\nby travel", std::nullopt, {{"- the first entry"}, {"  ab cd ef gh"}}}}};
   EXPECT_EQ(text(wide, {10, false}),
             "Top 2, by\ntravel\n- the\n  first\n  entry\n  ab cd ef\n  gh\n");
 }
 
-TEST(SheetText, ShowsCaveatsAndTitlesInColour) {
-  const std::string coloured = text(sheet(), {0, true});
+TEST(DocumentText, ShowsCaveatsAndTitlesInColour) {
+  const std::string coloured = text(document(), {0, true});
   EXPECT_NE(coloured.find("\x1b[33mPARTIAL: 100 % of none\x1b[0m\n"), std::string::npos);
   EXPECT_NE(coloured.find("\x1b[1mTop 2,\x1b[0m\n\x1b[1mby travel\x1b[0m\n"), std::string::npos);
 }
 
-TEST(SheetMarkdown, HasTablesWithPipesUnitsAndCaveats) {
-  EXPECT_EQ(markdown(sheet()),
+TEST(DocumentMarkdown, HasTablesWithPipesUnitsAndCaveats) {
+  EXPECT_EQ(markdown(document()),
             "3 of 4 routings\n"
             "\n"
             "**PARTIAL: 100 % of none**\n"
@@ -70,15 +70,15 @@ TEST(SheetMarkdown, HasTablesWithPipesUnitsAndCaveats) {
             "- 2nd\n");
 }
 
-TEST(SheetMarkdown, EscapesWhatWouldBeAMark) {
-  Sheet marks;
+TEST(DocumentMarkdown, EscapesWhatWouldBeAMark) {
+  Document marks;
   marks.add({"", std::nullopt, {{"_a_ *b* <c> `d` [e](f) \\g ~h uniformity_mean"}}});
   EXPECT_EQ(markdown(marks),
             "\\_a\\_ \\*b\\* \\<c> \\`d\\` \\[e\\](f) \\\\g \\~h uniformity_mean\n");
 }
 
-TEST(SheetLatex, HasWholeTabularsAndTypesetsCaveats) {
-  EXPECT_EQ(latex(sheet()),
+TEST(DocumentLatex, HasWholeTabularsAndTypesetsCaveats) {
+  EXPECT_EQ(latex(document()),
             "% Tables for \\input; they need \\usepackage{booktabs} in the preamble.\n"
             "\n"
             "% 3 of 4 routings\n"
@@ -100,7 +100,7 @@ TEST(SheetLatex, HasWholeTabularsAndTypesetsCaveats) {
             "% - 2nd\n");
 }
 
-TEST(SheetLatex, EscapesEveryCharacterThatLatexReads) {
+TEST(DocumentLatex, EscapesEveryCharacterThatLatexReads) {
   EXPECT_EQ(latex_escaped("_ % & # $ { } ~ ^ \\"),
             "\\_ \\% \\& \\# \\$ \\{ \\} \\textasciitilde{} \\textasciicircum{} \\textbackslash{}");
   EXPECT_EQ(latex_escaped("5–95 % at µ = 0.18, μ, θ…"),
@@ -111,14 +111,14 @@ TEST(SheetLatex, EscapesEveryCharacterThatLatexReads) {
 }
 
 // A line end in a user's text must not end the comment.
-TEST(SheetLatex, KeepsACommentOnOneLine) {
-  Sheet broken;
+TEST(DocumentLatex, KeepsACommentOnOneLine) {
+  Document broken;
   broken.add({"", std::nullopt, {{"a\n\\input{b}\r"}}});
   EXPECT_TRUE(latex(broken).ends_with("\n% a \\input{b}\n"));
 }
 
-TEST(Sheets, LeaveOutSectionsThatHoldNothing) {
-  Sheet empty;
+TEST(Documents, LeaveOutSectionsThatHoldNothing) {
+  Document empty;
   empty.add({"Notes", std::nullopt, {}});
   EXPECT_EQ(text(empty), "");
 }

@@ -1,8 +1,8 @@
-#include "search/evaluate/tree_states.hpp"
+#include "search/evaluate/solved_trees.hpp"
 
 namespace reeve::search {
 
-TreeState TreeStates::in_state(std::size_t held) const {
+SolvedTree SolvedTrees::in_state(std::size_t held) const {
   const std::size_t strands = strand_finger.size();
   const double* const first = numbers_.data() + held * (motor_sides + 2 * strands);
   return {outline.sums[held].jams,
@@ -12,7 +12,7 @@ TreeState TreeStates::in_state(std::size_t held) const {
           {first + motor_sides + strands, strands}};
 }
 
-void TreeSolver::solve(Grasp grasp, TreeStates& states) {
+void TreeSolver::solve(Grasp grasp, SolvedTrees& states) {
   solver_.solve_relative(network_, mechanics_, grasp, Direction::pull, state_);
   TreeSums sums{state_.jams, state_.in_range, 0, {}};
   std::vector<double>& numbers = states.numbers_;
@@ -32,7 +32,7 @@ void TreeSolver::solve(Grasp grasp, TreeStates& states) {
   for (const std::uint8_t finger : states.strand_finger) numbers.push_back(state_.closing[finger]);
 }
 
-void TreeSolver::solve(const Routing& tree, TreeStates& states) {
+void TreeSolver::solve(const Routing& tree, SolvedTrees& states) {
   expand(tree, network_);
   builder_.apply(network_, mechanics_);
   states.outline.parts = parts(network_);

@@ -1,4 +1,4 @@
-#include "search/rank/alike.hpp"
+#include "search/rank/equivalent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,10 +24,10 @@ TEST(WithoutBearings, HasTubesAtTipsAndJoins) {
   EXPECT_EQ(plain("F-1-P-2-F"), "F-1-P-2-F");
 }
 
-std::map<std::string, std::string> alike_of(const ExploreOptions& options) {
+std::map<std::string, std::string> equivalents_of(const ExploreOptions& options) {
   const ExploreResult result = explore(options);
   const std::vector<std::size_t> firsts =
-      first_alike(result.top, result.routings, options.order, options.generator.identity);
+      first_equivalent(result.top, result.routings, options.order, options.generator.identity);
   std::map<std::string, std::string> first_of;
   for (std::size_t i = 0; i < firsts.size(); ++i) {
     EXPECT_LE(firsts[i], i);
@@ -37,8 +37,8 @@ std::map<std::string, std::string> alike_of(const ExploreOptions& options) {
   return first_of;
 }
 
-TEST(FirstAlike, TakesTheThreeLoopsOfTwoFingersForOne) {
-  const std::map<std::string, std::string> first_of = alike_of(options_for(full_parts(), 2));
+TEST(FirstEquivalent, TakesTheThreeLoopsOfTwoFingersForOne) {
+  const std::map<std::string, std::string> first_of = equivalents_of(options_for(full_parts(), 2));
   EXPECT_EQ(first_of.at("1-P-2-P-1"), "1-P-2-P-1");
   EXPECT_EQ(first_of.at("1-P-2b-P-1"), "1-P-2-P-1");
   EXPECT_EQ(first_of.at("1b-P-2b-P-1b"), "1-P-2-P-1");
@@ -49,8 +49,8 @@ TEST(FirstAlike, TakesTheThreeLoopsOfTwoFingersForOne) {
   EXPECT_EQ(first_of.at("M-1b-B-2b-F"), "M-1b-B-2b-F");
 }
 
-TEST(FirstAlike, TellsApartWhatTheRankingCounts) {
-  const std::map<std::string, std::string> first_of = alike_of(
+TEST(FirstEquivalent, TellsApartWhatTheRankingCounts) {
+  const std::map<std::string, std::string> first_of = equivalents_of(
       options_for(full_parts(), 2,
                   {Objective::uniformity_mean, Objective::efficiency_mean, Objective::pulleys}));
   EXPECT_EQ(first_of.at("1-P-2b-P-1"), "1-P-2b-P-1");
@@ -60,7 +60,7 @@ TEST(FirstAlike, TellsApartWhatTheRankingCounts) {
 }
 
 // In one front and with the same product, but force and travel are traded.
-TEST(FirstAlike, TellsApartWhatIsEqualOnlyInWhatOrdersWithinAFront) {
+TEST(FirstEquivalent, TellsApartWhatIsEqualOnlyInWhatOrdersWithinAFront) {
   const std::vector<Routing> routings{parse_routing("1-P-2-P-1"), parse_routing("1-P-2b-P-1")};
   std::vector<RankedDesign> ranked;
   for (const double amount : {1.0, 2.0}) {
@@ -70,7 +70,7 @@ TEST(FirstAlike, TellsApartWhatIsEqualOnlyInWhatOrdersWithinAFront) {
     ranked.push_back(entry);
   }
   const auto firsts = [&](const Order& order) {
-    return first_alike(ranked, routings, order, FingerIdentity::identical);
+    return first_equivalent(ranked, routings, order, FingerIdentity::identical);
   };
   EXPECT_EQ(firsts({Objective::force_transmission, Objective::travel}),
             (std::vector<std::size_t>{0, 1}));
@@ -78,12 +78,12 @@ TEST(FirstAlike, TellsApartWhatIsEqualOnlyInWhatOrdersWithinAFront) {
 }
 
 // By definition, over all pairs of a whole exploration.
-TEST(FirstAlike, AgreesWithItsDefinition) {
+TEST(FirstEquivalent, AgreesWithItsDefinition) {
   ExploreOptions options = options_for(full_parts(), 3, {Objective::uniformity_worst});
   const ExploreResult result = explore(options);
   const std::vector<std::size_t> firsts =
-      first_alike(result.top, result.routings, options.order, options.generator.identity);
-  std::size_t alike = 0;
+      first_equivalent(result.top, result.routings, options.order, options.generator.identity);
+  std::size_t equivalent = 0;
   for (std::size_t i = 0; i < result.top.size(); ++i) {
     std::size_t expected = i;
     for (std::size_t k = 0; k < i && expected == i; ++k) {
@@ -97,9 +97,9 @@ TEST(FirstAlike, AgreesWithItsDefinition) {
       }
     }
     ASSERT_EQ(firsts[i], expected) << result.top[i].design.word;
-    if (expected != i) ++alike;
+    if (expected != i) ++equivalent;
   }
-  EXPECT_GT(alike, 20U);
+  EXPECT_GT(equivalent, 20U);
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
-#include "diagnosis/verdict/what_is_left.hpp"
+#include "diagnosis/verdict/residual_structure.hpp"
 
 #include "diagnosis/fit/mounted_draws.hpp"
 #include "diagnosis/fit/null_model.hpp"
 
 namespace reeve::diagnosis {
 
-WhatIsLeft what_is_left(const Problem& problem, const Model& model, const MountingScatter& mounting,
-                        double alpha, const Replicates& replicates, Workers& workers,
-                        const std::function<bool()>& stop) {
+ResidualStructure residual_structure(const Problem& problem, const Model& model,
+                                     const MountingScatter& mounting, double alpha,
+                                     const Replicates& replicates, Workers& workers,
+                                     const std::function<bool()>& stop) {
   const Dataset& training = *problem.dataset;
   const Forecast at = forecast(training, model);
   const Projection projection(problem, model, at);
@@ -17,7 +18,7 @@ WhatIsLeft what_is_left(const Problem& problem, const Model& model, const Mounti
     const NullModel null_model(problem, projection, at, replicates.seed, replicates.count, mounted);
     return find_structure(problem, tests, left, null_model, workers, stop);
   };
-  WhatIsLeft result{row_scatter(problem, at), judged_by(nullptr)};
+  ResidualStructure result{row_scatter(problem, at), judged_by(nullptr)};
   if (result.structure.p_value < alpha && !problem.shared.empty() && !stop()) {
     const MountedDraws mounted(training, model, mounting);
     result.structure = judged_by(&mounted);

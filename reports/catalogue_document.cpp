@@ -1,10 +1,10 @@
-#include "reports/catalogue_sheet.hpp"
+#include "reports/catalogue_document.hpp"
 
 #include "drawing/schematic/schematic_svg.hpp"
 
 namespace reeve::reports {
 
-std::string catalogue_sheet(const std::vector<ShownEntry>& entries) {
+std::string catalogue_document(const std::vector<ShownEntry>& entries) {
   constexpr std::size_t in_a_row = 4;
   std::vector<Schematic> schematics;
   for (const ShownEntry& entry : entries) {

@@ -46,7 +46,7 @@ struct Table {
   void add(std::vector<std::string> cells, Tint tint = Tint::none);
 };
 
-struct SheetLine {
+struct DocumentLine {
   std::string text;
   bool caveat = false;  // whoever reads the tables must see it too
 };
@@ -55,10 +55,10 @@ struct SheetLine {
 struct Section {
   std::string title;
   std::optional<Table> table;
-  std::vector<SheetLine> lines;
+  std::vector<DocumentLine> lines;
 };
 
-struct Sheet {
+struct Document {
   std::vector<Section> sections;
 
   // Nothing, if it holds neither a table nor a line.
@@ -66,7 +66,7 @@ struct Sheet {
 };
 
 // Appends the lines of a text as lines.
-void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat = false);
+void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool caveat = false);
 
 std::string percent(double share);  // "72.1 %"; "-" if it is none
 

@@ -1,4 +1,4 @@
-#include "diagnosis/sample.hpp"
+#include "diagnosis/chosen_readings.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ void add_note(Sample& sample, std::string text, std::vector<std::size_t> lines =
   sample.notes.push_back({NoteKind::not_compared, std::move(text), std::move(lines)});
 }
 
-void note_what_is_left_out(const MeasuredData& data, const Split& split, Sample& sample) {
+void note_what_is_left_out(const MeasuredData& data, const RunSplit& split, Sample& sample) {
   if (!split.dropped.empty()) {
     std::vector<std::size_t> lines;
     for (const std::size_t i : split.dropped) lines.push_back(data.readings[i].line);
@@ -45,7 +45,7 @@ void note_what_is_left_out(const MeasuredData& data, const Split& split, Sample&
 }  // namespace
 
 Sample sample(const MeasuredData& data, double share, std::uint64_t seed) {
-  const Split split = split_by_run(data, share, seed);
+  const RunSplit split = split_by_run(data, share, seed);
   Sample result;
   const auto thin = [&](const std::vector<std::size_t>& readings) {
     std::vector<std::size_t> kept = thinned(data, readings, most_readings);

@@ -1,5 +1,5 @@
-// What there is to see from a model: its residuals, and every cause that it does not have screened
-// against them, the promising ones then fitted in full.
+// The residuals of a model, every cause that the model does not have screened against them, and
+// fits of the promising ones.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@
 
 namespace reeve::diagnosis {
 
-class Outlook {
+class ScreenedCauses {
  public:
-  // `problem` must outlive the outlook.
-  Outlook(const Problem& problem, const Model& model, const std::vector<Candidate>& candidates,
-          Workers& workers);
-  Outlook(const Outlook&) = delete;
-  Outlook& operator=(const Outlook&) = delete;
+  // `problem` must outlive it.
+  ScreenedCauses(const Problem& problem, const Model& model,
+                 const std::vector<Candidate>& candidates, Workers& workers);
+  ScreenedCauses(const ScreenedCauses&) = delete;
+  ScreenedCauses& operator=(const ScreenedCauses&) = delete;
 
   // Those of the candidates that the model does not have.
   const std::vector<Candidate>& candidates() const { return candidates_; }

@@ -1,5 +1,5 @@
 // A search that several share, without MPI: threads that pass each other notes.
-#include "studies/shared/crew.hpp"
+#include "studies/shared/ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ class MailedProcess : public Processes {
   int rank_;
 };
 
-ExploreOptions crew_options() {
+ExploreOptions rank_options() {
   ExploreOptions options;
   options.generator.fingers = 4;
   options.generator.parts = full_parts();
@@ -71,13 +71,13 @@ ExploreOptions crew_options() {
 void follow_in_thread(Mailboxes& mail, int rank) {
   MailedProcess process(mail, rank);
   Follower follower(process);
-  follower.follow(crew_options(), "same", json_text);
+  follower.follow(rank_options(), "same", json_text);
   follower.go_home();
 }
 
 // The followers do as they are told; the first process does `lead`.
 template <typename Lead, typename Follow>
-auto with_crew(int size, Lead lead, Follow follow) {
+auto with_ranks(int size, Lead lead, Follow follow) {
   Mailboxes mail(size);
   std::vector<std::jthread> others;
   for (int rank = 1; rank < size; ++rank) {
@@ -96,14 +96,14 @@ std::vector<std::string> words_of(const ExploreResult& result) {
   return words;
 }
 
-TEST(Crew, OfAnySizeFindsTheSame) {
-  const ExploreResult alone = explore(crew_options());
+TEST(Ranks, OfAnySizeFindsTheSame) {
+  const ExploreResult alone = explore(rank_options());
   for (const int size : {1, 2, 5}) {
     SCOPED_TRACE(size);
-    const ExploreResult together = with_crew(
+    const ExploreResult together = with_ranks(
         size,
         [](Leader& leader) {
-          return explore(crew_options(), {}, {}, leader.search("same", json_text));
+          return explore(rank_options(), {}, {}, leader.search("same", json_text));
         },
         follow_in_thread);
     EXPECT_EQ(together.generated, alone.generated);
@@ -113,33 +113,33 @@ TEST(Crew, OfAnySizeFindsTheSame) {
   }
 }
 
-TEST(Crew, SavesWhatGoesOnAloneToTheSame) {
+TEST(Ranks, SavesWhatGoesOnAloneToTheSame) {
   std::vector<ShardRecord> saved;
-  Keeping keeping;
-  keeping.is_due = [] { return true; };
-  keeping.save = [&](ExplorationPart& part) {
+  Checkpoint checkpoint;
+  checkpoint.is_due = [] { return true; };
+  checkpoint.save = [&](ExplorationPart& part) {
     ExplorationPart copy = part;
     saved.push_back(record_of(copy));
   };
-  with_crew(
+  with_ranks(
       3,
       [&](Leader& leader) {
-        return explore(crew_options(), {}, keeping, leader.search("same", json_text));
+        return explore(rank_options(), {}, checkpoint, leader.search("same", json_text));
       },
       follow_in_thread);
-  const ExploreResult whole = explore(crew_options());
+  const ExploreResult whole = explore(rank_options());
   ASSERT_GE(saved.size(), 2U);
   EXPECT_EQ(saved.back().generated, whole.generated);
   for (const ShardRecord& record : saved) {
     SCOPED_TRACE(record.generated);
     EXPECT_EQ(record.total, whole.total);
-    Keeping later;
+    Checkpoint later;
     later.before = record;
-    EXPECT_EQ(words_of(explore(crew_options(), {}, later)), words_of(whole));
-    const ExploreResult together = with_crew(
+    EXPECT_EQ(words_of(explore(rank_options(), {}, later)), words_of(whole));
+    const ExploreResult together = with_ranks(
         2,
         [&](Leader& leader) {
-          return explore(crew_options(), {}, later, leader.search("same", json_text));
+          return explore(rank_options(), {}, later, leader.search("same", json_text));
         },
         follow_in_thread);
     EXPECT_EQ(words_of(together), words_of(whole));
@@ -147,12 +147,12 @@ TEST(Crew, SavesWhatGoesOnAloneToTheSame) {
   }
 }
 
-TEST(Crew, ThatIsStoppedHasTheBeginning) {
+TEST(Ranks, ThatIsStoppedHasTheBeginning) {
   std::atomic<bool> stop = false;
-  const ExploreResult stopped = with_crew(
+  const ExploreResult stopped = with_ranks(
       3,
       [&](Leader& leader) {
-        return explore(crew_options(),
+        return explore(rank_options(),
                        {[&](const Progress& progress) { stop = progress.done > 0; }, &stop}, {},
                        leader.search("same", json_text));
       },
@@ -166,10 +166,10 @@ TEST(Crew, ThatIsStoppedHasTheBeginning) {
 template <typename Failure>
 std::string told_by_the_second(const Failure& failure) {
   try {
-    with_crew(
+    with_ranks(
         2,
         [](Leader& leader) {
-          return explore(crew_options(), {}, {}, leader.search("same", json_text));
+          return explore(rank_options(), {}, {}, leader.search("same", json_text));
         },
         [&](Mailboxes& mail, int rank) {
           MailedProcess process(mail, rank);
@@ -183,18 +183,18 @@ std::string told_by_the_second(const Failure& failure) {
   return "(nothing)";
 }
 
-TEST(Crew, HearsWhatFailed) {
+TEST(Ranks, HearsWhatFailed) {
   EXPECT_EQ(told_by_the_second(InputError("h.toml: cannot be read")),
             "rank 1 of 2: h.toml: cannot be read");
   EXPECT_EQ(told_by_the_second(OutOfRange("no tensions")), "no tensions");
   EXPECT_EQ(told_by_the_second(FollowerFailed("a fault")), "rank 1 of 2: a fault");
 }
 
-TEST(Crew, HasReadTheSame) {
-  EXPECT_THROW(with_crew(
+TEST(Ranks, HasReadTheSame) {
+  EXPECT_THROW(with_ranks(
                    2,
                    [](Leader& leader) {
-                     return explore(crew_options(), {}, {}, leader.search("another", json_text));
+                     return explore(rank_options(), {}, {}, leader.search("another", json_text));
                    },
                    follow_in_thread),
                InputError);

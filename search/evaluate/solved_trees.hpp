@@ -23,7 +23,7 @@
 namespace reeve::search {
 
 // Arrays in the order of the network.
-struct TreeState {
+struct SolvedTree {
   bool jams = false;
   bool in_range = true;
   std::span<const double> motor_side;  // t_i
@@ -31,14 +31,14 @@ struct TreeState {
   std::span<const double> closing;     // of the strands; 0 if it jams
 };
 
-struct TreeStates {
+struct SolvedTrees {
   TreeOutline outline;
   std::vector<double> length;               // of all segments
   std::vector<std::uint8_t> strand_finger;  // from 0
   std::size_t motor_sides = 0;
 
   // 0: no finger held; f: finger f.
-  TreeState in_state(std::size_t held) const;
+  SolvedTree in_state(std::size_t held) const;
 
  private:
   friend class TreeSolver;
@@ -52,10 +52,10 @@ class TreeSolver {
   explicit TreeSolver(const Hardware& hardware) : builder_(hardware) {}
 
   // Keeps the memory of `states`.
-  void solve(const Routing& tree, TreeStates& states);
+  void solve(const Routing& tree, SolvedTrees& states);
 
  private:
-  void solve(Grasp grasp, TreeStates& states);
+  void solve(Grasp grasp, SolvedTrees& states);
 
   MechanicsBuilder builder_;
   Network network_;

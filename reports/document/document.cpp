@@ -1,4 +1,4 @@
-#include "reports/document/sheet.hpp"
+#include "reports/document/document.hpp"
 
 #include <fmt/format.h>
 
@@ -32,11 +32,11 @@ void Table::add(std::vector<std::string> cells, Tint tint) {
   rows.push_back({std::move(cells), tint});
 }
 
-void Sheet::add(Section section) {
+void Document::add(Section section) {
   if (section.table || !section.lines.empty()) sections.push_back(std::move(section));
 }
 
-void add_lines(std::vector<SheetLine>& lines, const std::string& text, bool caveat) {
+void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool caveat) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit);  // no memory is no end of the text
   for (std::string line; std::getline(in, line);) lines.push_back({line, caveat});

@@ -15,6 +15,6 @@ struct ShownEntry {
   TensionState state;
 };
 
-std::string catalogue_sheet(const std::vector<ShownEntry>& entries);
+std::string catalogue_document(const std::vector<ShownEntry>& entries);
 
 }  // namespace reeve::reports

@@ -1,4 +1,4 @@
-#include "reports/document/sheet_text.hpp"
+#include "reports/document/document_text.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace reeve::reports {
 namespace {
 
 // What is indented, or an entry of a list, goes on below its own beginning.
-std::string line_text(const std::string& line, Ink ink, const Look& look) {
+std::string line_text(const std::string& line, Ink ink, const TextStyle& look) {
   if (look.width == 0) return inked(line, ink, look) + '\n';
   std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   if (line.compare(indent, 2, "- ") == 0) indent += 2;
@@ -22,19 +22,19 @@ std::string line_text(const std::string& line, Ink ink, const Look& look) {
 }
 
 // Titles are broken where they are written so, unless the window breaks them elsewhere.
-std::string title_text(std::string title, const Look& look) {
+std::string title_text(std::string title, const TextStyle& look) {
   if (look.width > 0) std::replace(title.begin(), title.end(), '\n', ' ');
-  std::vector<SheetLine> lines;
+  std::vector<DocumentLine> lines;
   add_lines(lines, title);
   std::string text;
-  for (const SheetLine& line : lines) text += line_text(line.text, Ink::strong, look);
+  for (const DocumentLine& line : lines) text += line_text(line.text, Ink::strong, look);
   return text;
 }
 
-std::string section_text(const Section& section, const Look& look) {
+std::string section_text(const Section& section, const TextStyle& look) {
   std::string result = title_text(section.title, look);
   if (section.table) result += text(*section.table, look);
-  for (const SheetLine& line : section.lines) {
+  for (const DocumentLine& line : section.lines) {
     result += line_text(line.text, line.caveat ? Ink::notable : Ink::plain, look);
   }
   return result;
@@ -42,9 +42,9 @@ std::string section_text(const Section& section, const Look& look) {
 
 }  // namespace
 
-std::string text(const Sheet& sheet, const Look& look) {
+std::string text(const Document& document, const TextStyle& look) {
   std::string text;
-  for (const Section& section : sheet.sections) {
+  for (const Section& section : document.sections) {
     text += (text.empty() ? "" : "\n") + section_text(section, look);
   }
   return text;

@@ -1,4 +1,4 @@
-#include "reports/document/sheet_markdown.hpp"
+#include "reports/document/document_markdown.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -60,7 +60,7 @@ std::string table_text(const Table& table) {
 }
 
 // Lines under a title are a list; others are paragraphs.
-std::string line_text(const SheetLine& line, bool in_list) {
+std::string line_text(const DocumentLine& line, bool in_list) {
   const std::size_t begin = std::min(line.text.find_first_not_of(' '), line.text.size());
   const bool entry = line.text.compare(begin, 2, "- ") == 0;
   const std::string text = escaped(line.text.substr(begin + (entry ? 2 : 0)));
@@ -85,9 +85,9 @@ std::string markdown_section(const Section& section) {
 
 }  // namespace
 
-std::string markdown(const Sheet& sheet) {
+std::string markdown(const Document& document) {
   std::string text;
-  for (const Section& section : sheet.sections) {
+  for (const Section& section : document.sections) {
     text += (text.empty() ? "" : "\n") + markdown_section(section);
   }
   return text;
