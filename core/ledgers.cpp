@@ -39,8 +39,8 @@ void FingerLedger::pass(const PlacedWalk& walk) {
   for (const PlacedToken& placed : walk) {
     if (!is_of_finger(placed.token.kind)) continue;
     if (std::exchange(passed_[placed.token.finger], true)) {
-      fail_word(
-          word_, placed.column,
+      word_.fail(
+          placed.at,
           {.what = fmt::format("finger {} is passed twice; a finger has two strands and one tendon",
                                placed.token.finger)});
     }
@@ -51,9 +51,9 @@ void FingerLedger::pass(const PlacedWalk& walk) {
 void FingerLedger::require_no_gap() const {
   for (std::size_t f = 1; f < static_cast<std::size_t>(highest_); ++f) {
     if (passed_[f]) continue;
-    fail_word(word_, {.what = fmt::format(
-                          "finger {} is missing; fingers are numbered 1 to {} without a gap", f,
-                          highest_)});
+    word_.fail(
+        {.what = fmt::format("finger {} is missing; fingers are numbered 1 to {} without a gap", f,
+                             highest_)});
   }
 }
 
@@ -62,13 +62,12 @@ void BlockLedger::pass(const PlacedWalk& walk) {
     if (!is_of_block(placed.token.kind)) continue;
     Entry& entry = entries_[block_key(placed.token)];
     any_named_ = true;
-    if (!std::exchange(entry.named, true)) entry.column = placed.column;
+    if (!std::exchange(entry.named, true)) entry.at = placed.at;
     if (is_tail(placed.token.kind)) {
       entry.tail = true;
     } else if (std::exchange(entry.pulled, true) && placed.token.kind == TokenKind::bar_arms) {
-      fail_word(word_, placed.column,
-                {.what = fmt::format("{} stands inside walks twice; a bar has two arms",
-                                     quoted_text(placed.text))});
+      word_.fail(placed.at, {.what = fmt::format("{} stands inside walks twice; a bar has two arms",
+                                                 quoted_text(placed.at.text))});
     }
   }
 }
@@ -77,8 +76,8 @@ void BlockLedger::require_parts(std::size_t key) const {
   const Entry& entry = entries_[key];
   const std::string name = block_name(key);
   if (!entry.tail) {
-    fail_word(
-        word_, entry.column,
+    word_.fail(
+        entry.at,
         {.what = is_bar(key)
                      ? fmt::format("bar {} has arms but nothing at its pivot: {} as the end of "
                                    "a walk, as in M-{}+1x-{}-2x",
@@ -89,14 +88,14 @@ void BlockLedger::require_parts(std::size_t key) const {
                                    name, name, name, name)});
   }
   if (!entry.pulled) {
-    fail_word(word_, entry.column,
-              {.what = is_bar(key)
-                           ? fmt::format("bar {} has a pivot but no arms: they are its neighbours "
-                                         "inside a walk, as in 1x-{}-2x",
-                                         name, name)
-                           : fmt::format("block {} has a tail but nothing pulls the other way: "
-                                         "neither a pass ({} inside a walk) nor a becket ({}k)",
-                                         name, name, name)});
+    word_.fail(entry.at,
+               {.what = is_bar(key)
+                            ? fmt::format("bar {} has a pivot but no arms: they are its neighbours "
+                                          "inside a walk, as in 1x-{}-2x",
+                                          name, name)
+                            : fmt::format("block {} has a tail but nothing pulls the other way: "
+                                          "neither a pass ({} inside a walk) nor a becket ({}k)",
+                                          name, name, name)});
   }
 }
 
@@ -111,8 +110,8 @@ void BlockLedger::require_no_ring(const Routing& routing) const {
   }
   for (std::size_t key = 0; key < block_keys; ++key) {
     if (!on[key][key]) continue;
-    fail_word(
-        word_, entries_[key].column,
+    word_.fail(
+        entries_[key].at,
         {.what = fmt::format("{} {} hangs on itself: its tail is pulled by a tendon that {} "
                              "carries, directly or over other blocks",
                              is_bar(key) ? "bar" : "block", block_name(key), block_name(key))});

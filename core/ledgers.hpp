@@ -3,29 +3,28 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
-#include "core/word_fault.hpp"
+#include "core/word.hpp"
 
 namespace reeve::core {
 
 class FingerLedger {
  public:
-  explicit FingerLedger(std::string_view word) : word_(word) {}
+  explicit FingerLedger(const Word& word) : word_(word) {}
 
   // These throw InputError.
   void pass(const PlacedWalk& walk);
   void require_no_gap() const;
 
  private:
-  std::string_view word_;
+  Word word_;
   std::array<bool, max_fingers + 1> passed_{};
   int highest_ = 0;
 };
 
 class BlockLedger {
  public:
-  explicit BlockLedger(std::string_view word) : word_(word) {}
+  explicit BlockLedger(const Word& word) : word_(word) {}
 
   // These throw InputError.
   void pass(const PlacedWalk& walk);
@@ -36,13 +35,13 @@ class BlockLedger {
     bool named = false;
     bool tail = false;
     bool pulled = false;  // has a pass, a becket or arms
-    std::size_t column = 0;
+    PlacedText at{};
   };
 
   void require_parts(std::size_t key) const;
   void require_no_ring(const Routing& routing) const;
 
-  std::string_view word_;
+  Word word_;
   std::array<Entry, block_keys> entries_{};
   bool any_named_ = false;
 };

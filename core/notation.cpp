@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/ledgers.hpp"
-#include "core/token_text.hpp"
-#include "core/word_fault.hpp"
+#include "core/word.hpp"
 
 namespace reeve::core {
 namespace {
@@ -15,62 +21,54 @@ namespace {
 // Far above any real routing (64 fingers take some 500 characters), far below what could hurt.
 constexpr std::size_t max_word_length = 4096;
 
-PlacedWalk read_walk(std::string_view word, std::size_t begin, std::size_t end) {
-  PlacedWalk walk;
-  const std::string_view all = word.substr(begin, end - begin);
-  walk.reserve(1 + static_cast<std::size_t>(std::count(all.begin(), all.end(), '-')));
-  std::size_t at = begin;
-  while (true) {
-    const std::size_t dash = std::min(word.find('-', at), end);
-    const std::string_view text = word.substr(at, dash - at);
-    const TokenPlace place = at == begin || dash == end ? TokenPlace::end : TokenPlace::inside;
-    walk.push_back({read_token(word, text, at + 1, place), text, at + 1});
-    if (dash == end) return walk;
-    at = dash + 1;
-  }
+// A token that stands at an end of its walk, or inside it: Y1 and W1 mean another thing there.
+enum class TokenPlace { end, inside };
+
+constexpr std::array<std::pair<char, TokenKind>, 5> letters{{{'M', TokenKind::motor_end},
+                                                             {'F', TokenKind::fixed_end},
+                                                             {'T', TokenKind::tube_join},
+                                                             {'B', TokenKind::bearing_join},
+                                                             {'P', TokenKind::movable_pulley}}};
+
+struct NumberedText {
+  std::optional<int> number;  // without leading zeros, at most `highest`
+  std::string_view suffix;
+};
+
+NumberedText read_number(std::string_view text, int highest) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  NumberedText read{std::nullopt, text.substr(digits)};
+  if (digits == 0 || digits > 2 || text[0] == '0') return read;
+  int number = 0;
+  std::from_chars(text.data(), text.data() + digits, number);
+  if (number <= highest) read.number = number;
+  return read;
 }
 
-void require_ends(std::string_view word, const PlacedWalk& walk) {
-  for (const PlacedToken* outer : {&walk.front(), &walk.back()}) {
-    if (!is_end(outer->token.kind)) {
-      fail_word(
-          word, outer->column,
-          {.what = fmt::format("a walk must begin and end with M, F, a fingertip (1x) or a "
-                               "block (Y1), or come back to the finger that it began with, and "
-                               "{} does neither",
-                               quoted_text(outer->text))});
-    }
-  }
+// Lengths of arms to three decimals.
+std::optional<long long> read_arm(std::string_view text) {
+  double arm = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), arm, std::chars_format::fixed);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (!(arm >= 0.001 && arm <= 10000)) return std::nullopt;
+  return std::llround(arm * 1000);
 }
 
-void require_inner_tokens(std::string_view word, const PlacedWalk& walk) {
-  for (std::size_t i = 1; i < walk.size(); ++i) {
-    const TokenKind kind = walk[i].token.kind;
-    if (is_end(kind) && i + 1 < walk.size()) {
-      fail_word(
-          word, walk[i].column,
-          {.what = fmt::format("{} ends a walk and cannot stand inside it; join tendons with +",
-                               quoted_text(walk[i].text))});
-    }
-    if (is_of_finger(kind) && is_of_finger(walk[i - 1].token.kind)) {
-      fail_word(
-          word, walk[i].column,
-          {.what = fmt::format("between two fingers a join is needed: T, B, P or a block before "
-                               "{}",
-                               quoted_text(walk[i].text))});
-    }
-  }
+std::optional<ArmRatio> read_arms(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto left = read_arm(text.substr(0, colon));
+  const auto right = read_arm(text.substr(colon + 1));
+  if (!left || !right) return std::nullopt;
+  const long long common = std::gcd(*left, *right);
+  constexpr long long largest = std::numeric_limits<std::uint16_t>::max();
+  if (*left / common > largest || *right / common > largest) return std::nullopt;
+  return ArmRatio{static_cast<std::uint16_t>(*left / common),
+                  static_cast<std::uint16_t>(*right / common)};
 }
 
-// Of unequal arms, one loop pulls harder on the longer one until the bar lies in its line.
-void require_equal_arms(std::string_view word, const PlacedWalk& walk) {
-  for (const PlacedToken& placed : walk) {
-    if (placed.token.arms == ArmRatio{}) continue;
-    fail_word(word, placed.column,
-              {.what = fmt::format("{}: a loop that is tied to both arms of a bar needs equal arms",
-                                   quoted_text(placed.text))});
-  }
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool comes_back(const PlacedWalk& walk) {
   const Token& first = walk.front().token;
@@ -79,60 +77,231 @@ bool comes_back(const PlacedWalk& walk) {
          first.finger == last.finger;
 }
 
-Tendon read_tendon(std::string_view word, PlacedWalk& walk) {
+class WordParser {
+ public:
+  explicit WordParser(std::string_view word) : word_{word} {}
+
+  Routing parse() const;
+
+ private:
+  Token read_finger(const PlacedText& at) const;
+  int block_number(const PlacedText& at, const NumberedText& read) const;
+  Token read_block(const PlacedText& at, TokenPlace place) const;
+  Token read_bar(const PlacedText& at, TokenPlace place) const;
+  Token read_token(const PlacedText& at, TokenPlace place) const;
+  PlacedWalk read_walk(std::size_t begin, std::size_t end) const;
+  void require_ends(const PlacedWalk& walk) const;
+  void require_inner_tokens(const PlacedWalk& walk) const;
+  void require_equal_arms(const PlacedWalk& walk) const;
+  Tendon read_tendon(PlacedWalk& walk) const;
+
+  Word word_;
+};
+
+Token WordParser::read_finger(const PlacedText& at) const {
+  const NumberedText read = read_number(at.text, max_fingers);
+  if (!read.suffix.empty() && read.suffix != "b" && read.suffix != "x") {
+    word_.fail(
+        at, {.value = shown_text(at.text),
+             .expected = "behind the finger number no suffix (tube at the fingertip), b (bearing) "
+                         "or x (the tendon is tied there)"});
+  }
+  if (!read.number) {
+    word_.fail(at, {.value = shown_text(at.text),
+                    .expected = fmt::format("a finger number from 1 to {}", max_fingers)});
+  }
+  if (read.suffix == "x") return anchored_tip(*read.number);
+  return finger(*read.number, read.suffix == "b" ? TipKind::bearing : TipKind::tube);
+}
+
+int WordParser::block_number(const PlacedText& at, const NumberedText& read) const {
+  if (!read.number) {
+    word_.fail(
+        at, {.value = shown_text(at.text),
+             .expected = fmt::format("a {} number from 1 to {} behind {}",
+                                     at.text[0] == 'Y' ? "block" : "bar", max_blocks, at.text[0])});
+  }
+  return *read.number;
+}
+
+Token WordParser::read_block(const PlacedText& at, TokenPlace place) const {
+  const NumberedText read = read_number(at.text.substr(1), max_blocks);
+  const int number = block_number(at, read);
+  if (read.suffix == "k") return block(TokenKind::becket, number);
+  if (!read.suffix.empty()) {
+    word_.fail(at, {.value = shown_text(at.text),
+                    .expected = "behind the block number nothing, or k for a becket"});
+  }
+  return block(place == TokenPlace::end ? TokenKind::block_tail : TokenKind::block_pass, number);
+}
+
+Token WordParser::read_bar(const PlacedText& at, TokenPlace place) const {
+  const NumberedText read = read_number(at.text.substr(1), max_blocks);
+  const int number = block_number(at, read);
+  if (read.suffix == "k") {
+    word_.fail(
+        at, {.what = fmt::format("{}: a bar has no becket; its two arms are its neighbours inside "
+                                 "a walk, as in 1x-W1-2x",
+                                 quoted_text(at.text))});
+  }
+  if (place == TokenPlace::end) {
+    if (read.suffix.empty()) return block(TokenKind::bar_pivot, number);
+    word_.fail(
+        at, {.value = shown_text(at.text),
+             .expected = fmt::format("W{} alone: the end of a walk is tied to the bar's pivot, and "
+                                     "a ratio belongs to its arms",
+                                     number)});
+  }
+  if (read.suffix.empty()) return bar(number);
+  const auto arms = read.suffix[0] == '/' ? read_arms(read.suffix.substr(1)) : std::nullopt;
+  if (!arms) {
+    word_.fail(
+        at, {.value = shown_text(at.text),
+             .expected = "behind the bar number nothing, or the ratio of its neighbours' tensions "
+                         "in positive numbers of at most three decimals, such as W1/2:1"});
+  }
+  return bar(number, *arms);
+}
+
+Token WordParser::read_token(const PlacedText& at, TokenPlace place) const {
+  for (const auto& [letter, kind] : letters) {
+    if (at.text.size() == 1 && at.text[0] == letter) return plain(kind);
+  }
+  const bool numbered = at.text.size() > 1 && is_digit(at.text[1]);
+  if (!at.text.empty() && is_digit(at.text[0])) return read_finger(at);
+  if (numbered && at.text[0] == 'Y') return read_block(at, place);
+  if (numbered && at.text[0] == 'W') return read_bar(at, place);
+  constexpr const char* expected =
+      "M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1";
+  if (at.text.empty()) word_.fail(at, {.what = "an empty token", .expected = expected});
+  word_.fail(at, {.what = "unknown token", .value = shown_text(at.text), .expected = expected});
+}
+
+PlacedWalk WordParser::read_walk(std::size_t begin, std::size_t end) const {
+  PlacedWalk walk;
+  const std::string_view all = word_.text.substr(begin, end - begin);
+  walk.reserve(1 + static_cast<std::size_t>(std::count(all.begin(), all.end(), '-')));
+  std::size_t at = begin;
+  while (true) {
+    const std::size_t dash = std::min(word_.text.find('-', at), end);
+    const TokenPlace place = at == begin || dash == end ? TokenPlace::end : TokenPlace::inside;
+    const PlacedText placed{word_.text.substr(at, dash - at), at + 1};
+    walk.push_back({read_token(placed, place), placed});
+    if (dash == end) return walk;
+    at = dash + 1;
+  }
+}
+
+void WordParser::require_ends(const PlacedWalk& walk) const {
+  for (const PlacedToken* outer : {&walk.front(), &walk.back()}) {
+    if (!is_end(outer->token.kind)) {
+      word_.fail(outer->at, {.what = fmt::format(
+                                 "a walk must begin and end with M, F, a fingertip (1x) or a "
+                                 "block (Y1), or come back to the finger that it began with, and "
+                                 "{} does neither",
+                                 quoted_text(outer->at.text))});
+    }
+  }
+}
+
+void WordParser::require_inner_tokens(const PlacedWalk& walk) const {
+  for (std::size_t i = 1; i < walk.size(); ++i) {
+    const TokenKind kind = walk[i].token.kind;
+    if (is_end(kind) && i + 1 < walk.size()) {
+      word_.fail(walk[i].at, {.what = fmt::format(
+                                  "{} ends a walk and cannot stand inside it; join tendons with +",
+                                  quoted_text(walk[i].at.text))});
+    }
+    if (is_of_finger(kind) && is_of_finger(walk[i - 1].token.kind)) {
+      word_.fail(walk[i].at, {.what = fmt::format(
+                                  "between two fingers a join is needed: T, B, P or a block before "
+                                  "{}",
+                                  quoted_text(walk[i].at.text))});
+    }
+  }
+}
+
+// Of unequal arms, one loop pulls harder on the longer one until the bar lies in its line.
+void WordParser::require_equal_arms(const PlacedWalk& walk) const {
+  for (const PlacedToken& placed : walk) {
+    if (placed.token.arms == ArmRatio{}) continue;
+    word_.fail(placed.at, {.what = fmt::format(
+                               "{}: a loop that is tied to both arms of a bar needs equal arms",
+                               quoted_text(placed.at.text))});
+  }
+}
+
+Tendon WordParser::read_tendon(PlacedWalk& walk) const {
   Tendon tendon;
   tendon.closed = comes_back(walk);
-  if (!tendon.closed) require_ends(word, walk);
+  if (!tendon.closed) require_ends(walk);
   if (walk.size() == 1) {
-    fail_word(word, walk.front().column,
-              {.what = "the walk has one token: a second end is missing"});
+    word_.fail(walk.front().at, {.what = "the walk has one token: a second end is missing"});
   }
-  require_inner_tokens(word, walk);
+  require_inner_tokens(walk);
   if (tendon.closed) {
     if (walk.front().token != walk.back().token) {
-      fail_word(word, walk.back().column,
-                {.what = fmt::format("the loop begins with {} and comes back to {}",
-                                     quoted_text(walk.front().text), quoted_text(walk.back().text)),
-                 .expected = "the same token"});
+      word_.fail(
+          walk.back().at,
+          {.what = fmt::format("the loop begins with {} and comes back to {}",
+                               quoted_text(walk.front().at.text), quoted_text(walk.back().at.text)),
+           .expected = "the same token"});
     }
-    require_equal_arms(word, walk);
+    require_equal_arms(walk);
     walk.pop_back();
   }
   for (const PlacedToken& placed : walk) tendon.walk.push_back(placed.token);
   return tendon;
 }
 
-}  // namespace
-
-Routing parse_routing(std::string_view word) {
-  if (word.empty()) {
+Routing WordParser::parse() const {
+  if (word_.text.empty()) {
     throw InputError({.where = "routing ''",
                       .what = "the word is empty",
                       .expected = "e.g. M-1-T-2-F",
                       .form = InputForm::unknown});
   }
-  if (word.size() > max_word_length) {
-    fail_word(word, {.what = fmt::format("the word has {} characters, at most {} are read",
-                                         word.size(), max_word_length)});
+  if (word_.text.size() > max_word_length) {
+    word_.fail({.what = fmt::format("the word has {} characters, at most {} are read",
+                                    word_.text.size(), max_word_length)});
   }
   Routing routing;
-  routing.tendons.reserve(1 + static_cast<std::size_t>(std::count(word.begin(), word.end(), '+')));
-  FingerLedger fingers(word);
-  BlockLedger blocks(word);
+  routing.tendons.reserve(
+      1 + static_cast<std::size_t>(std::count(word_.text.begin(), word_.text.end(), '+')));
+  FingerLedger fingers(word_);
+  BlockLedger blocks(word_);
   std::size_t at = 0;
   while (true) {
-    const std::size_t plus = std::min(word.find('+', at), word.size());
-    PlacedWalk walk = read_walk(word, at, plus);
-    routing.tendons.push_back(read_tendon(word, walk));
+    const std::size_t plus = std::min(word_.text.find('+', at), word_.text.size());
+    PlacedWalk walk = read_walk(at, plus);
+    routing.tendons.push_back(read_tendon(walk));
     fingers.pass(walk);
     blocks.pass(walk);
-    if (plus == word.size()) break;
+    if (plus == word_.text.size()) break;
     at = plus + 1;
   }
   fingers.require_no_gap();
   blocks.require_whole(routing);
   return routing;
 }
+
+void print_token(std::string& word, const Token& token) {
+  for (const auto& [letter, kind] : letters) {
+    if (kind == token.kind) word += letter;
+  }
+  if (is_of_finger(token.kind)) word += fmt::format_int(token.finger).c_str();
+  if (token.kind == TokenKind::anchored_tip) word += 'x';
+  if (token.tip == TipKind::bearing) word += 'b';
+  if (!is_of_block(token.kind)) return;
+  word += is_of_bar(token.kind) ? 'W' : 'Y';
+  word += std::to_string(token.block);
+  if (token.kind == TokenKind::becket) word += 'k';
+  if (token.arms != ArmRatio{}) word += fmt::format("/{}:{}", token.arms.left, token.arms.right);
+}
+
+}  // namespace
+
+Routing parse_routing(std::string_view word) { return WordParser(word).parse(); }
 
 std::string to_word(const Routing& routing) {
   std::string word;

@@ -1,4 +1,4 @@
-#include "core/word_fault.hpp"
+#include "core/word.hpp"
 
 #include <fmt/format.h>
 
@@ -22,13 +22,13 @@ std::string shown_text(std::string_view text) {
 
 std::string quoted_text(std::string_view text) { return "'" + shown_text(text) + "'"; }
 
-void fail_word(std::string_view word, InputFault fault) {
-  fault.where = fmt::format("routing {}", quoted_text(word));
+void Word::fail(InputFault fault) const {
+  fault.where = fmt::format("routing {}", quoted_text(text));
   throw InputError(std::move(fault));
 }
 
-void fail_word(std::string_view word, std::size_t column, InputFault fault) {
-  fault.where = fmt::format("routing {}, column {}", quoted_text(word), column);
+void Word::fail(const PlacedText& at, InputFault fault) const {
+  fault.where = fmt::format("routing {}, column {}", quoted_text(text), at.column);
   throw InputError(std::move(fault));
 }
 
