@@ -1,17 +1,50 @@
 #include "cli/supervision.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <iostream>
+#include <string>
 #include <utility>
 
-#include "cli/progress_bar.hpp"
+#include "search/explore.hpp"
 
 namespace reeve::cli {
 namespace {
+
+// Progress as one line of text.
+
+constexpr std::size_t least_bar = 10;
+constexpr std::size_t most_bar = 40;
+
+std::string bar(double share, std::size_t cells) {
+  const auto full = static_cast<std::size_t>(std::floor(share * static_cast<double>(cells)));
+  std::string text(std::min(full, cells), '=');
+  if (text.size() < cells) text += '>';
+  text.resize(cells, ' ');
+  return "[" + text + "]";
+}
+
+// "exploring [====>       ]  38 %, 81234 a second, 4 s left" in at most so many columns; where
+// there is no room for a bar, without one.
+std::string progress_bar(const std::string& what, const Progress& progress, double seconds,
+                         std::size_t width) {
+  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  const double rate = static_cast<double>(progress.done - progress.before) / seconds;
+  const double left = static_cast<double>(progress.total - progress.done) / rate;
+  const std::string figures =
+      fmt::format("{:3.0f} %, {:.0f} a second, {:.0f} s left", 100 * share, rate, left);
+  constexpr std::size_t around_bar = 4;  // brackets and spaces
+  const std::size_t used = what.size() + around_bar + figures.size();
+  if (used + least_bar > width) return (what + " " + figures).substr(0, width);
+  return what + " " + bar(share, std::min(width - used, most_bar)) + " " + figures;
+}
 
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");

@@ -16,10 +16,10 @@
 #include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/channel_units.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
-#include "diagnosis/verdict/far_forecasts.hpp"
-#include "diagnosis/verdict/far_together.hpp"
-#include "diagnosis/verdict/far_words.hpp"
 #include "diagnosis/verdict/other_direction.hpp"
+#include "diagnosis/verdict/outlier_forecasts.hpp"
+#include "diagnosis/verdict/outlier_groups.hpp"
+#include "diagnosis/verdict/outlier_words.hpp"
 #include "diagnosis/verdict/residual_structure.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
@@ -84,7 +84,7 @@ class Diagnosis {
     leave_out_runs();
     result_.cells = compared_cells(sample_, nominal_, result_.model, found_.scatter,
                                    result_.left_out, workers_);
-    if (auto far = far_forecasts(result_.cells, data_, result_.noise, options_.alpha)) {
+    if (auto far = outlier_forecasts(result_.cells, data_, result_.noise, options_.alpha)) {
       result_.notes.push_back(std::move(*far));
     }
     result_.share_errors = share_errors(data_, result_.cells);
@@ -228,7 +228,7 @@ class Diagnosis {
     if (!sample_.held_out.cells.empty()) {
       unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
     }
-    const FarReadings far = far_readings_together(
+    const OutlierReadings far = outlier_readings_together(
         {found_.problem,
          unseen ? &*unseen : nullptr,
          result_.model,
@@ -238,7 +238,7 @@ class Diagnosis {
          {streams::seed_of_residual_structure(options_.seed), options_.replicates}},
         workers_, [this] { return stopped("looking for readings far off"); });
     if (stop_) return;
-    for (const FarTogether& together : far.together) {
+    for (const OutlierGroups& together : far.together) {
       result_.notes.push_back(note_on(together, far, data_, options_.alpha));
       if (result_.unexplained || !follow_something(together, options_.alpha)) continue;
       result_.unexplained = {"channel and run", where_text(together, data_),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/schematic/schematic_svg.hpp"
 #include "reports/check_words.hpp"
 #include "reports/output/json.hpp"
 
@@ -108,6 +109,16 @@ Json item_json(const CheckItem& item) {
 }
 
 }  // namespace
+
+std::string catalogue_document(const std::vector<ShownEntry>& entries) {
+  constexpr std::size_t in_a_row = 4;
+  std::vector<Schematic> schematics;
+  for (const ShownEntry& entry : entries) {
+    const GraspView view{entry.grasp, Direction::pull, entry.state};
+    schematics.push_back(schematic(entry.network, entry.title, view, false));
+  }
+  return schematic_sheet(schematics, in_a_row, "Routings of the catalogue");
+}
 
 Document check_sheet(const CheckReport& report) {
   Document document;

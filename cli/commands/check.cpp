@@ -7,7 +7,6 @@
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
-#include "reports/catalogue_document.hpp"
 #include "reports/check_report.hpp"
 
 namespace reeve::cli {

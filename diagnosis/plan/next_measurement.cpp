@@ -22,7 +22,7 @@ constexpr double normal_quantile = 1.959963984540054;  // of 95 %, both sides
 constexpr double least_log_likelihood = 0.5;
 // A reading beyond so many times whatever the rig has shown or the motor pulls is no advice:
 // sensors need not reach there, and no model was ever tried there.
-constexpr double far_beyond = 3;
+constexpr double outlier_beyond = 3;
 
 double greatest_tension(const MeasuredData& data) {
   double greatest = 0;
@@ -137,7 +137,7 @@ class Reader {
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       result[static_cast<Index>(i)] = sensors[i].reading_N;
     }
-    const double reach = far_beyond * std::max(shown_N_, conditions.motor_tension_N);
+    const double reach = outlier_beyond * std::max(shown_N_, conditions.motor_tension_N);
     return (result.array() <= reach).all() ? result : VectorXd();
   }
 

@@ -27,7 +27,7 @@ struct Rival {
 };
 
 // A rival that is farther off by some of the readings is not looked at by all of them.
-inline constexpr double far_margin = 3 * alias_margin;
+inline constexpr double outlier_margin = 3 * alias_margin;
 
 // The most likely first; several of one name (wrong_grasp) may be among them.
 std::vector<Rival> rivals(const Problem& problem, const Model& model, std::size_t effect,

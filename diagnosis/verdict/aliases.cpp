@@ -25,7 +25,7 @@ std::optional<Aliases> aliases(const AliasSearch& search, const std::vector<Appl
                                    place(search.extended, cause.effect), search.candidates,
                                    workers));
     const std::vector<Rival>& others = result.rivals.back();
-    if (others.empty() || others.front().deficit >= far_margin) continue;
+    if (others.empty() || others.front().deficit >= outlier_margin) continue;
     Indistinguishable group = search.all.cells.empty()
                                   ? indistinguishable(cause.name, search.extended, others)
                                   : alike_by_all_readings(search, cause, workers);

@@ -35,7 +35,7 @@ bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
 // Rows that do not read as the file says, or a sensor that is not like the others.
 bool asks_for_a_look(const DiagnosisResult& result) {
   return std::any_of(result.notes.begin(), result.notes.end(), [](const DataNote& note) {
-    return note.kind == NoteKind::other_direction || note.kind == NoteKind::far_together;
+    return note.kind == NoteKind::other_direction || note.kind == NoteKind::outlier_groups;
   });
 }
 

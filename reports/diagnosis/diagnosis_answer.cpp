@@ -131,7 +131,7 @@ std::string too_few_answer() {
 
 bool some_are_far(const DiagnosisResult& result) {
   return std::any_of(result.notes.begin(), result.notes.end(),
-                     [](const DataNote& note) { return note.kind == NoteKind::far_forecast; });
+                     [](const DataNote& note) { return note.kind == NoteKind::outlier_forecast; });
 }
 
 std::string none_answer(const DiagnosisReport& report) {
@@ -250,7 +250,7 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
                          check_first(notes, NoteKind::inverted, "this") +
                          check_first(notes, NoteKind::not_as_pulled, "this") +
                          check_first(notes, NoteKind::other_direction, "this") +
-                         check_first(notes, NoteKind::far_together, "this") +
+                         check_first(notes, NoteKind::outlier_groups, "this") +
                          (mountings.empty() ? "" : mountings + "\n"));
 }
 

@@ -1,9 +1,34 @@
 #include "search/limits/limited_generator.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "search/enumerate/checked.hpp"
+#include "search/enumerate/digits.hpp"
 
 namespace reeve::search {
 namespace {
+
+PartSet parts_without_blocks(PartSet parts) {
+  parts.blocks = 0;
+  return parts;
+}
+
+// The tendons that blocks tie together, and the others.
+struct TiedTendons {
+  Routing tied;
+  Routing others;
+};
+
+TiedTendons tied_tendons(const Routing& routing) {
+  TiedTendons result;
+  for (const Tendon& tendon : routing.tendons) {
+    const bool is_tied = std::any_of(tendon.walk.begin(), tendon.walk.end(),
+                                     [](const Token& token) { return is_of_block(token.kind); });
+    (is_tied ? result.tied : result.others).tendons.push_back(tendon);
+  }
+  return result;
+}
 
 bool has_blocks(const Routing& routing) {
   const BlockCount count = block_count(routing);
@@ -11,6 +36,120 @@ bool has_blocks(const Routing& routing) {
 }
 
 }  // namespace
+
+LimitedTrees::LimitedTrees(const PartClasses& classes, const GeneratorOptions& options)
+    : classes_(classes),
+      trees_(options),
+      parts_(classes, options.parts, options.fingers),
+      beside_(classes, parts_without_blocks(options.parts), options.fingers, false) {
+  NumberedParts& numbered = parts_.numbered();
+  const NumberedParts::Goal whole = numbered.goal(classes.admitted_classes());
+  std::uint64_t begin = 0;
+  for (const TreeGenerator::Cell& cell : trees_.cells()) {
+    const int others = options.fingers - cell.size.fingers;
+    NumberedParts::Goal goal = whole;
+    if (others > 0) {
+      goal = numbered.goal(
+          completed_sums(classes, beside_.counts(others), classes.admitted_classes()));
+    }
+    cells_.push_back({options.one_tendon ? parts_.tree(cell.size) : parts_.sets(cell.size), goal,
+                      others, begin});
+    begin = plus(begin, times(cell.sets, cell.tendons));
+  }
+}
+
+ClassCounts LimitedTrees::counts_before(std::uint64_t index) {
+  NumberedParts& numbered = parts_.numbered();
+  ClassCounts sum = no_counts(classes_);
+  for (std::size_t c = 0; c < cells_.size() && cells_[c].begin < index; ++c) {
+    const LimitedCell& cell = cells_[c];
+    const TreeGenerator::Cell& all = trees_.cells()[c];
+    const std::uint64_t within = std::min(index - cell.begin, all.sets * all.tendons);
+    const std::uint64_t set = within / all.tendons;
+    const std::uint64_t rest = within % all.tendons;
+    const ClassCounts sets = numbered.counts_before(cell.sets, set);
+    add(sum, cell.others == 0 ? sets : product(classes_, sets, beside_.counts(cell.others)));
+    if (rest == 0) continue;
+    add(sum, shifted(classes_, beside_.counts_before(cell.others, rest),
+                     numbered.parts_of(cell.sets, set)));
+  }
+  return sum;
+}
+
+void LimitedTrees::start_beside(std::uint64_t index) {
+  const int others = cells_[cell_].others;
+  alone_ = others == 0;
+  if (!alone_) beside_.seek(others, set_->parts, index);
+}
+
+void LimitedTrees::seek(std::uint64_t index) {
+  set_.reset();
+  next_set_ = 0;
+  Digits digits(index);
+  for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
+    const TreeGenerator::Cell& all = trees_.cells()[cell_];
+    if (digits.is_among(all.sets * all.tendons)) break;
+  }
+  if (cell_ == cells_.size()) return;
+  const std::uint64_t rest = digits.take(trees_.cells()[cell_].tendons);
+  next_set_ = digits.rest();
+  if (rest == 0) return;
+  set_ = NumberedParts::Found{next_set_, parts_.numbered().parts_of(cells_[cell_].sets, next_set_)};
+  ++next_set_;
+  start_beside(rest);
+}
+
+bool LimitedTrees::next_set() {
+  for (; cell_ < cells_.size(); ++cell_, next_set_ = 0) {
+    ++steps_;
+    set_ = parts_.numbered().first(cells_[cell_].sets, next_set_, cells_[cell_].goal);
+    if (!set_) continue;
+    next_set_ = set_->index + 1;
+    start_beside(0);
+    return true;
+  }
+  return false;
+}
+
+bool LimitedTrees::next_beside(std::uint64_t& index) {
+  if (!set_) return false;
+  if (cells_[cell_].others > 0) return beside_.next(of_others_, index);
+  of_others_.tendons.clear();
+  index = 0;
+  return std::exchange(alone_, false);
+}
+
+bool LimitedTrees::next(Routing& routing, std::uint64_t& place) {
+  std::uint64_t beside = 0;
+  while (!next_beside(beside)) {
+    if (!next_set()) return false;
+  }
+  trees_.make(cell_, set_->index, of_others_, routing);
+  place = cells_[cell_].begin + set_->index * trees_.cells()[cell_].tendons + beside;
+  return true;
+}
+
+std::optional<std::uint64_t> LimitedTrees::place_of(const Routing& routing) {
+  const auto [tied, others] = tied_tendons(routing);
+  const TreeSize size{finger_count(tied), block_count(routing).blocks};
+  const std::vector<TreeGenerator::Cell>& cells = trees_.cells();
+  const auto found =
+      std::find_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.size == size; });
+  if (found == cells.end()) return std::nullopt;
+  std::optional<std::uint64_t> beside = 0;
+  if (!others.tendons.empty()) beside = beside_.place_of(others);
+  if (!beside) return std::nullopt;
+  const auto c = static_cast<std::size_t>(found - cells.begin());
+  NumberedParts& numbered = parts_.numbered();
+  const NumberedParts::Goal equivalent = numbered.goal(ClassSet().set(classes_.of(tied)));
+  Routing made;
+  for (auto set = numbered.first(cells_[c].sets, 0, equivalent); set;
+       set = numbered.first(cells_[c].sets, set->index + 1, equivalent)) {
+    trees_.make(c, set->index, others, made);
+    if (made == routing) return cells_[c].begin + set->index * found->tendons + *beside;
+  }
+  return std::nullopt;
+}
 
 LimitedGenerator::LimitedGenerator(const GeneratorOptions& options,
                                    const std::vector<Constraint>& constraints)

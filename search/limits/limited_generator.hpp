@@ -8,10 +8,63 @@
 #include <vector>
 
 #include "search/enumerate/generator.hpp"
+#include "search/enumerate/tree_generator.hpp"
 #include "search/limits/limited_tendons.hpp"
-#include "search/limits/limited_trees.hpp"
+#include "search/limits/tree_parts.hpp"
 
 namespace reeve::search {
+
+// The routings with floating blocks whose parts are within limits, in the order and at the places
+// of all of them (enumerate/tree_generator.hpp), for identical fingers.
+//
+// Sets of trees that leave the tendons beside them no way to stay within the limits are passed over
+// by their numbers (numbered_parts.hpp); beside the others only such tendons are tried.
+class LimitedTrees {
+ public:
+  // Keeps the classes.
+  LimitedTrees(const PartClasses& classes, const GeneratorOptions& options);
+
+  std::uint64_t total() const { return trees_.total(); }
+  ClassCounts counts_before(std::uint64_t index);
+
+  // The next call of next() gives the first routing from this index on that is within the limits.
+  void seek(std::uint64_t index);
+  // False when all have been given. Keeps the memory of `routing`.
+  bool next(Routing& routing, std::uint64_t& place);
+
+  // Of a canonical routing with blocks, whatever its parts, if it is among all. Looks through those
+  // whose trees have as many parts.
+  std::optional<std::uint64_t> place_of(const Routing& routing);
+
+  std::uint64_t steps() const { return steps_ + beside_.steps(); }
+
+  void stop_with(const StopCheck& check) { beside_.stop_with(check); }
+
+ private:
+  struct LimitedCell {
+    NumberedParts::Sort sets = 0;
+    NumberedParts::Goal goal = 0;  // of the sets
+    int others = 0;                // fingers beside the trees
+    std::uint64_t begin = 0;       // the index of its first routing
+  };
+
+  bool next_set();
+  void start_beside(std::uint64_t index);
+  bool next_beside(std::uint64_t& index);
+
+  const PartClasses& classes_;
+  TreeGenerator trees_;
+  TreeParts parts_;
+  LimitedTendons beside_;
+  std::vector<LimitedCell> cells_;  // as the generator's
+
+  std::size_t cell_ = 0;
+  std::uint64_t next_set_ = 0;
+  std::optional<NumberedParts::Found> set_;  // that is being listed
+  bool alone_ = false;                       // … all of whose fingers are on its trees, unread
+  Routing of_others_;
+  std::uint64_t steps_ = 0;
+};
 
 class LimitedGenerator {
  public:

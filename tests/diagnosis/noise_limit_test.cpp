@@ -1,4 +1,3 @@
-#include "diagnosis/verdict/noise_limit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +7,7 @@
 #include <random>
 
 #include "causes/library.hpp"
-#include "diagnosis/verdict/run_gain.hpp"
+#include "diagnosis/verdict/confirmation.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {

@@ -49,7 +49,7 @@ TEST(DiagnosisAnswer, OfNoCauseSaysWhetherOneWasNotConfirmed) {
 TEST(DiagnosisAnswer, OfNoCauseSpeaksOfTheTrainingRunsWhereHeldOutOnesAreFar) {
   DiagnosisReport report = report_of(Verdict::none);
   EXPECT_TRUE(says(report, "explains the data as well as their noise allows.\nNo cause"));
-  report.result.notes.push_back({NoteKind::far_forecast, "line 58", {58}});
+  report.result.notes.push_back({NoteKind::outlier_forecast, "line 58", {58}});
   EXPECT_TRUE(says(report,
                    "explains the training runs as well as their noise allows.\nIt is far from some "
                    "readings of held-out runs: see the notes.\n"));
@@ -253,7 +253,7 @@ TEST(DiagnosisAnswer, AsksForTheUnitsRightBelowTheHeadline) {
       "below.");
   report.result.notes = {{NoteKind::not_as_pulled, "in 3 rows", {3, 5, 8}}};
   EXPECT_EQ(second_line(), "Check this first: in 3 rows");
-  report.result.notes = {{NoteKind::far_together, "T4 in runs a and b", {3}},
+  report.result.notes = {{NoteKind::outlier_groups, "T4 in runs a and b", {3}},
                          {NoteKind::other_direction, "8 of 16 rows of run a", {3, 5, 8}}};
   EXPECT_EQ(second_line(), "Check this first: 8 of 16 rows of run a");
   report.result.notes.pop_back();

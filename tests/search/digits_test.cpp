@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "search/enumerate/finger_sets.hpp"
+#include "search/enumerate/tree_index.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {

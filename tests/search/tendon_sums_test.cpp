@@ -8,7 +8,7 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/evaluate/solved_trees.hpp"
+#include "search/evaluate/known_trees.hpp"
 
 namespace reeve {
 namespace {

@@ -1,21 +1,75 @@
-#include "diagnosis/verdict/far_together.hpp"
+#include "diagnosis/verdict/outlier_groups.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "numerics/binomial.hpp"
+#include "numerics/random.hpp"
 #include "numerics/student_t.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
+Eigen::VectorXd of_mountings_N(const Problem& problem) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(problem.deviation_N.size());
+  for (const SharedScatter& shared : problem.shared) {
+    for (std::size_t i = 0; i < shared.cells.size(); ++i) {
+      const Eigen::Index k = shared.cells[i];
+      result[k] = shared.loadings.row(static_cast<Eigen::Index>(i)).cwiseAbs().sum() *
+                  problem.deviation_N[k];
+    }
+  }
+  return result;
+}
+
+struct SidedRow {
+  double load_N = 0;  // the mean of what its far cells should read
+  int side = 0;
+};
+
+// Rows that are as far on one side as on the other tell nothing.
+std::vector<SidedRow> sided_rows(const std::vector<JudgedCell>& far) {
+  std::vector<SidedRow> rows;
+  for (auto cell = far.begin(); cell != far.end();) {
+    const auto next = std::find_if(
+        cell, far.end(), [&](const JudgedCell& other) { return other.reading != cell->reading; });
+    SidedRow row;
+    for (auto each = cell; each != next; ++each) {
+      row.side += each->z > 0 ? 1 : -1;
+      row.load_N += each->expected_N / static_cast<double>(next - cell);
+    }
+    if (row.side != 0) rows.push_back(row);
+    cell = next;
+  }
+  return rows;
+}
+
+double sign_test(std::size_t above, std::size_t below) {
+  return std::min(1.0, 2 * at_least_so_many(std::max(above, below), above + below, 0.5));
+}
+
+double rank_sum_test(std::vector<SidedRow> rows, double above, double below) {
+  if (above == 0 || below == 0) return 1;
+  std::sort(rows.begin(), rows.end(),
+            [](const SidedRow& a, const SidedRow& b) { return a.load_N < b.load_N; });
+  double sum = 0;
+  for (std::size_t rank = 0; rank < rows.size(); ++rank) {
+    if (rows[rank].side > 0) sum += static_cast<double>(rank + 1);
+  }
+  const double all = above + below;
+  const double z = (sum - above * (all + 1) / 2) / std::sqrt(above * below * (all + 1) / 12);
+  return std::erfc(std::abs(z) / std::numbers::sqrt2);
+}
+
 // A few hundred readings cannot tell that their noise has no heavier tails.
 constexpr double most_degrees_of_far = 6;
 
-struct FarCount {
+struct OutlierCount {
   std::size_t all = 0;
   std::size_t far = 0;
 
@@ -23,23 +77,23 @@ struct FarCount {
     ++all;
     far += is_far ? 1 : 0;
   }
-  FarCount without(const FarCount& part) const { return {all - part.all, far - part.far}; }
+  OutlierCount without(const OutlierCount& part) const { return {all - part.all, far - part.far}; }
 };
 
-bool is_far(const JudgedCell& cell) { return std::abs(cell.z) > far_deviations; }
+bool is_far(const JudgedCell& cell) { return std::abs(cell.z) > outlier_deviations; }
 
 using ChannelRun = std::pair<std::size_t, std::size_t>;
 
-struct FarCounts {
-  FarCount whole;
-  std::map<std::size_t, FarCount> channels;
-  std::map<ChannelRun, FarCount> runs;
+struct OutlierCounts {
+  OutlierCount whole;
+  std::map<std::size_t, OutlierCount> channels;
+  std::map<ChannelRun, OutlierCount> runs;
 
   double groups() const { return static_cast<double>(channels.size() + runs.size()); }
 };
 
-FarCounts counts_of(const std::vector<JudgedCell>& cells) {
-  FarCounts counts;
+OutlierCounts counts_of(const std::vector<JudgedCell>& cells) {
+  OutlierCounts counts;
   for (const JudgedCell& cell : cells) {
     const bool far = is_far(cell);
     counts.whole.add(far);
@@ -49,21 +103,22 @@ FarCounts counts_of(const std::vector<JudgedCell>& cells) {
   return counts;
 }
 
-class FarChances {
+class OutlierChances {
  public:
-  explicit FarChances(const Noise& noise)
-      : by_noise_(two_sided_p_value(
-            far_deviations, noise.tail_degrees > 0 ? noise.tail_degrees : most_degrees_of_far)) {}
+  explicit OutlierChances(const Noise& noise)
+      : by_noise_(two_sided_p_value(outlier_deviations, noise.tail_degrees > 0
+                                                            ? noise.tail_degrees
+                                                            : most_degrees_of_far)) {}
 
-  double family_wise(const FarCount& part, const FarCounts& counts) const {
-    const FarCount others = counts.whole.without(part);
+  double family_wise(const OutlierCount& part, const OutlierCounts& counts) const {
+    const OutlierCount others = counts.whole.without(part);
     const double elsewhere =
         static_cast<double>(others.far + 1) / static_cast<double>(others.all + 1);
     return std::min(1.0, counts.groups() *
                              at_least_so_many(part.far, part.all, std::max(by_noise_, elsewhere)));
   }
 
-  double least(const FarCounts& counts) const {
+  double least(const OutlierCounts& counts) const {
     double result = 1;
     for (const auto& [channel, count] : counts.channels) {
       result = std::min(result, family_wise(count, counts));
@@ -78,9 +133,9 @@ class FarChances {
   double by_noise_;
 };
 
-class FarFinder {
+class OutlierFinder {
  public:
-  FarFinder(const FarSearch& search, Workers& workers, const std::function<bool()>& stop)
+  OutlierFinder(const OutlierSearch& search, Workers& workers, const std::function<bool()>& stop)
       : search_(search),
         workers_(workers),
         stop_(stop),
@@ -98,10 +153,10 @@ class FarFinder {
     counts_ = counts_of(cells_);
   }
 
-  FarReadings find() {
+  OutlierReadings find() {
     if (chances_.least(counts_) >= limit_) return {};
     if (shares_scatter()) draw_mountings();
-    FarReadings result;
+    OutlierReadings result;
     std::set<ChannelRun> taken;
     for (const auto& [runs, channels] : channels_by_runs()) {
       for (const std::size_t channel : channels) {
@@ -111,13 +166,13 @@ class FarFinder {
     }
     std::stable_sort(
         result.together.begin(), result.together.end(),
-        [](const FarTogether& a, const FarTogether& b) { return a.p_value < b.p_value; });
+        [](const OutlierGroups& a, const OutlierGroups& b) { return a.p_value < b.p_value; });
     for (const auto& [run, count] : counts_.runs) {
       if (taken.count(run) > 0) continue;
       result.elsewhere += count.all;
       result.far_elsewhere += count.far;
     }
-    return keep_to_something(result) ? result : FarReadings{};
+    return keep_to_something(result) ? result : OutlierReadings{};
   }
 
  private:
@@ -165,7 +220,7 @@ class FarFinder {
   }
 
   // With what mountings do by themselves.
-  double chance_of(const FarCount& part) const {
+  double chance_of(const OutlierCount& part) const {
     const double chance = chances_.family_wise(part, counts_);
     if (rarest_drawn_.empty() || chance >= limit_) return chance;
     const auto as_rare = std::count_if(rarest_drawn_.begin(), rarest_drawn_.end(),
@@ -186,7 +241,7 @@ class FarFinder {
   // everywhere.
   std::vector<std::size_t> runs_of(std::size_t channel) const {
     std::vector<std::size_t> found;
-    FarCount rest = counts_.channels.at(channel);
+    OutlierCount rest = counts_.channels.at(channel);
     for (const auto& [run, count] : counts_.runs) {
       if (run.first != channel) continue;
       if (chance_of(count) >= limit_) continue;
@@ -205,9 +260,9 @@ class FarFinder {
     return result;
   }
 
-  FarTogether together(const std::vector<std::size_t>& channels,
-                       const std::vector<std::size_t>& runs) const {
-    FarTogether result{channels, runs, true, 0, {}, 1, {}};
+  OutlierGroups together(const std::vector<std::size_t>& channels,
+                         const std::vector<std::size_t>& runs) const {
+    OutlierGroups result{channels, runs, true, 0, {}, 1, {}};
     std::vector<JudgedCell> far;
     for (const JudgedCell& cell : cells_) {
       if (!std::binary_search(channels.begin(), channels.end(), cell.channel) ||
@@ -218,11 +273,11 @@ class FarFinder {
       if (is_far(cell)) far.push_back(cell);
     }
     for (const JudgedCell& cell : far) {
-      if (result.far_rows.empty() || result.far_rows.back() != cell.reading) {
-        result.far_rows.push_back(cell.reading);
+      if (result.outlier_rows.empty() || result.outlier_rows.back() != cell.reading) {
+        result.outlier_rows.push_back(cell.reading);
       }
     }
-    result.sides = far_sides(far);
+    result.sides = outlier_sides(far);
     for (const std::size_t channel : channels) {
       result.everywhere &= runs == runs_with(channel);
       result.p_value = std::min(result.p_value, chance_of(counts_.channels.at(channel)));
@@ -236,30 +291,75 @@ class FarFinder {
     return result;
   }
 
-  const FarSearch& search_;
+  const OutlierSearch& search_;
   Workers& workers_;
   const std::function<bool()>& stop_;
-  FarChances chances_;
+  OutlierChances chances_;
   double limit_;
   std::vector<Part> parts_;
   std::vector<JudgedCell> cells_;
-  FarCounts counts_;
+  OutlierCounts counts_;
   std::vector<double> rarest_drawn_;  // empty: no mountings were drawn
 };
 
 }  // namespace
 
-FarReadings far_readings_together(const FarSearch& search, Workers& workers,
-                                  const std::function<bool()>& stop) {
-  return FarFinder(search, workers, stop).find();
+JudgedCells::JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
+    : problem_(problem),
+      expected_N_(expected_readings(problem, at)),
+      reading_N_(at.reading_N),
+      off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
+      noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)) {
+  deviation_N_ = (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt();
 }
 
-bool keep_to_something(const FarReadings& found) {
+std::vector<JudgedCell> JudgedCells::cells(const Eigen::VectorXd& off_N) const {
+  std::vector<JudgedCell> result;
+  for (std::size_t i = 0; i < problem_.dataset->cells.size(); ++i) {
+    const Cell& cell = problem_.dataset->cells[i];
+    const auto k = static_cast<Eigen::Index>(i);
+    result.push_back({cell.reading, problem_.dataset->data->readings[cell.reading].run,
+                      cell.channel, expected_N_[k], off_N[k] / deviation_N_[k]});
+  }
+  return result;
+}
+
+std::vector<JudgedCell> JudgedCells::measured() const { return cells(off_N_); }
+
+std::vector<JudgedCell> JudgedCells::drawn(const MountedDraws& mountings, std::uint64_t seed,
+                                           std::uint32_t stream) const {
+  Eigen::VectorXd off_N =
+      mountings.draw(seed, stream, static_cast<std::uint64_t>(reading_N_.size())) - reading_N_;
+  for (Eigen::Index i = 0; i < off_N.size(); ++i) {
+    off_N[i] += noise_N_[i] * normal(seed, stream, static_cast<std::uint64_t>(i));
+  }
+  return cells(off_N);
+}
+
+OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
+  OutlierSides sides;
+  for (const JudgedCell& cell : far) ++(cell.z > 0 ? sides.above : sides.below);
+  const std::vector<SidedRow> rows = sided_rows(far);
+  const auto above = static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const SidedRow& row) { return row.side > 0; }));
+  const std::size_t below = rows.size() - above;
+  const double by_load =
+      rank_sum_test(rows, static_cast<double>(above), static_cast<double>(below));
+  sides.p_value = std::min(1.0, 2 * std::min(sign_test(above, below), by_load));
+  return sides;
+}
+
+OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
+                                          const std::function<bool()>& stop) {
+  return OutlierFinder(search, workers, stop).find();
+}
+
+bool keep_to_something(const OutlierReadings& found) {
   return static_cast<double>(found.far_elsewhere) <=
          most_far_elsewhere * static_cast<double>(found.elsewhere);
 }
 
-bool follow_something(const FarTogether& together, double alpha) {
+bool follow_something(const OutlierGroups& together, double alpha) {
   return !together.everywhere || together.sides.p_value < structure_share_of_alpha * alpha;
 }
 

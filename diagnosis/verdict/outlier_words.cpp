@@ -1,4 +1,4 @@
-#include "diagnosis/verdict/far_words.hpp"
+#include "diagnosis/verdict/outlier_words.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ std::string channels_text(const std::vector<std::size_t>& channels, const Measur
   return listed(names);
 }
 
-std::string sides_text(const FarSides& sides) {
+std::string sides_text(const OutlierSides& sides) {
   if (sides.below == 0) return "all of them more";
   if (sides.above == 0) return "all of them less";
   return fmt::format("{} more, {} less", sides.above, sides.below);
@@ -23,21 +23,21 @@ std::string sides_text(const FarSides& sides) {
 
 }  // namespace
 
-std::string where_text(const FarTogether& together, const MeasuredData& data) {
+std::string where_text(const OutlierGroups& together, const MeasuredData& data) {
   return channels_text(together.channels, data) + " in " + runs_text(together.runs, data);
 }
 
-DataNote note_on(const FarTogether& together, const FarReadings& all, const MeasuredData& data,
-                 double alpha) {
-  DataNote note{NoteKind::far_together, "", {}};
-  for (const std::size_t reading : together.far_rows) {
+DataNote note_on(const OutlierGroups& together, const OutlierReadings& all,
+                 const MeasuredData& data, double alpha) {
+  DataNote note{NoteKind::outlier_groups, "", {}};
+  for (const std::size_t reading : together.outlier_rows) {
     note.lines.push_back(data.readings[reading].line);
   }
   std::sort(note.lines.begin(), note.lines.end());
   note.text = fmt::format(
       "{} of the {} readings of {} are more than {:g} standard deviations off what the model says "
       "({}), and {} of {} elsewhere. ",
-      together.far(), together.readings, where_text(together, data), far_deviations,
+      together.far(), together.readings, where_text(together, data), outlier_deviations,
       sides_text(together.sides), all.far_elsewhere, all.elsewhere);
   note.text +=
       follow_something(together, alpha)

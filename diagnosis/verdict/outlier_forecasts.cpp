@@ -1,4 +1,4 @@
-#include "diagnosis/verdict/far_forecasts.hpp"
+#include "diagnosis/verdict/outlier_forecasts.hpp"
 
 #include <fmt/format.h>
 
@@ -29,8 +29,9 @@ std::string told(const ComparedCell& cell, const MeasuredData& data) {
 
 }  // namespace
 
-std::optional<DataNote> far_forecasts(const std::vector<ComparedCell>& cells,
-                                      const MeasuredData& data, const Noise& noise, double alpha) {
+std::optional<DataNote> outlier_forecasts(const std::vector<ComparedCell>& cells,
+                                          const MeasuredData& data, const Noise& noise,
+                                          double alpha) {
   const auto held_out = static_cast<std::size_t>(
       std::count_if(cells.begin(), cells.end(), [](const ComparedCell& c) { return c.held_out; }));
   if (held_out == 0) return std::nullopt;
@@ -40,7 +41,7 @@ std::optional<DataNote> far_forecasts(const std::vector<ComparedCell>& cells,
     if (cell.held_out && std::abs(cell.residual_after) > limit) beyond.push_back(&cell);
   }
   if (beyond.empty()) return std::nullopt;
-  DataNote note{NoteKind::far_forecast, "", {}};
+  DataNote note{NoteKind::outlier_forecast, "", {}};
   for (const ComparedCell* cell : beyond) {
     note.lines.push_back(data.readings[cell->cell.reading].line);
   }

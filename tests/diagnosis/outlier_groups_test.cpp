@@ -1,5 +1,5 @@
 // Sensors that step, stick or scatter in planted data, where nothing else is wrong.
-#include "diagnosis/verdict/far_together.hpp"
+#include "diagnosis/verdict/outlier_groups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,16 +55,16 @@ std::set<std::string> runs_of_lines(const MeasuredData& data,
 void expect_followed(const MeasuredData& data, const std::string& channel, std::size_t first_run) {
   const DiagnosisResult result = diagnosed_far(data);
   EXPECT_EQ(result.verdict, Verdict::unexplained);
-  ASSERT_EQ(count_notes(result.notes, NoteKind::far_together), 1U);
-  const std::string text = note_text(result.notes, NoteKind::far_together);
+  ASSERT_EQ(count_notes(result.notes, NoteKind::outlier_groups), 1U);
+  const std::string text = note_text(result.notes, NoteKind::outlier_groups);
   EXPECT_NE(text.find("readings of " + channel + " in "), std::string::npos) << text;
   EXPECT_NE(text.find("Noise chooses no channel"), std::string::npos) << text;
   std::set<std::string> runs(data.runs.begin() + static_cast<std::ptrdiff_t>(first_run),
                              data.runs.end());
-  EXPECT_EQ(runs_of_lines(data, noted_lines(result.notes, NoteKind::far_together)), runs) << text;
+  EXPECT_EQ(runs_of_lines(data, noted_lines(result.notes, NoteKind::outlier_groups)), runs) << text;
 }
 
-TEST(FarTogether, IsASensorThatStepsInSomeRuns) {
+TEST(OutlierGroups, IsASensorThatStepsInSomeRuns) {
   const MeasuredData data = planted_runs({}, quiet_seed);
   const std::size_t first = data.runs.size() / 2;
   for (const double step_N : {4.0, -6.0}) {
@@ -74,79 +74,80 @@ TEST(FarTogether, IsASensorThatStepsInSomeRuns) {
 }
 
 // More of small loads, less of great ones.
-TEST(FarTogether, IsASensorThatSticksInSomeRuns) {
+TEST(OutlierGroups, IsASensorThatSticksInSomeRuns) {
   const MeasuredData data = planted_runs({}, quiet_seed);
   const std::size_t first = data.runs.size() / 2;
   expect_followed(with_fault(data, 1, first, [](double, std::size_t) { return 4.3; }), "T2", first);
 }
 
 // As those of others do, but twenty times as far.
-TEST(FarTogether, IsASensorThatScattersMoreAndNothingToExplain) {
+TEST(OutlierGroups, IsASensorThatScattersMoreAndNothingToExplain) {
   const MeasuredData data = planted_runs({}, quiet_seed);
   const DiagnosisResult result =
       diagnosed_far(with_fault(data, 1, 0, [](double tension_N, std::size_t index) {
         return tension_N * std::exp(0.3 * normal(5, 0x4a, index));
       }));
   EXPECT_FALSE(result.unexplained && result.unexplained->about == "channel and run");
-  const std::string text = note_text(result.notes, NoteKind::far_together);
+  const std::string text = note_text(result.notes, NoteKind::outlier_groups);
   EXPECT_NE(text.find("readings of T2 in all runs"), std::string::npos) << text;
   EXPECT_NE(text.find("give its noise"), std::string::npos) << text;
 }
 
-TEST(FarTogether, AreNoneByHeavyTailsAndMountings) {
+TEST(OutlierGroups, AreNoneByHeavyTailsAndMountings) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     PlantingPlan plan;
     plan.noise.tail_degrees = seed % 2 == 0 ? 3 : 0;
     plan.noise.mounted_exponent = seed % 4 < 2 ? 0.08 : 0.03;
     plan.noise.mounted_gain = seed % 3 == 0 ? 0.01 : 0;
     const DiagnosisResult result = diagnosed_far(planted_runs(plan, seed));
-    EXPECT_EQ(note_text(result.notes, NoteKind::far_together), "") << seed;
+    EXPECT_EQ(note_text(result.notes, NoteKind::outlier_groups), "") << seed;
   }
 }
 
-TEST(FarTogether, KeepToNothingWhereOthersAreFarToo) {
+TEST(OutlierGroups, KeepToNothingWhereOthersAreFarToo) {
   EXPECT_TRUE(keep_to_something({{}, 5, 100}));
   EXPECT_FALSE(keep_to_something({{}, 6, 100}));
   EXPECT_TRUE(keep_to_something({}));
 }
 
-JudgedCell far_cell(std::size_t reading, double expected_N, double z) {
+JudgedCell outlier_cell(std::size_t reading, double expected_N, double z) {
   return {reading, 0, 0, expected_N, z};
 }
 
-TEST(FarSides, AreChosenByNoNoise) {
+TEST(OutlierSides, AreChosenByNoNoise) {
   std::vector<JudgedCell> far;
   for (std::size_t i = 0; i < 12; ++i) {
-    far.push_back(far_cell(i, 10.0 + static_cast<double>(i), i % 2 == 0 ? 9 : -9));
+    far.push_back(outlier_cell(i, 10.0 + static_cast<double>(i), i % 2 == 0 ? 9 : -9));
   }
-  const FarSides sides = far_sides(far);
+  const OutlierSides sides = outlier_sides(far);
   EXPECT_EQ(sides.above, 6U);
   EXPECT_EQ(sides.below, 6U);
   EXPECT_GT(sides.p_value, 0.5);
 }
 
-TEST(FarSides, AreOneOfAZeroThatMoved) {
+TEST(OutlierSides, AreOneOfAZeroThatMoved) {
   std::vector<JudgedCell> far;
-  for (std::size_t i = 0; i < 12; ++i) far.push_back(far_cell(i, 10, 9));
+  for (std::size_t i = 0; i < 12; ++i) far.push_back(outlier_cell(i, 10, 9));
   // Twelve of twelve by the sign test, two-sided, and two tests.
-  EXPECT_NEAR(far_sides(far).p_value, 2 * 2 * std::pow(0.5, 12), 1e-9);
+  EXPECT_NEAR(outlier_sides(far).p_value, 2 * 2 * std::pow(0.5, 12), 1e-9);
 }
 
-TEST(FarSides, ChangeWithTheLoadWhereASensorSticks) {
+TEST(OutlierSides, ChangeWithTheLoadWhereASensorSticks) {
   std::vector<JudgedCell> far;
   for (std::size_t i = 0; i < 12; ++i) {
     const double load_N = static_cast<double>(i * 5 % 12);
-    far.push_back(far_cell(i, load_N, load_N < 6 ? 9 : -9));
+    far.push_back(outlier_cell(i, load_N, load_N < 6 ? 9 : -9));
   }
   // The six lowest ranks of twelve: 18 below the mean, of a deviation of √39.
-  EXPECT_NEAR(far_sides(far).p_value, 2 * std::erfc(18 / std::sqrt(39.0) / std::sqrt(2.0)), 1e-9);
+  EXPECT_NEAR(outlier_sides(far).p_value, 2 * std::erfc(18 / std::sqrt(39.0) / std::sqrt(2.0)),
+              1e-9);
 }
 
 // Six readings of one row are one row.
-TEST(FarSides, CountEachRowOnce) {
+TEST(OutlierSides, CountEachRowOnce) {
   std::vector<JudgedCell> far;
-  for (std::size_t i = 0; i < 12; ++i) far.push_back(far_cell(i / 6, 10, 9));
-  const FarSides sides = far_sides(far);
+  for (std::size_t i = 0; i < 12; ++i) far.push_back(outlier_cell(i / 6, 10, 9));
+  const OutlierSides sides = outlier_sides(far);
   EXPECT_EQ(sides.above, 12U);
   EXPECT_DOUBLE_EQ(sides.p_value, 1);
 }

@@ -1,4 +1,6 @@
-#include "reports/mujoco/rig_layout.hpp"
+#include "reports/mujoco/mjcf_rig.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +132,22 @@ Place eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t le
     place.x_m += what.is_tail ? -reach : reach;
   }
   return place;
+}
+
+void MjcfText::open(const char* name, const Attributes& attributes) {
+  xml_.OpenElement(name);
+  for (const auto& [key, value] : attributes) xml_.PushAttribute(key, value.c_str());
+}
+
+void MjcfText::leaf(const char* name, const Attributes& attributes) {
+  open(name, attributes);
+  close();
+}
+
+std::string MjcfText::number(double value) { return fmt::format("{:.9g}", value); }
+
+std::string MjcfText::point(double x_m, double y_m) {
+  return number(x_m) + " " + number(y_m) + " 0";
 }
 
 }  // namespace reeve::reports

@@ -1,5 +1,5 @@
 // Readings of held-out runs that no training run prepares for.
-#include "diagnosis/verdict/far_forecasts.hpp"
+#include "diagnosis/verdict/outlier_forecasts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ DiagnosisResult diagnosed(const MeasuredData& data) {
   return diagnose(data, Hardware{}, options);
 }
 
-const DataNote* far_note(const DiagnosisResult& result) {
+const DataNote* outlier_note(const DiagnosisResult& result) {
   const auto found =
       std::find_if(result.notes.begin(), result.notes.end(),
-                   [](const DataNote& note) { return note.kind == NoteKind::far_forecast; });
+                   [](const DataNote& note) { return note.kind == NoteKind::outlier_forecast; });
   return found == result.notes.end() ? nullptr : &*found;
 }
 
@@ -29,10 +29,10 @@ MeasuredData planted(const PlantingPlan& plan, std::uint64_t seed) {
   return read_data(plant(plan, seed).csv);
 }
 
-TEST(FarForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
+TEST(OutlierForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
   MeasuredData data = planted({}, 81);
   const DiagnosisResult before = diagnosed(data);
-  EXPECT_EQ(far_note(before), nullptr);
+  EXPECT_EQ(outlier_note(before), nullptr);
   for (const bool held_out : {true, false}) {
     const auto cell =
         std::find_if(before.cells.begin(), before.cells.end(), [&](const ComparedCell& each) {
@@ -44,7 +44,7 @@ TEST(FarForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
     const double was = *tension;
     *tension *= 2;
     const DiagnosisResult result = diagnosed(data);
-    const DataNote* const note = far_note(result);
+    const DataNote* const note = outlier_note(result);
     EXPECT_EQ(note != nullptr, held_out);
     if (note != nullptr) {
       EXPECT_EQ(note->lines, std::vector<std::size_t>{reading.line});
@@ -55,7 +55,7 @@ TEST(FarForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
   }
 }
 
-TEST(FarForecasts, AreOfHeldOutReadingsAlone) {
+TEST(OutlierForecasts, AreOfHeldOutReadingsAlone) {
   const MeasuredData data = planted({}, 81);
   const DiagnosisResult result = diagnosed(data);
   for (const bool held_out : {true, false}) {
@@ -64,26 +64,26 @@ TEST(FarForecasts, AreOfHeldOutReadingsAlone) {
       return each.held_out == held_out;
     });
     cell->residual_after = -50;
-    EXPECT_EQ(far_forecasts(cells, data, result.noise, 0.02).has_value(), held_out);
+    EXPECT_EQ(outlier_forecasts(cells, data, result.noise, 0.02).has_value(), held_out);
   }
 }
 
-TEST(FarForecasts, AreNoneByChance) {
+TEST(OutlierForecasts, AreNoneByChance) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     PlantingPlan plan;
     plan.noise.tail_degrees = seed % 2 == 0 ? 3 : 0;
     plan.noise.mounted_exponent = seed % 3 == 0 ? 0.08 : 0;
-    EXPECT_EQ(far_note(diagnosed(planted(plan, seed))), nullptr) << seed;
+    EXPECT_EQ(outlier_note(diagnosed(planted(plan, seed))), nullptr) << seed;
   }
 }
 
 // The grasp of one row was another one, and no training run has it.
-TEST(FarForecasts, TellOfAGraspThatIsNowhereElse) {
+TEST(OutlierForecasts, TellOfAGraspThatIsNowhereElse) {
   PlantingPlan plan;
   plan.effects = {EffectKind::wrong_grasp};
   const DiagnosisResult result = diagnosed(planted(plan, 4937402093307926638U));
   EXPECT_EQ(result.verdict, Verdict::none);
-  const DataNote* const note = far_note(result);
+  const DataNote* const note = outlier_note(result);
   ASSERT_NE(note, nullptr);
   EXPECT_EQ(note->lines, std::vector<std::size_t>{58});
 }

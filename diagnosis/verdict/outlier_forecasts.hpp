@@ -18,7 +18,8 @@
 namespace reeve::diagnosis {
 
 // Nothing if there is none.
-std::optional<DataNote> far_forecasts(const std::vector<ComparedCell>& cells,
-                                      const MeasuredData& data, const Noise& noise, double alpha);
+std::optional<DataNote> outlier_forecasts(const std::vector<ComparedCell>& cells,
+                                          const MeasuredData& data, const Noise& noise,
+                                          double alpha);
 
 }  // namespace reeve::diagnosis

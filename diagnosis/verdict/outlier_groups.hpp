@@ -1,0 +1,133 @@
+// Readings far from the final model that keep together: of one channel, in some runs.
+//
+// Student's t takes any reading for noise, however far out, and lets it weigh little; so it does
+// with a sensor that steps, sticks or fails in some runs, and what is judged by what readings weigh
+// (structure.hpp) does not see it. But noise chooses no channel and no run. That k or more of the n
+// cells of a channel, or of a channel in a run, are far (outlier_cells.hpp) has the chance
+//
+//   P(X ≥ k),  X ~ B(n, q)
+//
+// times the number of these groups. q: the chance that t gives one, or their share among all other
+// cells, if that is more. Mountings whose contacts stick or slide are far in whole runs, too: what
+// is rarer than a quarter of alpha is judged again by mountings that are solved
+// (mounted_draws.hpp), by the rarest group of each draw.
+//
+// Held-out runs are looked at, too: nothing is fitted to what is found. Where many of all other
+// readings are far, too, they keep to nothing, and none is found.
+//
+// Where far readings are of some runs, or on one side, or change sides with the load
+// (outlier_sides.hpp), they follow something, and the verdict says so. Otherwise the channel
+// scatters more than the others.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "diagnosis/fit/mounted_draws.hpp"
+#include "diagnosis/fit/noise.hpp"
+#include "diagnosis/fit/problem.hpp"
+#include "diagnosis/verdict/residual_structure.hpp"
+
+namespace reeve::diagnosis {
+
+// How far each reading is from a model, in standard deviations of what is not far out.
+//
+//   z = (T − m) / √(sd² + s²)
+//
+// sd: of the noise, where Student's t would weigh a reading far out by a greater one, without that;
+// s: of what the reading shares with its mounting, all of whose contacts may be off to the same
+// side: Σ |s_k| over what a mounting changes, not the root of the sum of squares that independent
+// ones have.
+struct JudgedCell {
+  std::size_t reading = 0;
+  std::size_t run = 0;
+  std::size_t channel = 0;
+  double expected_N = 0;
+  double z = 0;
+};
+
+// Cells beyond this are far. Of noise of three degrees of freedom 1 % is.
+inline constexpr double outlier_deviations = 6;
+
+// Readings of one problem, and others as they would be if nothing but noise and mountings moved
+// them. The problem must outlive it.
+class JudgedCells {
+ public:
+  JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise);
+
+  std::vector<JudgedCell> measured() const;
+  std::vector<JudgedCell> drawn(const MountedDraws& mountings, std::uint64_t seed,
+                                std::uint32_t stream) const;
+
+ private:
+  std::vector<JudgedCell> cells(const Eigen::VectorXd& off_N) const;
+
+  const Problem& problem_;
+  Eigen::VectorXd expected_N_;
+  Eigen::VectorXd reading_N_;
+  Eigen::VectorXd off_N_;
+  Eigen::VectorXd noise_N_;
+  Eigen::VectorXd deviation_N_;
+};
+
+// On which side of the model readings are that are far from it.
+//
+// Noise chooses none, whatever the load. So of rows with such readings, of which each counts once,
+// half are on either side (the sign test), and those of greater loads are on no other side than
+// those of lesser ones (the rank sum of H. B. Mann and D. R. Whitney, Ann. Math. Stat. 18, 1947,
+// as normal as it is for many). A zero that has moved reads more throughout; a sensor that sticks,
+// more of small loads and less of great ones.
+struct OutlierSides {
+  std::size_t above = 0;  // cells
+  std::size_t below = 0;
+  double p_value = 1;  // of the rarer of both, which are looked at
+};
+
+// All of them far, in the order of their readings.
+OutlierSides outlier_sides(const std::vector<JudgedCell>& far);
+
+struct OutlierGroups {
+  std::vector<std::size_t> channels;      // ascending
+  std::vector<std::size_t> runs;          // ascending
+  bool everywhere = false;                // all runs in which the channels were read
+  std::size_t readings = 0;               // of these channels in these runs
+  OutlierSides sides;                     // of those that are far
+  double p_value = 1;                     // of the rarest of its groups, family-wise
+  std::vector<std::size_t> outlier_rows;  // readings of the data, ascending
+
+  std::size_t far() const { return sides.above + sides.below; }
+};
+
+struct OutlierReadings {
+  std::vector<OutlierGroups> together;  // the rarest first
+  std::size_t far_elsewhere = 0;
+  std::size_t elsewhere = 0;
+};
+
+// Of all other readings. Heavy tails put 1 % there; more, and it is the model that is wrong.
+inline constexpr double most_far_elsewhere = 0.05;
+bool keep_to_something(const OutlierReadings& found);
+
+struct OutlierSearch {
+  const Problem& training;
+  const Problem* held_out = nullptr;
+  const Model& model;
+  const Noise& noise;
+  const MountingScatter& mounting;
+  double alpha = 0.02;
+  Replicates replicates;
+};
+
+// Without meaning once `stop` has said so.
+OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
+                                          const std::function<bool()>& stop);
+
+// Whether they are of some runs, or on sides on which noise would put them in fewer than a quarter
+// of alpha of data sets.
+bool follow_something(const OutlierGroups& together, double alpha);
+
+}  // namespace reeve::diagnosis
