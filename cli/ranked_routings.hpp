@@ -8,8 +8,14 @@
 
 #include "catalog/catalogue.hpp"
 #include "core/routing.hpp"
+#include "studies/tension_distributions.hpp"
 
 namespace reeve::cli {
+
+// What --mu of `rank` asks for.
+// "0.18,0.09,model": coefficients of tubes and sheaths alike, and the model as it is. Throws
+// InputError.
+std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model);
 
 struct AskedRoutings {
   std::vector<std::string> given;

@@ -2,13 +2,73 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
-#include "diagnosis/run_split.hpp"
+#include "numerics/random.hpp"
+#include "numerics/streams.hpp"
+#include "readings/data_notes.hpp"
 
 namespace reeve::diagnosis {
 namespace {
+
+// Runs by the routings they were measured on, each list in an order drawn by the seed; the longest
+// list first, lists of one length in an order drawn by the seed. Of runs that are nothing but
+// repetitions there is nothing to hold out.
+std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
+                                             const std::set<std::size_t>& dropped,
+                                             std::uint64_t seed) {
+  std::vector<std::set<std::size_t>> routings(data.runs.size());
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    if (dropped.count(i) != 0) continue;
+    routings[data.readings[i].run].insert(data.readings[i].routing);
+  }
+  std::map<std::set<std::size_t>, std::vector<std::size_t>> by_routings;
+  for (std::size_t run = 0; run < data.runs.size(); ++run) {
+    if (!routings[run].empty()) by_routings[routings[run]].push_back(run);
+  }
+  const auto drawn = [&](std::size_t run) { return uniform(seed, streams::hold_out, run); };
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [key, runs] : by_routings) {
+    std::stable_sort(runs.begin(), runs.end(),
+                     [&](std::size_t a, std::size_t b) { return drawn(a) < drawn(b); });
+    result.push_back(runs);
+  }
+  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+    if (a.size() != b.size()) return a.size() > b.size();
+    return drawn(a.front()) < drawn(b.front());
+  });
+  return result;
+}
+
+std::set<std::size_t> draw_held_out(const MeasuredData& data, const std::set<std::size_t>& dropped,
+                                    double share, std::uint64_t seed) {
+  std::set<std::size_t> held;
+  auto left = strata(data, dropped, seed);
+  std::size_t count = 0;
+  for (const auto& runs : left) count += runs.size();
+  if (share <= 0 || count < 2) return held;
+  const auto wanted = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::lround(share * static_cast<double>(count))), 1, count - 1);
+  // Where every routing has one run only, a run of its own has to do.
+  for (const std::size_t least : {std::size_t{2}, std::size_t{1}}) {
+    for (bool found = true; found && held.size() < wanted;) {
+      found = false;
+      for (auto& runs : left) {
+        if (runs.size() < least || held.size() == wanted) continue;
+        held.insert(runs.back());
+        runs.pop_back();
+        found = true;
+      }
+    }
+    if (!held.empty()) break;
+  }
+  return held;
+}
 
 void add_note(Sample& sample, std::string text, std::vector<std::size_t> lines = {}) {
   sample.notes.push_back({NoteKind::not_compared, std::move(text), std::move(lines)});
@@ -43,6 +103,42 @@ void note_what_is_left_out(const MeasuredData& data, const RunSplit& split, Samp
 }
 
 }  // namespace
+
+RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
+  RunSplit split;
+  split.dropped = repeated_readings(data);
+  const std::set<std::size_t> dropped(split.dropped.begin(), split.dropped.end());
+  const std::set<std::size_t> held = draw_held_out(data, dropped, share, seed);
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    if (dropped.count(i) != 0) continue;
+    (held.count(data.readings[i].run) != 0 ? split.held_out : split.training).push_back(i);
+  }
+  for (std::size_t run = 0; run < data.runs.size(); ++run) {
+    if (held.count(run) != 0) split.held_out_runs.push_back(run);
+  }
+  return split;
+}
+
+std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size_t> readings,
+                                 std::size_t most) {
+  if (readings.size() <= most) return readings;
+  std::map<std::size_t, std::vector<std::size_t>> by_run;
+  for (const std::size_t i : readings) by_run[data.readings[i].run].push_back(i);
+  const double share = static_cast<double>(most) / static_cast<double>(readings.size());
+  std::vector<std::size_t> kept;
+  // Goes on from run to run: rounded in each, many short runs would keep more than `most`.
+  double due = 0.5;
+  for (const auto& [run, list] : by_run) {
+    for (const std::size_t i : list) {
+      due += share;
+      if (due < 1) continue;
+      due -= 1;
+      kept.push_back(i);
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
 
 Sample sample(const MeasuredData& data, double share, std::uint64_t seed) {
   const RunSplit split = split_by_run(data, share, seed);

@@ -10,7 +10,7 @@
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/naming.hpp"
-#include "diagnosis/plan/measurement_plan.hpp"
+#include "diagnosis/plan/power.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"
 #include "diagnosis/verdict/aliases.hpp"
@@ -19,8 +19,8 @@
 #include "diagnosis/verdict/other_direction.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
-#include "diagnosis/verdict/outlier_words.hpp"
 #include "diagnosis/verdict/residual_structure.hpp"
+#include "diagnosis/verdict/run_words.hpp"
 #include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
 

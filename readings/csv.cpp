@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/text.hpp"
-#include "core/utf8.hpp"
 #include "readings/words.hpp"
 
 namespace reeve::readings {

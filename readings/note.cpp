@@ -54,11 +54,11 @@ const char* note_kind_name(NoteKind kind) {
       return "runs_of_groups";
     case NoteKind::inverted:
       return "inverted";
-    case NoteKind::far_forecast:
+    case NoteKind::outlier_forecast:
       return "far_forecast";
     case NoteKind::other_direction:
       return "other_direction";
-    case NoteKind::far_together:
+    case NoteKind::outlier_groups:
       return "far_together";
     case NoteKind::not_following:
       return "not_following";

@@ -36,9 +36,9 @@ enum class NoteKind : std::uint8_t {
   no_motion,               // of a time series: it does not say when the carriage moves
   groups_differ,           // what is said of all groups together does not hold of each
   runs_of_groups,          // runs of one name in several groups
-  far_forecast,            // held-out readings that the model is far from (far_forecasts.hpp)
+  outlier_forecast,        // held-out readings that the model is far from (outlier_forecasts.hpp)
   other_direction,         // rows that read as the other direction (other_direction.hpp)
-  far_together,            // readings far off, of one channel in some runs (far_together.hpp)
+  outlier_groups,          // readings far off, of one channel in some runs (outlier_groups.hpp)
   not_following,           // of a time series: a tension stays where the load changes
   reversed,                // of a time series: pulling looks like releasing
   against_motion,          // of a time series: its column direction says otherwise than it moves

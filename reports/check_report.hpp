@@ -9,6 +9,12 @@
 
 namespace reeve::reports {
 
+// What a checked number is, in words.
+// "T3", "share of T3, %", "reliability"
+std::string quantity_text(const CheckedQuantity& quantity);
+// The same, or what the number's source calls it.
+std::string quantity_text(const CheckItem& item);
+
 // The catalogue's routings side by side, as schematics.
 struct ShownEntry {
   std::string title;

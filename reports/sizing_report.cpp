@@ -15,6 +15,7 @@
 #include "reports/document/chosen_columns.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/model_text.hpp"
+#include "reports/output/json.hpp"
 #include "reports/output/telling_digits.hpp"
 #include "reports/sizing_objectives.hpp"
 #include "reports/sizing_words.hpp"
@@ -246,6 +247,22 @@ Section shares_section(const SizingReport& report) {
 }
 
 }  // namespace
+
+std::string differing_settings(const std::string& summary, const Model& model,
+                               const GraspSet& grasps) {
+  const Json explored = Json::parse(summary, nullptr, false);
+  if (!explored.is_object() || !explored.contains("settings")) return "";
+  const Json now = settings_json({}, authors_score(), grasps, model, 0);
+  std::string differing;
+  for (const char* key : {"hardware", "model", "grasps"}) {
+    Json there = explored["settings"].value(key, Json(nullptr));
+    if (there.is_object()) there.erase("unconverged");
+    Json here = now[key];
+    if (here.is_object()) here.erase("unconverged");
+    if (there != here) differing += (differing.empty() ? "" : ", ") + std::string(key);
+  }
+  return differing;
+}
 
 SizingSections sizing_sections(const SizingReport& report) {
   return {opening_lines(report), ranking_section(report), best_section(report),

@@ -5,11 +5,19 @@
 #include <vector>
 
 #include "catalog/hardware_file.hpp"
+#include "causes/model.hpp"
+#include "core/grasp.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "reports/document/document.hpp"
 #include "studies/sizing_study.hpp"
 
 namespace reeve::reports {
+
+// Whether an exploration was made under other settings than those that hold now.
+// What differs, of hardware, model and grasps, by the summary.json of the exploration: "hardware,
+// grasps"; "" if nothing does or if the text is no such file.
+std::string differing_settings(const std::string& summary, const Model& model,
+                               const GraspSet& grasps);
 
 // Pieces of it, for the document and the page. Without a table or a line one holds nothing.
 struct SizingSections {

@@ -9,12 +9,18 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
+#include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/record_parts.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
 namespace {
+
+constexpr std::uint64_t sample_seed = 0;
+
+double lot(std::uint64_t place) { return uniform(sample_seed, streams::design_sample, place); }
 
 constexpr std::size_t evaluated_at_a_time = 16;
 constexpr std::size_t named_as_best = 10;  // a line of a page
@@ -174,6 +180,35 @@ void absorb(const ShardRecord& record, const ExploreOptions& options, Evaluators
 }
 
 }  // namespace
+
+bool DesignSample::would_enter(std::uint64_t place) const {
+  if (members_.size() < size_) return true;
+  return size_ > 0 && lot(place) < members_.front().lot;
+}
+
+void DesignSample::add(std::uint64_t place, const Routing& routing) {
+  if (!would_enter(place)) return;
+  if (members_.size() == size_) {
+    std::pop_heap(members_.begin(), members_.end());
+    members_.pop_back();
+  }
+  members_.push_back({lot(place), place, routing});
+  std::push_heap(members_.begin(), members_.end());
+}
+
+std::vector<SampledRouting> DesignSample::members() const {
+  std::vector<SampledRouting> members;
+  for (const Member& member : members_) members.push_back({member.place, member.routing});
+  std::sort(members.begin(), members.end(),
+            [](const SampledRouting& a, const SampledRouting& b) { return a.place < b.place; });
+  return members;
+}
+
+std::vector<Routing> DesignSample::routings() const {
+  std::vector<Routing> routings;
+  for (SampledRouting& member : members()) routings.push_back(std::move(member.routing));
+  return routings;
+}
 
 ExplorationPart::ExplorationPart(const ExploreOptions& options)
     : constraint_failures(options.constraints.size(), 0),

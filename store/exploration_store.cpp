@@ -1,74 +1,20 @@
 #include "store/exploration_store.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <filesystem>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "numerics/floors.hpp"
 #include "store/about_rows.hpp"
 #include "store/database.hpp"
 #include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
+#include "store/writer_lock.hpp"
 
 namespace reeve::store {
 namespace {
-
-// At most one process writes a store, from its first transaction to its last. SQLite's own lock is
-// let go between two of them, where who waits for it could step in.
-// Held as long as it lives; readers do not meet it. To be destroyed after the connection to the
-// file: when a file is closed, all that SQLite has locked of it in this process is let go.
-class WriterLock {
- public:
-  // Makes the file where there is none. Throws InputError if another process has it. Where the file
-  // system knows no such lock, or nothing can be written, there is none.
-  explicit WriterLock(const std::filesystem::path& file);
-  WriterLock(const WriterLock&) = delete;
-  WriterLock& operator=(const WriterLock&) = delete;
-  ~WriterLock();
-
-  // Whether the name still leads to the file that was locked, or no lock is held.
-  bool is_on(const std::filesystem::path& file) const;
-
- private:
-  int descriptor_ = -1;
-};
-
-// Beyond all that SQLite locks, and beyond the end of any file.
-constexpr off_t locked_byte = off_t{1} << 62;
-
-WriterLock::WriterLock(const std::filesystem::path& file)
-    : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  if (descriptor_ < 0) return;
-  struct flock lock = {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = locked_byte;
-  lock.l_len = 1;
-  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return;
-  if (errno != EAGAIN && errno != EACCES) return;
-  ::close(descriptor_);
-  throw InputError({.where = file.string(), .what = "another process is writing it"});
-}
-
-WriterLock::~WriterLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-bool WriterLock::is_on(const std::filesystem::path& file) const {
-  struct stat locked = {};
-  if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return true;
-  struct stat named = {};
-  return ::stat(file.c_str(), &named) == 0 && named.st_dev == locked.st_dev &&
-         named.st_ino == locked.st_ino;
-}
 
 // The log lets others read while this one writes, and survives a power cut.
 constexpr const char* durable_writing =

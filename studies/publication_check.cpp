@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -9,10 +10,11 @@
 
 #include "catalog/fault.hpp"
 #include "catalog/solution.hpp"
+#include "core/canonical.hpp"
 #include "core/error.hpp"
+#include "core/notation.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "search/enumerate/counting.hpp"
-#include "studies/fixed_order_designs.hpp"
 #include "studies/indicator_check.hpp"
 #include "studies/strand_readings.hpp"
 
@@ -240,6 +242,26 @@ class PublicationCheck {
 };
 
 }  // namespace
+
+std::vector<Routing> fixed_order_designs(int fingers) {
+  std::vector<Routing> designs;
+  for (unsigned joins = 0; joins < 1U << (fingers - 1); ++joins) {
+    std::string walk = "1";
+    for (int finger = 2; finger <= fingers; ++finger) {
+      walk += ((joins >> (finger - 2)) & 1U) != 0 ? "-P-" : "-T-";
+      walk += std::to_string(finger);
+    }
+    for (const std::string& word :
+         {"M-" + walk + "-M", "M-" + walk + "-F", "F-" + walk + "-F", walk + "-P-1"}) {
+      const Routing routing = canonical(parse_routing(word), FingerIdentity::distinct);
+      if (!is_actuated(routing)) continue;
+      if (std::find(designs.begin(), designs.end(), routing) == designs.end()) {
+        designs.push_back(routing);
+      }
+    }
+  }
+  return designs;
+}
 
 std::vector<CheckItem> check_publication(const Catalogue& catalogue, const Publication& publication,
                                          const MeasuredData& readings) {

@@ -20,9 +20,18 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/check.hpp"
 #include "catalog/publication.hpp"
+#include "core/routing.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::studies {
+
+// The designs of one tendon that passes fingers 1, 2, …, n in this order: joins T or P between
+// them, and the outer strands closed in one of four ways: both on the motor, one on the motor and
+// one fixed (the motor at finger 1), both fixed, or both round one movable pulley.
+inline constexpr int closings_in_fixed_order = 4;
+
+// All that a motor pulls, each once.
+std::vector<Routing> fixed_order_designs(int fingers);
 
 // Throws InputError if the readings or the catalogue lack a routing of the publication.
 std::vector<CheckItem> check_publication(const Catalogue& catalogue, const Publication& publication,

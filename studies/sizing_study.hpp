@@ -3,18 +3,25 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "core/routing.hpp"
+#include "numerics/floors.hpp"
 #include "sizing/goal_profile.hpp"
 #include "sizing/size.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
 
 namespace reeve::studies {
+
+// The best designs of an exploration, from the folder that it wrote.
+// The first `count` of designs.csv, which are in the order of their ranks; fewer, if it has no
+// more. Throws InputError with file, line and column.
+std::vector<Routing> explored_designs(const std::filesystem::path& folder, std::size_t count);
 
 struct SizedRouting {
   SizedDesign design;

@@ -24,8 +24,8 @@
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/output/files.hpp"
 #include "reports/output/shell_word.hpp"
-#include "studies/diagnosed_distributions.hpp"
 #include "studies/diagnosis_study.hpp"
+#include "studies/tension_distributions.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -16,7 +16,6 @@
 #include "cli/flags/reading_flags.hpp"
 #include "cli/flags/sweep_flags.hpp"
 #include "cli/flags/table_flags.hpp"
-#include "cli/friction_cases.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"

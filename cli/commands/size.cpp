@@ -22,11 +22,9 @@
 #include "pages/sizing_page.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/exploration/range_notes.hpp"
-#include "reports/explored_settings.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/files.hpp"
 #include "reports/sizing_report.hpp"
-#include "studies/explored_designs.hpp"
 #include "studies/sizing_study.hpp"
 
 namespace reeve::cli {

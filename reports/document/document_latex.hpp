@@ -21,8 +21,8 @@ std::string latex(const Document& document, double width_pt = 0);  // 0: any
 // out.
 double least_width_pt(const Document& document);
 
-// Of a document with the shortest cells that it may come to have. Throws InputError that says what it
-// takes.
+// Of a document with the shortest cells that it may come to have. Throws InputError that says what
+// it takes.
 void require_fits(const Document& document, double width_pt);
 
 // Text as LaTeX typesets it, with any engine.

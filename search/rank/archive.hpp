@@ -16,7 +16,6 @@
 #include "search/rank/pareto.hpp"
 #include "search/rank/ranking.hpp"
 #include "search/rank/staircase.hpp"
-#include "search/rank/sweep_counter.hpp"
 
 namespace reeve::search {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/check_words.hpp"
+#include "reports/check_report.hpp"
 #include "tests/support/edited_catalogue.hpp"
 
 namespace reeve {

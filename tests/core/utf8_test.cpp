@@ -1,8 +1,8 @@
-#include "core/utf8.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "core/text.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-#include "diagnosis/run_split.hpp"
+#include "diagnosis/chosen_readings.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 #include "tests/support/input_error.hpp"
 

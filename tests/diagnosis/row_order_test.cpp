@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/run_split.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_dirt.hpp"

@@ -1,5 +1,3 @@
-#include "diagnosis/run_split.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "diagnosis/chosen_readings.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {

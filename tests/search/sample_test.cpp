@@ -1,5 +1,3 @@
-#include "search/sample.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "core/notation.hpp"
+#include "search/exploration_part.hpp"
 #include "search/explore.hpp"
 
 namespace reeve {

@@ -1,10 +1,10 @@
-#include "search/rank/sweep_counter.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 #include <vector>
+
+#include "search/rank/staircase.hpp"
 
 namespace reeve {
 namespace {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "catalog/catalogue.hpp"
-#include "studies/explored_designs.hpp"
 #include "studies/sizing_study.hpp"
 #include "tests/sizing/sizing_of.hpp"
 #include "tests/support/temporary_folder.hpp"

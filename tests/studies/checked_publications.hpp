@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reports/check_words.hpp"
+#include "reports/check_report.hpp"
 #include "studies/check.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 #include "tests/support/edited_catalogue.hpp"

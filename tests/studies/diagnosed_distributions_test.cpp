@@ -1,5 +1,3 @@
-#include "studies/diagnosed_distributions.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "causes/library.hpp"
+#include "studies/tension_distributions.hpp"
 #include "tests/readings/read_data.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 

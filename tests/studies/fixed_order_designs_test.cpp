@@ -1,5 +1,3 @@
-#include "studies/fixed_order_designs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -7,6 +5,7 @@
 
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
+#include "studies/publication_check.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve {

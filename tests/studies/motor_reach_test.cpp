@@ -1,5 +1,4 @@
 // What a given motor does with a hand.
-#include "studies/motor_reach.hpp"
 
 #include <gtest/gtest.h>
 
