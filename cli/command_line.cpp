@@ -1,8 +1,14 @@
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "cli/api.hpp"
+#include "core/error.hpp"
 #include "reports/output/shell_word.hpp"
 
 namespace reeve::cli {
@@ -38,6 +44,35 @@ std::string positionals_text(const CLI::App& command) {
     for (const std::string& value : option->results()) text += " " + shell_word(value);
   }
   return text;
+}
+
+// What stands behind `start` in the words; nothing if it does not stand there.
+std::optional<std::string> behind(const std::string& words, const std::string& start) {
+  const std::size_t at = words.find(start);
+  if (at == std::string::npos) return std::nullopt;
+  return words.substr(at + start.size());
+}
+
+std::string expectation(const std::string& words, const CLI::Option& option) {
+  if (const auto range = behind(words, " not in range ")) return "a number from " + *range;
+  if (const auto set = behind(words, " not in ")) return "one of " + *set;
+  if (const auto said = behind(words, "expected ")) return *said;
+  return fmt::format("a value of type {}", option.get_type_name());
+}
+
+// Of "--top: Value 0 not in range 1 to 100000" and "Could not convert: --top = x".
+InputFault option_fault(const CLI::App& command, const std::string& words) {
+  InputFault fault{.where = command.get_name(), .what = words};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool is_refused = words.starts_with(name + ": ") ||
+                            words.starts_with(fmt::format("Could not convert: {} = ", name));
+    if (!is_refused || option->count() == 0) continue;
+    fault.what = name;
+    fault.value = fmt::format("{}", fmt::join(option->results(), ", "));
+    fault.expected = expectation(words, *option);
+  }
+  return fault;
 }
 
 }  // namespace
@@ -101,6 +136,19 @@ void refuse_leading_zeros(CLI::App& program) {
       const std::string type = option->get_type_name();
       if (type.starts_with("INT") || type.starts_with("UINT")) option->transform(decimal);
     }
+  }
+}
+
+void parse_for_api(CLI::App& program, const CLI::App& command,
+                   const std::vector<std::string>& arguments) {
+  refuse_leading_zeros(program);
+  std::vector<std::string> given{command.get_name()};
+  given.insert(given.end(), arguments.begin(), arguments.end());
+  try {
+    parse(program, given);
+  } catch (const CLI::ParseError& error) {
+    throw api::OptionError(fmt::format("{}: {}", command.get_name(), error.what()),
+                           option_fault(command, error.what()));
   }
 }
 

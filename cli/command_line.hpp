@@ -34,4 +34,31 @@ void parse(CLI::App& command, const std::vector<std::string>& arguments);
 // options those that are whole numbers take none that begins so.
 void refuse_leading_zeros(CLI::App& program);
 
+// The arguments of `command`, one of the program's, as a caller of api.hpp gives them. Throws
+// api::OptionError in CLI11's words.
+void parse_for_api(CLI::App& program, const CLI::App& command,
+                   const std::vector<std::string>& arguments);
+
+// A subcommand's options, parsed from what a caller gives in a shell's place.
+template <typename Flags>
+class ParsedCommand {
+ public:
+  ParsedCommand(const std::string& name, void (*add_options)(CLI::App&, Flags&),
+                const std::vector<std::string>& arguments)
+      : command_(*program_.add_subcommand(name)) {
+    add_options(command_, flags_);
+    parse_for_api(program_, command_, arguments);
+  }
+  ParsedCommand(const ParsedCommand&) = delete;
+  ParsedCommand& operator=(const ParsedCommand&) = delete;
+
+  const CLI::App& command() const { return command_; }
+  const Flags& flags() const { return flags_; }
+
+ private:
+  CLI::App program_{"", "reeve"};
+  CLI::App& command_;
+  Flags flags_;
+};
+
 }  // namespace reeve::cli

@@ -3,7 +3,8 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
@@ -62,9 +63,9 @@ void add_check(CLI::App& program, int& exit_code) {
   });
 }
 
-CheckReport asked_check(const Arguments& arguments) {
-  const AskedCommand<CheckFlags> asked("check", add_options, arguments);
-  return checked(asked.flags(), shipped_catalogue());
+CheckReport api::check(const Arguments& arguments) {
+  const ParsedCommand<CheckFlags> parsed("check", add_options, arguments);
+  return checked(parsed.flags(), shipped_catalogue());
 }
 
 }  // namespace reeve::cli

@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/inputs.hpp"
@@ -84,12 +85,12 @@ void add_compare(CLI::App& program, int&) {
   command->callback([flags] { run(*flags); });
 }
 
-CompareReport asked_comparison(const Arguments& arguments) {
-  return report(AskedCommand<CompareFlags>("compare", add_options, arguments).flags());
+CompareReport api::compare(const Arguments& arguments) {
+  return report(ParsedCommand<CompareFlags>("compare", add_options, arguments).flags());
 }
 
-void write_asked(const CompareReport& report, const Arguments& arguments) {
-  write_files(report, AskedCommand<CompareFlags>("compare", add_options, arguments).flags());
+void api::write(const CompareReport& report, const Arguments& arguments) {
+  write_files(report, ParsedCommand<CompareFlags>("compare", add_options, arguments).flags());
 }
 
 }  // namespace reeve::cli

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
@@ -63,8 +64,8 @@ void add_count(CLI::App& program, int&) {
   command->callback([flags] { run(*flags); });
 }
 
-CountReport asked_count(const Arguments& arguments) {
-  return counted(AskedCommand<CountFlags>("count", add_options, arguments).flags());
+CountReport api::count(const Arguments& arguments) {
+  return counted(ParsedCommand<CountFlags>("count", add_options, arguments).flags());
 }
 
 }  // namespace reeve::cli

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -253,24 +253,24 @@ void add_diagnose(CLI::App& program, int& exit_code) {
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
-std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,
-                                               const StudySupervision& supervision) {
-  const AskedCommand<DiagnoseFlags> asked("diagnose", add_options, arguments);
+std::optional<DiagnosisReport> api::diagnose(const Arguments& arguments,
+                                             const StudySupervision& supervision) {
+  const ParsedCommand<DiagnoseFlags> parsed("diagnose", add_options, arguments);
   const auto tell = [&](const char* stage) {
     if (supervision.report) supervision.report(stage, {});
   };
-  return report(asked.flags(), shipped_catalogue(), tell, supervision.stop);
+  return report(parsed.flags(), shipped_catalogue(), tell, supervision.stop);
 }
 
-void write_asked(const DiagnosisReport& report, const Arguments& arguments) {
-  const AskedCommand<DiagnoseFlags> asked("diagnose", add_options, arguments);
-  require_places(asked.flags());
-  write_folder(report, asked.flags(), command_text(asked.command()), shipped_catalogue());
+void api::write(const DiagnosisReport& report, const Arguments& arguments) {
+  const ParsedCommand<DiagnoseFlags> parsed("diagnose", add_options, arguments);
+  require_places(parsed.flags());
+  write_folder(report, parsed.flags(), command_text(parsed.command()), shipped_catalogue());
 }
 
-std::string asked_model_toml(const DiagnosisReport& report, const Arguments& arguments) {
-  return model_toml(report,
-                    AskedCommand<DiagnoseFlags>("diagnose", add_options, arguments).flags());
+std::string api::model_toml(const DiagnosisReport& report, const Arguments& arguments) {
+  return cli::model_toml(report,
+                         ParsedCommand<DiagnoseFlags>("diagnose", add_options, arguments).flags());
 }
 
 }  // namespace reeve::cli

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
@@ -249,16 +250,16 @@ void add_explore(CLI::App& program, int& exit_code) {
   command->callback([flags, command, &exit_code] { exit_code = run_launched(*flags, *command); });
 }
 
-ExploreReport asked_exploration(const Arguments& arguments, const StudySupervision& supervision) {
-  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
-  const ExploreInputs inputs = read(asked.flags());
-  OpenedStore store(asked.flags(), asked.command(), inputs);
+ExploreReport api::explore(const Arguments& arguments, const StudySupervision& supervision) {
+  const ParsedCommand<ExploreFlags> parsed("explore", add_options, arguments);
+  const ExploreInputs inputs = read(parsed.flags());
+  OpenedStore store(parsed.flags(), parsed.command(), inputs);
   return made(inputs, {}, store.checkpoint(), supervision);
 }
 
-void write_asked(const ExploreReport& report, const Arguments& arguments) {
-  const AskedCommand<ExploreFlags> asked("explore", add_options, arguments);
-  write(report, asked.flags(), asked.command());
+void api::write(const ExploreReport& report, const Arguments& arguments) {
+  const ParsedCommand<ExploreFlags> parsed("explore", add_options, arguments);
+  cli::write(report, parsed.flags(), parsed.command());
 }
 
 ExploreReport merged_exploration(const std::vector<ShardFile>& shards,

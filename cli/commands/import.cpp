@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -144,9 +144,9 @@ void add_import(CLI::App& program, int& exit_code) {
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
-AskedReadings asked_import(const Arguments& arguments) {
-  const AskedCommand<ImportFlags> asked("import", add_options, arguments);
-  return {report(asked.flags()), import_command(asked.command())};
+api::ImportedReadings api::import_log(const Arguments& arguments) {
+  const ParsedCommand<ImportFlags> parsed("import", add_options, arguments);
+  return {report(parsed.flags()), import_command(parsed.command())};
 }
 
 }  // namespace reeve::cli

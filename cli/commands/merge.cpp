@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
@@ -137,16 +138,16 @@ void add_merge(CLI::App& program, int& exit_code) {
   command->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
-MergedExploration asked_merge(const Arguments& arguments, const StudySupervision& supervision) {
-  const AskedCommand<MergeFlags> asked("merge", add_options, arguments);
-  const std::vector<ShardFile> shards = read_shards(asked.flags());
-  return {merged_exploration(shards, here(asked.flags()), supervision), shards.front().arguments};
+api::MergedExploration api::merge(const Arguments& arguments, const StudySupervision& supervision) {
+  const ParsedCommand<MergeFlags> parsed("merge", add_options, arguments);
+  const std::vector<ShardFile> shards = read_shards(parsed.flags());
+  return {merged_exploration(shards, here(parsed.flags()), supervision), shards.front().arguments};
 }
 
-void write_asked(const MergedExploration& merged, const Arguments& arguments) {
-  const AskedCommand<MergeFlags> asked("merge", add_options, arguments);
-  require_not_a_shard(asked.flags());
-  write_merged(merged.report, merged.arguments, here(asked.flags()), places(asked.flags()));
+void api::write(const MergedExploration& merged, const Arguments& arguments) {
+  const ParsedCommand<MergeFlags> parsed("merge", add_options, arguments);
+  require_not_a_shard(parsed.flags());
+  write_merged(merged.report, merged.arguments, here(parsed.flags()), places(parsed.flags()));
 }
 
 }  // namespace reeve::cli

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/stored_ranking.hpp"
@@ -297,11 +297,11 @@ void add_rank(CLI::App& program, int& exit_code) {
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
-std::optional<RankReport> asked_ranking(const Arguments& arguments,
-                                        const StudySupervision& supervision) {
-  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
-  const RankInputs inputs = read(asked.flags());
-  RankRequest wanted = request(asked.flags(), inputs);
+std::optional<RankReport> api::rank(const Arguments& arguments,
+                                    const StudySupervision& supervision) {
+  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  const RankInputs inputs = read(parsed.flags());
+  RankRequest wanted = request(parsed.flags(), inputs);
   wanted.details = true;
   TensionDistributions distributions = distributions_of(inputs);
   auto report = ranking_study(wanted, inputs.catalogue, supervision);
@@ -309,15 +309,15 @@ std::optional<RankReport> asked_ranking(const Arguments& arguments,
   return report;
 }
 
-StoredRanking asked_stored_ranking(const Arguments& arguments) {
-  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
-  return stored_ranking_of(asked.command(), asked.flags().stored);
+StoredRanking api::rank_stored(const Arguments& arguments) {
+  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  return stored_ranking_of(parsed.command(), parsed.flags().stored);
 }
 
-void write_asked(const RankReport& report, const Arguments& arguments) {
-  const AskedCommand<RankFlags> asked("rank", add_options, arguments);
-  require_places(asked.flags());
-  write_page(report, asked.flags().out.prepare(), asked.command());
+void api::write(const RankReport& report, const Arguments& arguments) {
+  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  require_places(parsed.flags());
+  write_page(report, parsed.flags().out.prepare(), parsed.command());
 }
 
 }  // namespace reeve::cli

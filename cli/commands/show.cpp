@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/ladder_flags.hpp"
@@ -160,14 +160,14 @@ void add_show(CLI::App& program, int&) {
   command->callback([flags, command] { run(*flags, *command); });
 }
 
-ShownRouting asked_routing(const Arguments& arguments) {
-  return report(AskedCommand<ShowFlags>("show", add_options, arguments).flags());
+ShownRouting api::show(const Arguments& arguments) {
+  return report(ParsedCommand<ShowFlags>("show", add_options, arguments).flags());
 }
 
-void write_asked(const ShownRouting& report, const Arguments& arguments) {
-  const AskedCommand<ShowFlags> asked("show", add_options, arguments);
-  require_places(asked.flags());
-  write_page(asked.flags().out.prepare(), report, asked.command());
+void api::write(const ShownRouting& report, const Arguments& arguments) {
+  const ParsedCommand<ShowFlags> parsed("show", add_options, arguments);
+  require_places(parsed.flags());
+  write_page(parsed.flags().out.prepare(), report, parsed.command());
 }
 
 }  // namespace reeve::cli

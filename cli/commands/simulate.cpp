@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "causes/named_effect.hpp"
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/experiment_flags.hpp"
 #include "cli/inputs.hpp"
@@ -237,14 +238,14 @@ void add_simulate(CLI::App& program, int&) {
   command->callback([flags] { run(*flags); });
 }
 
-SimulationReport asked_simulation(const Arguments& arguments) {
-  return simulated(AskedCommand<SimulateFlags>("simulate", add_options, arguments).flags());
+SimulationReport api::simulate(const Arguments& arguments) {
+  return simulated(ParsedCommand<SimulateFlags>("simulate", add_options, arguments).flags());
 }
 
-std::optional<PowerReport> asked_power(const Arguments& arguments,
-                                       const StudySupervision& supervision) {
-  const AskedCommand<SimulateFlags> asked("simulate", add_options, arguments);
-  return power(asked.flags(), supervision);
+std::optional<PowerReport> api::power(const Arguments& arguments,
+                                      const StudySupervision& supervision) {
+  const ParsedCommand<SimulateFlags> parsed("simulate", add_options, arguments);
+  return cli::power(parsed.flags(), supervision);
 }
 
 }  // namespace reeve::cli

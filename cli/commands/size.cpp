@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/asked/asked_command.hpp"
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/size_flags.hpp"
@@ -285,21 +285,21 @@ void add_size(CLI::App& program, int& exit_code) {
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
 }
 
-SizingReport asked_sizing(const Arguments& arguments, const StudySupervision& supervision) {
-  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
-  return sized(asked.flags(), read(asked.flags()), supervision);
+SizingReport api::size(const Arguments& arguments, const StudySupervision& supervision) {
+  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  return sized(parsed.flags(), read(parsed.flags()), supervision);
 }
 
-void write_asked(SizingReport report, const Arguments& arguments) {
-  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
-  require_places(asked.flags());
+void api::write(SizingReport report, const Arguments& arguments) {
+  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  require_places(parsed.flags());
   report.details = sizing_details(report, shipped_catalogue());
-  write_page(report, asked.flags().out.prepare(), sizing_command(asked.command()));
+  write_page(report, parsed.flags().out.prepare(), sizing_command(parsed.command()));
 }
 
-std::string asked_hardware_toml(const SizingReport& report, const Arguments& arguments) {
-  const AskedCommand<SizeFlags> asked("size", add_options, arguments);
-  return sized_hardware_toml(report, asked.flags().model.read(shipped_catalogue()).vary);
+std::string api::hardware_toml(const SizingReport& report, const Arguments& arguments) {
+  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  return sized_hardware_toml(report, parsed.flags().model.read(shipped_catalogue()).vary);
 }
 
 }  // namespace reeve::cli

@@ -1,5 +1,5 @@
 // What the parts of the module share. Values cross as they are; what a subcommand does is asked for
-// as the command line would ask (cli/asked/asked.hpp), so that names, defaults and complaints
+// as the command line would ask (cli/api.hpp), so that names, defaults and complaints
 // are the program's.
 #pragma once
 

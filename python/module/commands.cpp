@@ -1,7 +1,7 @@
 // The subcommands that explore, rank, size, …: their results, as the package shapes them.
 #include <pybind11/stl.h>
 
-#include "cli/asked/asked.hpp"
+#include "cli/api.hpp"
 #include "core/error.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/design_columns.hpp"
@@ -23,7 +23,7 @@
 namespace reeve::python {
 namespace {
 
-using cli::Arguments;
+using cli::api::Arguments;
 using studies::StudySupervision;
 
 // The result and whether it was interrupted; None where stopping left nothing.
@@ -42,7 +42,7 @@ py::tuple run(Study study, const Arguments& arguments, const py::object& progres
 template <typename Report>
 void save(const Report& report, const Arguments& arguments) {
   const py::gil_scoped_release release;
-  cli::write_asked(report, arguments);
+  cli::api::write(report, arguments);
 }
 
 template <typename Report>
@@ -71,12 +71,12 @@ void bind_exploration(py::module_& module) {
       report, [](const ExploreReport& self) -> const ExploreReport& { return self; });
   report.def("save", &save<ExploreReport>).def("partial", &partial_note);
   module.def("explore", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_exploration, arguments, progress);
+    return run(&cli::api::explore, arguments, progress);
   });
 }
 
 void bind_merging(py::module_& module) {
-  using cli::MergedExploration;
+  using cli::api::MergedExploration;
   py::class_<MergedExploration> report(module, "MergedExploration");
   bind_report<MergedExploration>(
       report, [](const MergedExploration& self) { return explore_summary_json(self.report); },
@@ -87,7 +87,7 @@ void bind_merging(py::module_& module) {
     return partial_note(self.report);
   });
   module.def("merge", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_merge, arguments, progress);
+    return run(&cli::api::merge, arguments, progress);
   });
 }
 
@@ -102,7 +102,7 @@ void bind_ranking(py::module_& module) {
         if (data) data->file = name;
       });
   module.def("rank", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_ranking, arguments, progress);
+    return run(&cli::api::rank, arguments, progress);
   });
 }
 
@@ -113,7 +113,7 @@ void bind_stored_ranking(py::module_& module) {
   });
   bind_designs<StoredRanking>(
       report, [](const StoredRanking& self) -> const ExploreReport& { return self.report; });
-  module.def("rank_stored", &cli::asked_stored_ranking, py::call_guard<py::gil_scoped_release>());
+  module.def("rank_stored", &cli::api::rank_stored, py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_sizing(py::module_& module) {
@@ -123,11 +123,11 @@ void bind_sizing(py::module_& module) {
   report.def("save", &save<SizingReport>)
       .def("hardware_toml",
            [](const SizingReport& self, const Arguments& arguments) {
-             return cli::asked_hardware_toml(self, arguments);
+             return cli::api::hardware_toml(self, arguments);
            })
       .def("partial", [](const SizingReport& self) { return self.partial; });
   module.def("size", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_sizing, arguments, progress);
+    return run(&cli::api::size, arguments, progress);
   });
 }
 
@@ -137,11 +137,11 @@ void bind_diagnosis(py::module_& module) {
   report.def("save", &save<DiagnosisReport>)
       .def("answer", &diagnosis_answer)
       .def("residuals_csv", &diagnosis_residuals_csv)
-      .def("model_toml", &cli::asked_model_toml)
+      .def("model_toml", &cli::api::model_toml)
       .def("call_data",
            [](DiagnosisReport& self, const std::string& name) { self.data.file = name; });
   module.def("diagnose", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_diagnosis, arguments, progress);
+    return run(&cli::api::diagnose, arguments, progress);
   });
 }
 
@@ -152,22 +152,22 @@ void bind_showing(py::module_& module) {
       .def("svg", [](const ShownRouting& self, std::optional<std::size_t> grasp) {
         return show_svg(self, grasp ? &self.grasps.at(*grasp) : nullptr);
       });
-  module.def("show", &cli::asked_routing, py::call_guard<py::gil_scoped_release>());
+  module.def("show", &cli::api::show, py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_quick_ones(py::module_& module) {
   py::class_<CheckReport> check(module, "CheckReport");
   bind_report<CheckReport>(check, &check_json, &check_sheet);
-  module.def("check", &cli::asked_check, py::call_guard<py::gil_scoped_release>());
+  module.def("check", &cli::api::check, py::call_guard<py::gil_scoped_release>());
   py::class_<CompareReport> comparison(module, "CompareReport");
   bind_report<CompareReport>(comparison, &compare_json, &compare_sheet);
   comparison.def("save", &save<CompareReport>)
       .def("residuals_csv", &residuals_csv)
       .def("call_data",
            [](CompareReport& self, const std::string& name) { self.data.file = name; });
-  module.def("compare", &cli::asked_comparison, py::call_guard<py::gil_scoped_release>());
+  module.def("compare", &cli::api::compare, py::call_guard<py::gil_scoped_release>());
   module.def("count", [](const Arguments& arguments) {
-    const CountReport report = cli::asked_count(arguments);
+    const CountReport report = cli::api::count(arguments);
     const RoutingCounts& counts = report.counts;
     const auto& limited = report.limited;
     return py::make_tuple(counts.all, counts.actuated, counts.one_tendon,
@@ -175,7 +175,7 @@ void bind_quick_ones(py::module_& module) {
                           limited ? std::optional(limited->one_tendon) : std::nullopt);
   });
   module.def("simulate", [](const Arguments& arguments) {
-    return simulation_csv(cli::asked_simulation(arguments));
+    return simulation_csv(cli::api::simulate(arguments));
   });
 }
 
@@ -183,27 +183,28 @@ void bind_power(py::module_& module) {
   py::class_<PowerReport> report(module, "PowerReport");
   bind_report<PowerReport>(report, &power_json, &power_sheet);
   module.def("power", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::asked_power, arguments, progress);
+    return run(&cli::api::power, arguments, progress);
   });
 }
 
 void bind_import(py::module_& module) {
-  using cli::AskedReadings;
-  py::class_<AskedReadings> report(module, "AskedReadings");
-  bind_report<AskedReadings>(
-      report, [](const AskedReadings& self) { return import_json(self.report); },
-      [](const AskedReadings& self) { return import_sheet(self.report); });
+  using cli::api::ImportedReadings;
+  py::class_<ImportedReadings> report(module, "ImportedReadings");
+  bind_report<ImportedReadings>(
+      report, [](const ImportedReadings& self) { return import_json(self.report); },
+      [](const ImportedReadings& self) { return import_sheet(self.report); });
   report
-      .def("csv", [](const AskedReadings& self) { return imported_csv(self.report, self.command); })
-      .def("svg", [](const AskedReadings& self) { return log_svg(self.report); })
+      .def("csv",
+           [](const ImportedReadings& self) { return imported_csv(self.report, self.command); })
+      .def("svg", [](const ImportedReadings& self) { return log_svg(self.report); })
       .def("call_data",
-           [](AskedReadings& self, const std::string& name) { self.report.series.file = name; });
-  module.def("import_log", &cli::asked_import, py::call_guard<py::gil_scoped_release>());
+           [](ImportedReadings& self, const std::string& name) { self.report.series.file = name; });
+  module.def("import_log", &cli::api::import_log, py::call_guard<py::gil_scoped_release>());
 }
 
 py::list options(const std::string& subcommand) {
   py::list texts;
-  for (const cli::OptionText& option : cli::option_texts(subcommand)) {
+  for (const cli::api::OptionText& option : cli::api::option_texts(subcommand)) {
     texts.append(py::make_tuple(option.name, option.preset, option.meaning, option.is_flag));
   }
   return texts;

@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "cli/asked/asked.hpp"
+#include "cli/api.hpp"
 #include "core/error.hpp"
 #include "python/module/bindings.hpp"
 
@@ -34,7 +34,7 @@ void raise(const py::object& error) {
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
-  } catch (const cli::OptionError& error) {
+  } catch (const cli::api::OptionError& error) {
     raise(to_python(error.what(), error.option()));
   } catch (const core::InputError& error) {
     raise(to_python(error.fault()));

@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "catalog/names.hpp"
-#include "cli/asked/asked.hpp"
+#include "cli/api.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "core/canonical.hpp"
@@ -28,7 +28,7 @@ py::dict part_counts(const BoundRouting& bound) {
 }
 
 std::string drawn(const BoundRouting& bound) {
-  return show_svg(cli::asked_routing({bound.word}), nullptr);
+  return show_svg(cli::api::show({bound.word}), nullptr);
 }
 
 std::vector<std::string> segment_names(const BoundRouting& bound) {

@@ -24,7 +24,7 @@
 #include "studies/stored_ranking.hpp"
 #include "studies/study_supervision.hpp"
 
-namespace reeve::cli {
+namespace reeve::cli::api {
 
 // Of an option that CLI11 refuses: its words, and the parts that they are made of.
 class OptionError : public InputError {
@@ -41,47 +41,45 @@ class OptionError : public InputError {
 // Without the subcommand's name: "--fingers=3", "TR7".
 using Arguments = std::vector<std::string>;
 
-ExploreReport asked_exploration(const Arguments& arguments, const StudySupervision& supervision);
+ExploreReport explore(const Arguments& arguments, const StudySupervision& supervision);
 // With all that its page shows.
-std::optional<RankReport> asked_ranking(const Arguments& arguments,
-                                        const StudySupervision& supervision);
+std::optional<RankReport> rank(const Arguments& arguments, const StudySupervision& supervision);
 // Of what rank --store names: by the options that it takes.
-StoredRanking asked_stored_ranking(const Arguments& arguments);
+StoredRanking rank_stored(const Arguments& arguments);
 // With what of the shards' arguments decides.
 struct MergedExploration {
   ExploreReport report;
   Arguments arguments;
 };
-MergedExploration asked_merge(const Arguments& arguments, const StudySupervision& supervision);
-SizingReport asked_sizing(const Arguments& arguments, const StudySupervision& supervision);
-std::optional<DiagnosisReport> asked_diagnosis(const Arguments& arguments,
-                                               const StudySupervision& supervision);
-ShownRouting asked_routing(const Arguments& arguments);
-CountReport asked_count(const Arguments& arguments);
-CheckReport asked_check(const Arguments& arguments);
-CompareReport asked_comparison(const Arguments& arguments);
+MergedExploration merge(const Arguments& arguments, const StudySupervision& supervision);
+SizingReport size(const Arguments& arguments, const StudySupervision& supervision);
+std::optional<DiagnosisReport> diagnose(const Arguments& arguments,
+                                        const StudySupervision& supervision);
+ShownRouting show(const Arguments& arguments);
+CountReport count(const Arguments& arguments);
+CheckReport check(const Arguments& arguments);
+CompareReport compare(const Arguments& arguments);
 // With the command that makes them again.
-struct AskedReadings {
+struct ImportedReadings {
   ImportReport report;
   std::string command;
 };
-AskedReadings asked_import(const Arguments& arguments);
-SimulationReport asked_simulation(const Arguments& arguments);
-std::optional<PowerReport> asked_power(const Arguments& arguments,
-                                       const StudySupervision& supervision);
+ImportedReadings import_log(const Arguments& arguments);
+SimulationReport simulate(const Arguments& arguments);
+std::optional<PowerReport> power(const Arguments& arguments, const StudySupervision& supervision);
 
 // The files that the program writes into the folder of --out, which is among the arguments.
-void write_asked(const ExploreReport& report, const Arguments& arguments);
-void write_asked(const MergedExploration& merged, const Arguments& arguments);
-void write_asked(const RankReport& report, const Arguments& arguments);
-void write_asked(SizingReport report, const Arguments& arguments);
-void write_asked(const DiagnosisReport& report, const Arguments& arguments);
-void write_asked(const ShownRouting& report, const Arguments& arguments);
-void write_asked(const CompareReport& report, const Arguments& arguments);
+void write(const ExploreReport& report, const Arguments& arguments);
+void write(const MergedExploration& merged, const Arguments& arguments);
+void write(const RankReport& report, const Arguments& arguments);
+void write(SizingReport report, const Arguments& arguments);
+void write(const DiagnosisReport& report, const Arguments& arguments);
+void write(const ShownRouting& report, const Arguments& arguments);
+void write(const CompareReport& report, const Arguments& arguments);
 
 // The model file of diagnose --save-model, and the hardware file of size --save-hardware.
-std::string asked_model_toml(const DiagnosisReport& report, const Arguments& arguments);
-std::string asked_hardware_toml(const SizingReport& report, const Arguments& arguments);
+std::string model_toml(const DiagnosisReport& report, const Arguments& arguments);
+std::string hardware_toml(const SizingReport& report, const Arguments& arguments);
 
 // As `reeve SUBCOMMAND --help` has them; none of a subcommand that there is not.
 struct OptionText {
@@ -92,4 +90,4 @@ struct OptionText {
 };
 std::vector<OptionText> option_texts(const std::string& subcommand);
 
-}  // namespace reeve::cli
+}  // namespace reeve::cli::api
