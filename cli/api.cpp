@@ -7,10 +7,17 @@
 namespace reeve::cli::api {
 namespace {
 
+std::string kind_of(const CLI::Option& option) {
+  if (option.get_expected_max() == 0) return "flag";
+  if (option.get_expected_max() > 1) return "list";
+  const std::string type = option.get_type_name();
+  if (type.starts_with("INT") || type.starts_with("UINT")) return "int";
+  return type.starts_with("FLOAT") ? "float" : "text";
+}
+
 OptionText text_of(const CLI::Option& option) {
   std::string name = option.nonpositional() ? option.get_lnames().front() : option.get_name();
-  return {std::move(name), option.get_default_str(), option.get_description(),
-          option.get_expected_max() == 0};
+  return {std::move(name), option.get_default_str(), option.get_description(), kind_of(option)};
 }
 
 }  // namespace

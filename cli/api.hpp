@@ -86,7 +86,7 @@ struct OptionText {
   std::string name;  // "fingers"; of a positional "routing"
   std::string preset;
   std::string meaning;
-  bool is_flag = false;
+  std::string kind;  // flag, list (it may be given again), int, float or text
 };
 std::vector<OptionText> option_texts(const std::string& subcommand);
 

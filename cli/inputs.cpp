@@ -229,7 +229,7 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   command
       .add_option("--parts", parts,
                   "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B; all: "
-                  "also --anchored --blocks 1")
+                  "also --anchored and --blocks 1")
       ->check(CLI::IsMember({"paper", "full", "all"}))
       ->capture_default_str();
   tips_ = command.add_option("--tips", tips, "Fingertips instead of the set's: tube,bearing");

@@ -12,20 +12,21 @@ void StoreFlags::add_to(CLI::App& command) {
   constexpr int a_day = 86400;
   option_ = command.add_option(
       "--store", file_,
-      "File (SQLite, docs/store.md) that keeps what is found; the same command goes on in it");
+      "Keep what is found in this SQLite file, and go on from what it holds; see docs/store.md");
   command
       .add_option("--store-every", seconds_,
-                  "Seconds between two times that the store is written: what a kill can cost")
+                  "Seconds between two times that the store is written; 0: after every batch")
       ->needs(option_)
       ->check(CLI::Range(0, a_day))
       ->capture_default_str();
-  keep_given_ = command
-                    .add_option("--keep", keep_,
-                                "What the store keeps: best, or all designs with their objectives, "
-                                "so that rank can rank them otherwise")
-                    ->needs(option_)
-                    ->check(CLI::IsMember({"best", "all"}))
-                    ->capture_default_str();
+  keep_given_ =
+      command
+          .add_option("--keep", keep_,
+                      "What the store keeps: best, what is listed; all, every design with "
+                      "its objectives, which rank can then rank otherwise")
+          ->needs(option_)
+          ->check(CLI::IsMember({"best", "all"}))
+          ->capture_default_str();
 }
 
 void StoreFlags::list_in(std::vector<InputFile>& inputs) const {

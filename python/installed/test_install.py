@@ -26,7 +26,11 @@ print(reeve.__version__)
 """
 
 
-TYPED = "import reeve\nreveal_type(reeve.Routing('TR7').fingers)\n"
+TYPED = """
+import reeve
+reveal_type(reeve.Routing("TR7").fingers)
+reeve.explore(fingers="two")  # type: ignore[arg-type]
+"""
 
 
 def run(*command, **options):

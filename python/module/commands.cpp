@@ -205,7 +205,7 @@ void bind_import(py::module_& module) {
 py::list options(const std::string& subcommand) {
   py::list texts;
   for (const cli::api::OptionText& option : cli::api::option_texts(subcommand)) {
-    texts.append(py::make_tuple(option.name, option.preset, option.meaning, option.is_flag));
+    texts.append(py::make_tuple(option.name, option.preset, option.meaning, option.kind));
   }
   return texts;
 }
@@ -224,7 +224,7 @@ void bind_commands(py::module_& module) {
   bind_import(module);
   bind_power(module);
   module.def("options", &options,
-             "Name, default and meaning of a subcommand's options, and whether it is a flag.");
+             "Name, default, meaning and kind of a subcommand's options, as cli/api.hpp has them.");
   module.def("objective_units", &objective_units);
 }
 

@@ -7,16 +7,14 @@ The functions are the program's subcommands, with its names and defaults; `tensi
 from collections.abc import Mapping as _Mapping
 
 from . import _methods
+from ._commands import (
+    check, compare, count, diagnose, explore, import_log, merge, power, rank, show, simulate, size,
+)
 from ._core import Hardware, Routing, Tensions, __commit__, __version__
-from ._design_results import Check, Exploration, Ranking, Shown, Sizing, StoredRanking
-from ._exploring import Counts, count, explore, merge
+from ._design_results import Check, Counts, Exploration, Ranking, Shown, Sizing, StoredRanking
 from ._model import Model
-from ._ranking import check, rank, show
 from ._reading_results import Comparison, Diagnosis, Power, Simulation, SteadyReadings
-from ._readings import compare, diagnose, import_log
 from ._results import Result
-from ._simulating import power, simulate
-from ._sizing import size
 from ._tensions import NamedArray, tensions
 from .errors import InputError, Interrupted, Notice, OutOfRange
 

@@ -19,10 +19,15 @@ if TYPE_CHECKING:
 
 Texts = Union[str, Sequence[str]]
 Numbers = Union[str, float, Sequence[float]]
+Weights = Union[str, Mapping[str, float]]
+Causes = Mapping[str, Optional[Mapping[str, float]]]
+RunLike = Union[str, int]
 RoutingLike = Union[str, "_core.Routing"]
+RoutingsLike = Union[RoutingLike, Sequence[RoutingLike]]
 HardwareLike = Union[Place, "_core.Hardware"]
 ModelLike = Union[Place, Model]
 DataLike = Union[Place, "pandas.DataFrame"]
+Fingers = Union[str, int, Sequence[int]]
 Held = Union[int, str, Sequence[Union[int, str, Sequence[int]]]]
 
 
@@ -110,6 +115,24 @@ def held_texts(held: Optional[Held]) -> Optional[list[str]]:
     if all(isinstance(finger, Integral) for finger in held):
         return [_grasp_text(held)]
     return [_grasp_text(grasp) for grasp in held]
+
+
+def held_text(held: Optional[Fingers]) -> Optional[str]:
+    """One grasp as a data file has it."""
+    if held is None:
+        return None
+    if isinstance(held, (str, int, Integral)):
+        return str(held)
+    return ";".join(map(str, held)) or "none"
+
+
+def cause_arguments(causes: Optional[Causes]) -> list[str]:
+    """Each cause before its parameters."""
+    arguments: list[str] = []
+    for name, settings in (causes or {}).items():
+        arguments.append(f"--cause={name}")
+        arguments += [f"--set={key}={value}" for key, value in (settings or {}).items()]
+    return arguments
 
 
 def _grasp_text(grasp: Any) -> str:

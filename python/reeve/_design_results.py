@@ -1,8 +1,8 @@
-"""Results about designs: explored, ranked, sized, shown, checked."""
+"""Results about designs: counted, explored, ranked, sized, shown, checked."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from . import _plots
 from ._frames import frame_of
@@ -14,6 +14,30 @@ if TYPE_CHECKING:
 
 def _counted(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+class Counts(NamedTuple):
+    """How many routings there are.
+
+    Attributes
+    ----------
+    all : int
+        Of the parts.
+    actuated : int
+        Of these, with every tendon hanging on the motor.
+    one_tendon : int
+        Of those, with one tendon.
+    meeting : int or None
+        Of the actuated, those that meet the constraints, if any were given.
+    meeting_one_tendon : int or None
+        Of those, with one tendon.
+    """
+
+    all: int
+    actuated: int
+    one_tendon: int
+    meeting: Optional[int] = None
+    meeting_one_tendon: Optional[int] = None
 
 
 class Ranking(SavedResult):

@@ -100,6 +100,11 @@ def run(
     return result
 
 
+def in_no_folder(study: Any) -> Any:
+    """The study with all that its page would show; `save` says where to."""
+    return lambda arguments, hears: study([*arguments, "--out=."], hears)
+
+
 def warn(result: Result, request: Request) -> None:
     """Its notes, at the line that called the subcommand's function."""
     for note in result.summary.get("notes") or []:

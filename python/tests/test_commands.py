@@ -12,33 +12,42 @@ from reeve import _core
 
 # What only a shell or a file has: printing, and where things are written.
 OF_THE_SHELL = {
-    "out", "format", "columns", "text-width", "svg", "output", "plot", "save-model",
+    "help", "out", "format", "columns", "text-width", "svg", "output", "plot", "save-model",
     "save-hardware", "power", "set",
 }
-OTHERWISE = {"constraints": "constraint", "from_": "from"}
 # import is a word of the language.
-COMMANDS = {"import_log": "import"} | {
+COMMANDS = {"import_log": "import", "power": "simulate"} | {
     name: name
     for name in ("explore", "merge", "rank", "size", "diagnose", "compare", "show", "count",
                  "check", "simulate")
 }
 
 
+# "  --fingers INT:INT in [1 - 64]=2", "  --tendons TEXT:{one,any}=any": name and default.
+OPTION = re.compile(
+    r"^  (?:-\w,)?--([a-z-]+)(?: [A-Z]+(?::[A-Z]+ in \[.*?\]|:\{.*?\})?(?:=(\S+))?)?", re.MULTILINE)
+
+
 @pytest.mark.parametrize("name", COMMANDS)
-def test_names_and_defaults_are_the_programs(name):
-    options = {text[0]: text for text in _core.options(COMMANDS[name])}
-    function = getattr(reeve, name)
-    parameters = inspect.signature(function).parameters
-    ours = {OTHERWISE.get(p, p).replace("_", "-") for p in parameters if p != "progress"}
-    ours -= {"routings"} - set(options)  # the positional is called routing
-    assert ours - {"routing"} == set(options) - OF_THE_SHELL - {"routing"}
-    for parameter in parameters.values():
-        option = options.get(OTHERWISE.get(parameter.name, parameter.name).replace("_", "-"))
-        if option is None or not option[1] or option[3]:
-            continue
-        assert parameter.default is None  # left to the program
-        said = re.search(rf"\n    {parameter.name} : .*\n((?:        .*\n)+)", function.__doc__)
-        assert f"Default: {option[1]}." in re.sub(r"\s+", " ", said.group(1)), parameter.name
+def test_keywords_and_defaults_are_those_of_the_help(name, program):
+    options = {{"from": "from_", "constraint": "constraints"}.get(o, o).replace("-", "_"): default
+               for o, default in OPTION.findall(program(COMMANDS[name], "--help"))
+               if o not in OF_THE_SHELL | {"routings"}}
+    parameters = inspect.signature(getattr(reeve, name)).parameters
+    keywords = {p.name: p for p in parameters.values() if p.kind == p.KEYWORD_ONLY}
+    assert keywords.keys() - {"progress"} == options.keys()
+    doc = inspect.getdoc(getattr(reeve, name))
+    for option, default in options.items():
+        assert keywords[option].default in (None, False)  # left to the program
+        (text,) = re.findall(rf"^{option} : .+\n((?:    .*\n)+)", doc, re.MULTILINE)
+        told = re.findall(r"Default: (.*)\.$", re.sub(r"\s+", " ", text).strip())
+        assert told == ([default] if default else []), option
+
+
+def test_options_that_may_be_given_again_take_lists():
+    again = {name for command in COMMANDS.values()
+             for name, _, _, kind in _core.options(command) if kind == "list"}
+    assert again - {"routing", "folders", "cause", "set"} == reeve._request._REPEATED
 
 
 def test_objects_stand_for_files(tmp_path):
@@ -111,6 +120,6 @@ def test_drawings():
 
 
 def test_doctests():
-    for module in (_core, reeve._methods, reeve._exploring, reeve._ranking, reeve._tensions):
+    for module in (_core, reeve._methods, reeve._commands, reeve._tensions):
         found = doctest.testmod(module)
         assert found.attempted and not found.failed
