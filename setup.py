@@ -36,7 +36,8 @@ class InstallWithCMake(build_ext):
         with tempfile.TemporaryDirectory() as prefix:
             self.cmake("--install", build, "--component", "python", "--prefix", prefix)
             (package,) = Path(prefix).rglob("reeve")
-            shutil.copytree(package, Path(self.build_lib) / "reeve", dirs_exist_ok=True)
+            shutil.rmtree(Path(self.build_lib) / "reeve", ignore_errors=True)  # an earlier build's
+            shutil.copytree(package, Path(self.build_lib) / "reeve")
 
     def cmake(self, *arguments):
         # pip's own PYTHONPATH would be that of every Python that CMake asks.
