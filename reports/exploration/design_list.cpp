@@ -219,11 +219,11 @@ std::string objective_headings(const ObjectiveValues& values) {
   return text;
 }
 
-void append_objective_cells(std::string& csv, const ObjectiveValues& values, NumberTexts& numbers) {
+void append_objective_cells(std::string& csv, const ObjectiveValues& values) {
   for (const ObjectiveRow& row : objective_table()) {
     if (!is_there(row, values)) continue;
     csv += ',';
-    csv += numbers.text(value(values, row.objective));
+    csv += csv_number(value(values, row.objective));
   }
 }
 
@@ -232,10 +232,9 @@ std::string sample_csv(const std::vector<Design>& designs, const std::string& no
   csv +=
       "routing" + objective_headings(designs.empty() ? ObjectiveValues{} : designs.front().values);
   csv += '\n';
-  NumberTexts numbers(print_csv_number);
   for (const Design& design : designs) {
     csv += design.word;
-    append_objective_cells(csv, design.values, numbers);
+    append_objective_cells(csv, design.values);
     csv += '\n';
   }
   return csv;
@@ -252,13 +251,12 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as,place" : ",same_as,place";
   csv += (uncertain ? ",first_shared" : "") + band_headings(bands);
   csv += constrained ? ",constraints_met\n" : "\n";
-  NumberTexts numbers(print_csv_number);
   for (const ListedDesign& design : designs) {
     csv += fmt::format_int(design.ranked.rank).c_str();
     csv += ',';
     csv += fmt::format_int(design.ranked.front).c_str();
     csv += ',' + design.ranked.design.word + ',' + csv_field(design.name);
-    append_objective_cells(csv, design.ranked.design.values, numbers);
+    append_objective_cells(csv, design.ranked.design.values);
     if (design.distribution) {
       const RankDistribution& d = *design.distribution;
       fmt::format_to(std::back_inserter(csv), ",{},{},{},{}", d.first, d.median, d.low, d.high);

@@ -9,7 +9,6 @@
 #include "reports/document/chosen_columns.hpp"
 #include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
-#include "reports/output/number_texts.hpp"
 #include "studies/listed_design.hpp"
 
 namespace reeve::reports {
@@ -48,7 +47,7 @@ std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown);
 
 // ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
 std::string objective_headings(const ObjectiveValues& values);
-void append_objective_cells(std::string& csv, const ObjectiveValues& values, NumberTexts& numbers);
+void append_objective_cells(std::string& csv, const ObjectiveValues& values);
 
 // RFC 4180. A note, if any, becomes a comment line at the top.
 std::string design_csv(const std::vector<ListedDesign>& designs, const std::string& note = "");

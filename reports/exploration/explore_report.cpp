@@ -11,7 +11,6 @@
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/ladder_report.hpp"
-#include "reports/exploration/listed_design_text.hpp"
 #include "reports/exploration/range_notes.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/model_text.hpp"
@@ -305,12 +304,9 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["front_equals_left_out"] = result.front_equals_left_out;
   ObjectText text;
   text.add_members(json);
-  ListedDesignText designs;
-  const auto listed = [&](std::string& to, const ListedDesign& design) {
-    designs.append(to, design);
-  };
-  text.add_text_list("front", report.front, listed);
-  text.add_text_list("top", report.top, listed);
+  const auto listed = [](const ListedDesign& design) { return to_json(design); };
+  text.add_list("front", report.front, listed);
+  text.add_list("top", report.top, listed);
   json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);

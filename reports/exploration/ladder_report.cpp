@@ -98,7 +98,7 @@ Json rung_json(const ListedLadder& listed, std::size_t i) {
   return json;
 }
 
-std::string csv_row(const ListedLadder& listed, std::size_t i, NumberTexts& numbers) {
+std::string csv_row(const ListedLadder& listed, std::size_t i) {
   const Ladder& ladder = listed.ladder;
   const Rung& rung = ladder.rungs[i];
   const std::size_t rank = listed.rungs[i].ranked.rank;
@@ -106,7 +106,7 @@ std::string csv_row(const ListedLadder& listed, std::size_t i, NumberTexts& numb
       fmt::format("{},{},{},{},{},{},{}", row(ladder.options.by).name, rung.at_most,
                   rung.design.word, csv_field(listed.rungs[i].name),
                   rank > 0 ? std::to_string(rank) : "", rung.kept, csv_field(marks(listed, i)));
-  append_objective_cells(line, rung.design.values, numbers);
+  append_objective_cells(line, rung.design.values);
   for (const Objective objective : ladder.objectives) {
     line += i == 0 ? "," : "," + csv_number(gain(objective, rung, ladder.rungs[i - 1]));
   }
@@ -164,8 +164,7 @@ std::string ladder_csv(const ListedLadder& ladder, const std::string& note) {
     }
   }
   csv += '\n';
-  NumberTexts numbers(print_csv_number);
-  for (std::size_t i = 0; i < ladder.rungs.size(); ++i) csv += csv_row(ladder, i, numbers);
+  for (std::size_t i = 0; i < ladder.rungs.size(); ++i) csv += csv_row(ladder, i);
   return csv;
 }
 

@@ -5,15 +5,15 @@
 namespace reeve::reports {
 
 // Strings have no line ends of their own in them: JSON escapes these.
-void append_indented(std::string& text, const Json& json, std::string_view indent) {
+void ObjectText::append_indented(const Json& json, std::string_view indent) {
   const std::string printed = json.dump(2, ' ', false, Json::error_handler_t::replace);
   std::string_view rest = printed;
   for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-    text += rest.substr(0, end + 1);
-    text += indent;
+    text_ += rest.substr(0, end + 1);
+    text_ += indent;
     rest.remove_prefix(end + 1);
   }
-  text += rest;
+  text_ += rest;
 }
 
 void ObjectText::begin_member(std::string_view key) {
@@ -24,7 +24,7 @@ void ObjectText::begin_member(std::string_view key) {
 
 void ObjectText::add(std::string_view key, const Json& value) {
   begin_member(key);
-  append_indented(text_, value, "  ");
+  append_indented(value, "  ");
 }
 
 void ObjectText::add_members(const Json& object) {

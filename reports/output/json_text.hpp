@@ -9,9 +9,6 @@
 
 namespace reeve::reports {
 
-// As print() prints it, but for the last line end; lines after the first begin with `indent`.
-void append_indented(std::string& text, const Json& json, std::string_view indent);
-
 class ObjectText {
  public:
   void add(std::string_view key, const Json& value);
@@ -19,14 +16,6 @@ class ObjectText {
 
   template <typename Entries, typename ToJson>
   void add_list(std::string_view key, const Entries& entries, ToJson to_json) {
-    add_text_list(key, entries, [&](std::string& text, const auto& entry) {
-      append_indented(text, to_json(entry), "    ");
-    });
-  }
-
-  // `append(text, entry)` appends the text of an entry, as it would be printed there.
-  template <typename Entries, typename Append>
-  void add_text_list(std::string_view key, const Entries& entries, Append append) {
     if (entries.empty()) {
       add(key, Json::array());
       return;
@@ -38,7 +27,7 @@ class ObjectText {
     std::size_t done = 0;
     for (const auto& entry : entries) {
       text_ += between;
-      append(text_, entry);
+      append_indented(to_json(entry), "    ");
       between = ",\n    ";
       make_room(entries.size(), begin, ++done);
     }
@@ -49,6 +38,8 @@ class ObjectText {
   std::string text() &&;
 
  private:
+  // As print() prints it, but for the last line end; lines after the first begin with `indent`.
+  void append_indented(const Json& json, std::string_view indent);
   void begin_member(std::string_view key);
   void make_room(std::size_t entries, std::size_t begin, std::size_t done);
 
