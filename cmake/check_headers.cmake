@@ -1,7 +1,7 @@
 # One source per header of ours, including only that header: it must not lean on what
 # others happened to include before it. And one that includes them all: no two may mean different
 # things by one name.
-set(folders numerics core causes search store catalog diagnosis studies reports pages cli)
+set(folders ${REEVE_FLOORS} reeve cli)
 list(TRANSFORM folders APPEND "/*.hpp")
 file(GLOB_RECURSE headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS ${folders})
 set(sources "${PROJECT_BINARY_DIR}/generated/empty.cpp")

@@ -1,8 +1,12 @@
 #include "store/database.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <limits>
 #include <new>
 
@@ -11,6 +15,9 @@
 
 namespace reeve::store {
 namespace {
+
+// Beyond all that SQLite locks, and beyond the end of any file.
+constexpr off_t locked_byte = off_t{1} << 62;
 
 namespace fs = std::filesystem;
 
@@ -116,6 +123,32 @@ bool is_there(const fs::path& file, Access access) {
 }
 
 }  // namespace
+
+WriterLock::WriterLock(const std::filesystem::path& file)
+    : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) return;
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = locked_byte;
+  lock.l_len = 1;
+  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return;
+  if (errno != EAGAIN && errno != EACCES) return;
+  ::close(descriptor_);
+  throw InputError({.where = file.string(), .what = "another process is writing it"});
+}
+
+WriterLock::~WriterLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool WriterLock::is_on(const std::filesystem::path& file) const {
+  struct stat locked = {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return true;
+  struct stat named = {};
+  return ::stat(file.c_str(), &named) == 0 && named.st_dev == locked.st_dev &&
+         named.st_ino == locked.st_ino;
+}
 
 void fail(const fs::path& file, const SQLite::Exception& error) {
   if (is_of_memory(error)) throw std::bad_alloc();

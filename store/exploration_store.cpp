@@ -11,7 +11,6 @@
 #include "store/digest.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"
-#include "store/writer_lock.hpp"
 
 namespace reeve::store {
 namespace {
