@@ -45,7 +45,7 @@ struct Sweep {
   CoefficientRange over;
   std::vector<double> at;                        // values of the coefficient
   std::vector<std::vector<SweepCurve>> designs;  // [design][ranked objective]
-  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (decide/places.hpp)
+  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (rank/places.hpp)
   std::vector<SweepLead> leads;                  // from one end of the range to the other
 };
 
