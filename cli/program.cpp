@@ -20,7 +20,7 @@
 #include "numerics/parallel.hpp"
 #include "numerics/processes.hpp"
 #include "reports/output/files.hpp"
-#include "studies/shared/ranks.hpp"
+#include "studies/ranks.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -1,4 +1,4 @@
-// An exploration in pieces, for several that share it (studies/shared).
+// An exploration in pieces, for several that share it (studies/ranks.hpp).
 //
 // Pieces are cut anywhere, as shards are (exploration_part.hpp). Whoever goes through several of
 // them, each behind the one before, knows designs of those before, so that soon few of a piece are

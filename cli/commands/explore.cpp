@@ -31,7 +31,7 @@
 #include "reports/output/files.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
-#include "studies/shared/ranks.hpp"
+#include "studies/ranks.hpp"
 
 namespace reeve::cli {
 namespace {

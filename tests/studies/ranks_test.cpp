@@ -1,5 +1,5 @@
 // A search that several share, without MPI: threads that pass each other notes.
-#include "studies/shared/ranks.hpp"
+#include "studies/ranks.hpp"
 
 #include <gtest/gtest.h>
 

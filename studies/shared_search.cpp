@@ -1,4 +1,4 @@
-#include "studies/shared/shared_search.hpp"
+#include "studies/shared_search.hpp"
 
 #include <fmt/format.h>
 

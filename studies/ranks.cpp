@@ -1,4 +1,4 @@
-#include "studies/shared/ranks.hpp"
+#include "studies/ranks.hpp"
 
 #include <chrono>
 #include <new>
@@ -8,8 +8,8 @@
 #include "core/error.hpp"
 #include "search/exploration_part.hpp"
 #include "search/pieces.hpp"
-#include "studies/shared/rank_message.hpp"
-#include "studies/shared/shared_search.hpp"
+#include "studies/rank_message.hpp"
+#include "studies/shared_search.hpp"
 
 namespace reeve::studies {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "search/exploration_part.hpp"
 #include "search/pieces.hpp"
-#include "studies/shared/rank_message.hpp"
-#include "studies/shared/ranks.hpp"
+#include "studies/rank_message.hpp"
+#include "studies/ranks.hpp"
 
 namespace reeve::studies {
 

@@ -1,4 +1,4 @@
-#include "studies/shared/rank_message.hpp"
+#include "studies/rank_message.hpp"
 
 #include <cstring>
 
