@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -22,12 +23,18 @@ TEST(LeastSquares, FollowsACurvedValley) {
   EXPECT_NEAR(found.minimum.at[1], 1, 1e-5);
 }
 
-// The least in the box lies on its side: x0 = 0.5, x1 = x0².
+// The least in the box lies on its side: x0 = 0.5, x1 = x0². Beyond it nothing is evaluated.
 TEST(LeastSquares, StopsAtTheSideOfTheBox) {
-  const LeastSquares found = least_squares(&rosenbrock, {{-3, 0.5}, {-3, 3}}, {-1.2, 1});
+  double farthest = -3;
+  const auto watched = [&](const std::vector<double>& x) {
+    farthest = std::max(farthest, x[0]);
+    return rosenbrock(x);
+  };
+  const LeastSquares found = least_squares(watched, {{-3, 0.5}, {-3, 3}}, {-1.2, 1});
   EXPECT_TRUE(found.converged);
   EXPECT_DOUBLE_EQ(found.minimum.at[0], 0.5);
   EXPECT_NEAR(found.minimum.at[1], 0.25, 1e-5);
+  EXPECT_EQ(farthest, 0.5);
 }
 
 TEST(LeastSquares, GoesAroundWhereThereAreNoResiduals) {
