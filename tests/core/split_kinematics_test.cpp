@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/notation.hpp"
@@ -29,13 +30,20 @@ TEST(SplitClosing, WithoutASeizedTipIsTheUsualSharing) {
   EXPECT_NEAR(s.closing[1], 0.25, 1e-12);
 }
 
-// Minimise dl1²/w1 + dl2²/w2 subject to 2 dl1 + dl2 = 1: dl_f in proportion to w_f times strands.
+// Minimise dl1²/w1 + dl2²/w2 subject to 2 dl1 + dl2 = m: dl_f in proportion to w_f times strands.
+// m is 1 for the carriage itself and 2 for a block that it pulls; nothing pulls T4.
 TEST(SplitClosing, SharesByWeightAndStrands) {
   Hardware hardware;
   hardware.fingers.push_back({1, {}, {}, {}, {}, {}, 3});
-  const SplitClosing s = closing("M-1-T-2-F", {"T3-T4"}, {}, hardware);
-  EXPECT_NEAR(s.closing[0], 6.0 / 13, 1e-9);
-  EXPECT_NEAR(s.closing[1], 1.0 / 13, 1e-9);
+  for (const auto& [word, given, slack] :
+       {std::tuple<std::string, double, std::vector<char>>{"M-1-T-2-F", 1, {0, 1}},
+        {"M-Y1+F-1-Y1-2-F", 2, {0, 0, 1}}}) {
+    SCOPED_TRACE(word);
+    const SplitClosing s = closing(word, {"T3-T4"}, {}, hardware);
+    EXPECT_NEAR(s.closing[0], given * 6 / 13, 1e-9);
+    EXPECT_NEAR(s.closing[1], given * 1 / 13, 1e-9);
+    EXPECT_EQ(s.slack, slack);
+  }
 }
 
 TEST(SplitClosing, HoldsForExtremeWeights) {
