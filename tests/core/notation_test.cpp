@@ -86,6 +86,7 @@ TEST(Notation, PrintsBlocksAndBarsAsItReadThem) {
 TEST(Notation, PrintsARatioInLowestTerms) {
   EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/12.5:20-2x")), "M-W1+1x-W1/5:8-2x");
   EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/3:3-2x")), "M-W1+1x-W1-2x");
+  EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/1.001:1-2x")), "M-W1+1x-W1/1001:1000-2x");
 }
 
 TEST(NotationError, PartsOfABlockThatAreMissing) {
@@ -139,7 +140,7 @@ TEST(NotationError, SuffixesOfBlocksAndBars) {
                "'W1/2:1': expected W1 alone: the end of a walk is tied to the bar's pivot, and a "
                "ratio belongs to its arms"));
   for (const std::string ratio : {"/2", "/0:1", "/1:-1", "/1:nan", "/1e3:1", "/1:2:3", "/", "b",
-                                  "/1:0.0001", "/9999.999:1"}) {
+                                  "/1:0.0001", "/9999.999:1", "/1:9999.999"}) {
     const std::string word = "M-W1+1x-W1" + ratio + "-2x";
     EXPECT_NE(message(word).find("column 9: "), std::string::npos) << message(word);
   }
