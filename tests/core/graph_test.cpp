@@ -106,6 +106,13 @@ TEST(Dot, LabelsContactsByTheirPlaceAndDrawsThemByTheirKind) {
   EXPECT_EQ(lines_with(dot, "shape=plain").size(), 1U);
 }
 
+TEST(Dot, TiesTheTailOfABlockToEachStrandThatPassesIt) {
+  const std::string dot = to_dot(network_of("M-Y1+1x-Y1-2x"), "t");  // a h1, T1 T3
+  EXPECT_EQ(lines_with(dot, "[label=\"Y1\", style=dotted]"),
+            (std::vector<std::string>{"1--2 [label=\"Y1\", style=dotted];",
+                                      "1--3 [label=\"Y1\", style=dotted];"}));
+}
+
 TEST(Dot, CarriesItsTitle) {
   EXPECT_EQ(lines_with(to_dot(network_of("M-1-F"), "TR0: M-1-F"), "label=\"TR0: M-1-F\";").size(),
             1U);
