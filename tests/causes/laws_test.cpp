@@ -208,6 +208,11 @@ TEST(WrongGrasp, ConcernsOneRecordedGraspOfOneRouting) {
   EXPECT_EQ(actual_grasp(model, "M-1-T-2-F", hold({1})), Grasp{});
   EXPECT_EQ(actual_grasp(model, "M-1-T-2-F", hold({2})), hold({2}));
   EXPECT_EQ(actual_grasp(model, "M-1-T-2-M", hold({1})), hold({1}));
+  Subject other = subject;
+  other.recorded = hold({2});
+  const Model both =
+      model_with({effect("wrong_grasp", {}, subject), effect("wrong_grasp", {}, other)});
+  for (const int held : {1, 2}) EXPECT_EQ(actual_grasp(both, "M-1-T-2-F", hold({held})), Grasp{});
 }
 
 }  // namespace

@@ -158,6 +158,36 @@ TEST(CauseLibrary, UsesTheMembersOfTheSubjectThatItSays) {
   }
 }
 
+TEST(CauseLibrary, LeavesNoExponentBelowZero) {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Dice dice(seed);
+    for (const Cause* cause : cause_library()) {
+      const Effect effect = testing::random_effect(dice, *cause, Hardware{});
+      const ContactLoad load{ContactKind::sheath, dice.log_real(0.1, 100), 0, Direction::release};
+      Conditions conditions = testing::random_conditions(dice);
+      conditions.temperature_C = dice.real(-100, 300);
+      EXPECT_GE(cause->exponent(1, load, conditions, effect), 0) << effect_name(effect);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 2000);
+}
+
+// A recorded grasp may have been any other in which something closes; with five fingers and more,
+// one with at most one finger held.
+TEST(WrongGrasp, IsTriedAsEveryOtherGraspOfUpToFourFingers) {
+  for (const auto& [word, others] : {std::pair{"M-1-F", 0U},
+                                     {"M-1-T-2-F", 2U},
+                                     {"M-1-T-2-T-3-T-4-F", 14U},
+                                     {"M-1-T-2-T-3-T-4-T-5-F", 5U}}) {
+    const Network network = expand(parse_routing(word));
+    Survey survey;
+    survey.routings.push_back({word, &network, {Grasp{}}});
+    EXPECT_EQ(find_cause("wrong_grasp")->subjects(survey).size(), others) << word;
+  }
+}
+
 // Of sensors on every segment, where each tension is another one.
 std::vector<double> readings(const Model& model, const Network& network) {
   std::vector<Sensor> sensors;
