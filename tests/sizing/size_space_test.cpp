@@ -145,10 +145,14 @@ TEST(SizeSpace, BoundsOfOneDimensionRuleOverThoseOfAll) {
   EXPECT_EQ(space.variables[1].bounds.high, 3);
 }
 
+// It begins with the mean of what they are and stays within the bounds of all.
 TEST(SizeSpace, MakesOneVariableOfWhatStaysEqual) {
+  Hardware hardware;
+  for (int f = 1; f <= 3; ++f) hardware.fingers.push_back({f, {}, 1.0 + f * f, {}, {}, {}, {}});
   const SizeSpace space =
       space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9", "tip_angle=1..4", "tip_angle[3]=2..6"},
-               {"tips", "sheath_angle[2,3]"});
+               {"tips", "sheath_angle[2,3]"}, hardware);
+  EXPECT_DOUBLE_EQ(space.variables[2].nominal, 1 + (1 + 4 + 9) / 3.0);
   EXPECT_EQ(variables(space), "sheath_angle[1] sheath_angle[2,3] tip_angle[1,2,3]");
   EXPECT_EQ(space.variables[2].bounds.low, 2);
   EXPECT_EQ(space.variables[2].bounds.high, 4);
