@@ -1,6 +1,8 @@
 // Several routings, ranked before and after, and where they come from.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "catalog/catalogue.hpp"
 #include "studies/sizing_study.hpp"
 #include "tests/sizing/sizing_of.hpp"
@@ -39,6 +41,32 @@ TEST(SizingStudy, OfATargetRanksTheLeastMissFirst) {
   EXPECT_LT(report.designs[0].design.after.goal, report.designs[1].design.after.goal);
   EXPECT_TRUE(best_meets_target(report));
   EXPECT_FALSE(best_meets_target(ranked({"M-1-T-2-F"}, aiming("1=1,2=1", {"sheath_angle=3..9"}))));
+}
+
+SizingDetails details_of(const SizingOptions& options) {
+  return sizing_details(ranked({"M-1-T-2-F"}, options),
+                        read_catalogue(std::filesystem::path(REEVE_CATALOG_DIR)));
+}
+
+TEST(SizingDetails, AreShownInTheGraspsOfTheGoalAndOfATargetOfTheOpenHandInEachHeld) {
+  const std::vector<std::string> varied{"sheath_angle=3..9"};
+  for (SizingOptions options : {sizing("uniformity", varied), aiming("1=1,2=1", varied)}) {
+    EXPECT_EQ(details_of(options).sized.grasps.size(), 3U);
+    options.grasps = parse_grasps("1/2", 2);
+    EXPECT_EQ(details_of(options).before.grasps.size(), 2U);
+  }
+  SizingOptions open = sizing("uniformity", varied);
+  open.grasps = parse_grasps("none", 2);
+  EXPECT_EQ(details_of(open).sized.grasps.size(), 1U);
+}
+
+// Every tension goes with e^{-0.18 θ_s}: best is the least θ_s, and 1 % is lost by ln(1/0.99)/0.18
+// more of it, which lies beyond these bounds.
+TEST(SizingDetails, HaveProfilesAsFarAsBoundsAndToleranceReach) {
+  const SizingDetails details = details_of(sizing("efficiency", {"sheath_angle=3..3.05"}));
+  ASSERT_EQ(details.profiles.size(), 1U);
+  EXPECT_EQ(details.profiles[0].values.front(), 3);
+  EXPECT_NEAR(details.profiles[0].values.back(), 3 - std::log(0.99) / 0.18, 1e-3);
 }
 
 class ExploredDesigns : public ::testing::Test {
