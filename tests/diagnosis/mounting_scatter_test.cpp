@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/fit/mounted_comparison.hpp"
@@ -26,6 +27,25 @@ MeasuredData mounted_often() {
   plan.noise.mounted_exponent = 0.08;
   plan.runs = 9;
   return read_data(plant(plan, 11).csv);
+}
+
+// T1 = 20 e^{-φ_s (1 + x)} and T2 = T1 e^{-φ_t (1 + y)} by the capstan law; x² deviates by √2.
+TEST(MountingModes, OfTwoExponentsAreSecondDerivatives) {
+  constexpr double sheath = 0.36 * std::numbers::pi;
+  constexpr double tube = 0.18 * std::numbers::pi;
+  const Eigen::Array2d at{20 * std::exp(-sheath), 20 * std::exp(-sheath - tube)};
+  const MeasuredData data =
+      read_data("run,routing,direction,motor_tension_N,T1_N,T2_N\nA,M-1-F,pull,20,6,3\n");
+  Workers workers(1);
+  const MountingModes modes = mounting_modes(all_of(data), Model{}, workers);
+  ASSERT_EQ(modes.pairs.size(), 3U);
+  for (const MountingModes::Pair& pair : modes.pairs) {
+    Eigen::Array2d expected = pair.first == pair.second ? at / std::numbers::sqrt2 : at;
+    for (const Mounted kind : {pair.first, pair.second}) {
+      expected *= kind == Mounted::tube ? Eigen::Array2d{0, tube} : Eigen::Array2d{sheath, sheath};
+    }
+    EXPECT_TRUE(pair.by_shares_N.isApprox(expected.matrix(), 0.02)) << pair.by_shares_N;
+  }
 }
 
 struct Mountings {

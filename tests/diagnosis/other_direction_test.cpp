@@ -1,9 +1,11 @@
 // Directions that are written down the other way in one run of planted data.
 #include "diagnosis/verdict/other_direction.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/verdict/run_words.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
@@ -59,6 +61,20 @@ TEST(TheOtherDirection, IsNotSeenInOneRowOfTen) {
   MeasuredData data = planted_directions({}, 81);
   exchange(data, 0, 10);
   EXPECT_FALSE(odd_directions(data));
+}
+
+// Three rows of M-1-F, of which T1 = T_M e^{-0.36π} is forecast, read as if released; others, here
+// so many e-folds below the motor.
+std::optional<DataNote> beside_others(double below) {
+  std::string text = "run,routing,direction,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 8; ++i) text += fmt::format("A,M-1-F,pull,10,{}\n", 10 * std::exp(-below));
+  for (int i = 0; i < 3; ++i) text += fmt::format("B,M-1-F,pull,10,{}\n", 10 * std::exp(1));
+  return odd_directions(read_data(text));
+}
+
+TEST(TheOtherDirection, IsNotSeenWhereOtherRowsAreAsFarOff) {
+  EXPECT_TRUE(beside_others(1.1));
+  EXPECT_FALSE(beside_others(0));
 }
 
 // Whatever else is wrong with the rig.
