@@ -85,7 +85,20 @@ TEST(HandTables, OfTheExampleAreAHandOfThreeFingers) {
   EXPECT_TRUE(hardware.motor.force_N);
 }
 
+std::string hand_with(int joints) {
+  std::string list;
+  for (int i = 0; i < joints; ++i) list += (i == 0 ? "" : ", ") + joint;
+  return "[hand]\nforce_N = 5\njoints = [" + list + "]\n";
+}
+
+TEST(HandTables, HaveUpToSixteenJointsOfAFinger) {
+  EXPECT_EQ(hardware_of(hand_with(16)).finger_parts.joints.size(), 16U);
+}
+
 TEST(HandTables, NameThePlaceOfAMistake) {
+  const std::string not_so_many =
+      "hand.joints = (an array): expected from 1 to 16 joints, such as [{ arm_mm = 9, range_deg = "
+      "80, lever_mm = 75 }]";
   const std::string in_joint = "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, ";
   const std::vector<Mistake> mistakes = {
       {in_joint + "lever_mm = 0 }]\n",
@@ -103,9 +116,8 @@ TEST(HandTables, NameThePlaceOfAMistake) {
       {in_joint + "lever = 60 }]\n",
        "h.toml:3:41: unknown key 'hand.joints[1].lever': expected one of arm_mm, range_deg, "
        "lever_mm, spring_Nmm_rad, rest_deg, held_deg"},
-      {"[hand]\nforce_N = 5\njoints = []\n",
-       "h.toml:3:10: hand.joints = (an array): expected from 1 to 16 joints, such as [{ arm_mm = "
-       "9, range_deg = 80, lever_mm = 75 }]"},
+      {hand_with(0), "h.toml:3:10: " + not_so_many},
+      {hand_with(17), "h.toml:3:10: " + not_so_many},
       {"[hand]\nforce_N = 5\njoints = [8]\n", "h.toml:3:11: hand.joints[1] = 8: expected a table"},
       {"[hand]\nforce_N = -5\njoints = [" + joint + "]\n",
        "h.toml:1:2: hardware: hand.force_N = -5: expected a number from 0 to 100000 N"},
