@@ -171,10 +171,11 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   expect_bad(explore({}), start + "it is a folder; expected the file of a store");
   fs::remove(store());
   EXPECT_EQ(explore({}).exit_code, 0);
-  execute(store(), "PRAGMA user_version = 7");
-  expect_bad(explore({}), start +
-                              "it is a store of version 7; expected version 3, which this "
-                              "program reads");
+  for (const std::string other : {"2", "7"}) {
+    execute(store(), "PRAGMA user_version = " + other);
+    expect_bad(explore({}), start + "it is a store of version " + other +
+                                "; expected version 3, which this program reads");
+  }
   expect_bad(run({"explore", "--store", "no/s.db"}),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");
 }
@@ -267,6 +268,7 @@ TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
         "DELETE FROM " + name + "; INSERT INTO " + name + " SELECT * FROM other." + name + ";";
   }
   for (const std::string& sql : {std::string("UPDATE about SET value = 'all' WHERE key = 'keep'"),
+                                 std::string("UPDATE settings SET value = '7' WHERE key = 'top'"),
                                  rows_of_another + all_tables}) {
     SCOPED_TRACE(sql);
     fs::copy_file(folder_.path() / "whole.db", store(), fs::copy_options::overwrite_existing);
@@ -281,12 +283,22 @@ TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
 }
 
 // What is saved in a file that has no name any more is lost.
-TEST_F(Stored, NoticesThatItIsRemoved) {
-  const ProcessResult result = explore(
-      some_work,
-      disturbed(0, [&](const RunningProcess&) { return generated() > 0 && fs::remove(store()); }),
-      {"--threads", "1"});
-  expect_bad(result, "s.db: somebody removed or replaced it while explore was writing it");
+TEST_F(Stored, NoticesThatItIsRemovedOrReplaced) {
+  const auto remove = [&] { fs::remove(store()); };
+  const auto replace = [&] {
+    fs::copy_file(store(), folder_.path() / "copy.db");
+    fs::rename(folder_.path() / "copy.db", store());
+  };
+  for (const std::function<void()>& change : {std::function<void()>(remove), {replace}}) {
+    const auto once_saved = [&](const RunningProcess&) {
+      if (generated() == 0) return false;
+      change();
+      return true;
+    };
+    expect_bad(explore(some_work, disturbed(0, once_saved), {"--threads", "1"}),
+               "s.db: somebody removed or replaced it while explore was writing it");
+    fs::remove(store());
+  }
 }
 
 // As a kill does within a transaction that has a journal: rows are changed, and to be changed back.
