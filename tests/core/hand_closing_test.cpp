@@ -57,6 +57,8 @@ TEST(HandClosing, OfRoutingsWorkedByHand) {
       {"M-Y1+F-1-Y1-2x", {12, 20}, (2 * 12 + 20) / 2.0, {1, 1}},
       // Two tendons over one block: the one with less to give stops it.
       {"M-Y1+1x-Y1-2x+3x-Y1-4x", {12, 20, 14, 30}, 16, {1, 1, -1, -1}},
+      // And the finger on the block's own tendon goes on.
+      {"M-5-Y1+1x-Y1-2x+3x-Y1-4x", {12, 20, 14, 30, 50}, 16 + 2 * 50, {1, 1, -1, -1, 1}},
   };
   for (const ClosedForm& expected : cases) {
     SCOPED_TRACE(expected.word);

@@ -114,6 +114,19 @@ TEST(StrokeReach, OfOneTendonIsInProportion) {
   EXPECT_NEAR(all.stroke_reach->stroke_mm, whole, 1e-9);
 }
 
+// Of fingers 1 to 4 over one block and of finger 5, which goes on when that stands still.
+TEST(StrokeReach, IsOneOfAllItsStretches) {
+  std::vector<FingerParts> fingers(4, simple_finger(8, 90, 60, 5));
+  fingers[0] = simple_finger(4, 90, 60, 5);
+  fingers.push_back(simple_finger(80, 90, 60, 5));
+  const std::string word = "M-5-Y1+1x-Y1-2x+3x-Y1-4x";
+  const double whole = reach_of(word, hand_of(fingers)).demand.stroke_mm;
+  for (const double part : {0.3, 0.9}) {
+    const ShownHand hand = reach_of(word, with_motor(hand_of(fingers), 20, part * whole));
+    EXPECT_NEAR(hand.stroke_reach->stroke_mm, part * whole, 1e-9);
+  }
+}
+
 // But for rounding: none of them closes least.
 TEST(StrokeReach, NamesAllThatCloseAlike) {
   const std::string file = std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml";
