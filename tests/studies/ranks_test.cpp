@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -163,7 +164,7 @@ TEST(Ranks, ThatIsStoppedHasTheBeginning) {
   EXPECT_EQ(stopped.rejected.front().count + stopped.evaluated, stopped.generated);
 }
 
-template <typename Failure>
+template <typename Thrown, typename Failure>
 std::string told_by_the_second(const Failure& failure) {
   try {
     with_ranks(
@@ -177,17 +178,18 @@ std::string told_by_the_second(const Failure& failure) {
           follower.report_failure(failure);
           follower.go_home();
         });
-  } catch (const Failure& error) {
+  } catch (const Thrown& error) {
     return error.what();
   }
   return "(nothing)";
 }
 
 TEST(Ranks, HearsWhatFailed) {
-  EXPECT_EQ(told_by_the_second(InputError("h.toml: cannot be read")),
+  EXPECT_EQ(told_by_the_second<InputError>(InputError("h.toml: cannot be read")),
             "rank 1 of 2: h.toml: cannot be read");
-  EXPECT_EQ(told_by_the_second(OutOfRange("no tensions")), "no tensions");
-  EXPECT_EQ(told_by_the_second(FollowerFailed("a fault")), "rank 1 of 2: a fault");
+  EXPECT_EQ(told_by_the_second<OutOfRange>(OutOfRange("no tensions")), "no tensions");
+  EXPECT_EQ(told_by_the_second<FollowerFailed>(FollowerFailed("a fault")), "rank 1 of 2: a fault");
+  EXPECT_EQ(told_by_the_second<FollowerFailed>(std::bad_alloc()), "rank 1 of 2: not enough memory");
 }
 
 TEST(Ranks, HasReadTheSame) {
