@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_method.hpp"
 #include "tests/pages/explored.hpp"
 
@@ -35,6 +36,16 @@ TEST(ExplorationWords, NameTheFirstAndWhy) {
   expect_says(words.won, "of those with the same product it needs fewest parts");
   expect_says(words.won, "the next of these, K2, has rank 16: 13 designs dominate it");
   expect_says(words.won, "Next comes 1-P-2b-P-1, which equals it in these");
+}
+
+// One of a part is said, none of it is not.
+TEST(ExplorationAnswer, CountsThePartsOfTheFirst) {
+  ExploreOptions options = small_options();
+  options.constraints.push_back(parse_constraint("pulleys==1"));
+  const ExploreReport report = explored(options);
+  const std::string values =
+      pages::answer_body(report, testing::view(report).solve)["slots"][0]["values"];
+  EXPECT_EQ(values.substr(values.find(';')), "; 2 sheaths, 1 pulley") << values;
 }
 
 TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {

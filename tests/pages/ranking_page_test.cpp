@@ -87,7 +87,9 @@ TEST(RankingPage, DrawsEachRoutingInEachGrasp) {
 }
 
 TEST(RankingPage, SaysWhatUncertaintyAndMarginsFind) {
-  const Ranked ranked({"TR3", "TR7", "--uncertainty", "--draws", "20", "--margin"});
+  const Ranked ranked({"TR1", "TR3", "TR7", "--uncertainty", "--draws", "20", "--margin"});
+  // TR1 has a third of TR7's uniformity, TR3 half of it.
+  EXPECT_NE(ranked.html.find("it is least over TR3, "), std::string::npos);
   for (const char* part : {"id=\"ranks\"", "id=\"margins-table\"", "id=\"ranges-table\"",
                            "first in 100.0 % of the draws", "20 draws, seed 1"}) {
     EXPECT_NE(ranked.html.find(part), std::string::npos) << part;
@@ -124,7 +126,11 @@ TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
   EXPECT_NE(catalogue().html.find("<code>--uncertainty</code> and <code>--margin</code> do."),
             std::string::npos);
   const Ranked plain({"--catalog", "--objectives", "uniformity,sheaths"});
-  EXPECT_NE(plain.html.find("Among them the product of both means decides."), std::string::npos);
+  // With four sheaths, two and one; TR2 is less uniform than TR3.
+  EXPECT_NE(plain.html.find("4 routings are on the Pareto front, none of which is better than "
+                            "another in all objectives chosen: TR7, TR3, TR6, TR1. Among them the "
+                            "product of both means decides."),
+            std::string::npos);
   EXPECT_NE(plain.html.find("<code>--uncertainty</code> does."), std::string::npos);
   const Ranked scored(
       {"--catalog", "--objectives", "uniformity,sheaths", "--score", "uniformity=1"});

@@ -94,6 +94,42 @@ TEST(SizingPage, DrawsTheGoalOfTheFileAgainstEachDimension) {
   }
 }
 
+// "alone: 2 to 2.05"
+std::pair<double, double> ends(const ReadMark& band) {
+  const std::string text = band.title.substr(band.title.find(": ") + 2);
+  return {std::stod(text), std::stod(text.substr(text.find(" to ") + 4))};
+}
+
+// A tolerance of nothing, and one of all at once, reach to the end of the profile at most.
+void expect_tolerances_drawn(const SizedPage& page) {
+  const std::vector<ReadPanel> panels = read_chart(page.figure("profiles.svg"));
+  const Json& design = page.json["designs"][0];
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Json& dimension = design["dimensions"][i];
+    const Json& values = page.json["details"]["profiles"][i]["values"];
+    const double sized = dimension["sized"];
+    const auto end = [&](const Json& way, double sign, const Json& last) {
+      return way.is_null() ? last.get<double>() : sized + sign * way.get<double>();
+    };
+    const auto [low, high] = ends(panels[i].marks("bands", "may be off so far alone").at(0));
+    EXPECT_NEAR(low, end(dimension["tolerance"]["less"], -1, values.front()), 1e-3 * sized);
+    EXPECT_NEAR(high, end(dimension["tolerance"]["more"], 1, values.back()), 1e-3 * sized);
+    const Json& ways = dimension["tolerance_together"];
+    const auto [least, most] = ends(panels[i].marks("bands", "all at once").at(0));
+    EXPECT_NEAR(least, std::max<double>(sized - ways["less"].get<double>(), values.front()),
+                1e-3 * sized);
+    EXPECT_NEAR(most, std::min<double>(sized + ways["more"].get<double>(), values.back()),
+                1e-3 * sized);
+  }
+}
+
+// At a bound, and in between, where they are farther on one side than on the other.
+TEST(SizingPage, DrawsTheTolerancesOfTheFileOnEachSide) {
+  expect_tolerances_drawn(hand_page());
+  expect_tolerances_drawn(SizedPage({"TR4", "--target", "1=2,others=1", "--vary", "tip_angle=1..4",
+                                     "--vary", "sheath_angle=3..9", "--nominal"}));
+}
+
 TEST(SizingPage, HasTheMotorThatShowGivesWithTheSizedHardware) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "h.toml").string();
