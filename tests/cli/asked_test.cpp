@@ -1,0 +1,45 @@
+// What options ask for, as values: the subcommands for callers that are no shell.
+#include "cli/asked/asked.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/grasp.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace reeve::testing {
+namespace {
+
+using cli::Arguments;
+
+SizingOptions sizing_asked(Arguments arguments) {
+  arguments.insert(arguments.end(), {"--nominal", "--starts", "1", "--evaluations", "10"});
+  return cli::asked_sizing(arguments, {}).options;
+}
+
+TEST(AskedSizing, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
+  const Arguments target{"TR1", "--vary", "tip_angle=1..4", "--target", "1=2,others=1"};
+  EXPECT_EQ(to_text(sizing_asked(target).grasps), "none");
+  Arguments held = target;
+  held.insert(held.end(), {"--grasps", "1/2"});
+  EXPECT_EQ(to_text(sizing_asked(held).grasps), "1/2");
+}
+
+// Bounds that are given stand for those of the file, and with them for what it keeps equal.
+TEST(AskedSizing, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n").string();
+  const Arguments of_file{"TR1", "--hardware", file};
+  for (const auto& [given, variables] : {std::pair<Arguments, std::size_t>{{}, 1},
+                                         {{"--vary", "tip_angle=1..3"}, 2},
+                                         {{"--vary", "tip_angle=1..3", "--same", "tips"}, 1}}) {
+    Arguments arguments = of_file;
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    const SizingOptions options = sizing_asked(arguments);
+    EXPECT_EQ(options.same.size(), 2 - variables);
+    EXPECT_EQ(options.varied.at(0).bounds.high, given.empty() ? 4 : 3);
+  }
+}
+
+}  // namespace
+}  // namespace reeve::testing
