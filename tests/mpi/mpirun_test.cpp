@@ -1,10 +1,12 @@
 // `mpirun -n N reeve`: the same bytes as one process, and one clear error where that cannot be.
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <csignal>
 #include <fstream>
 #include <regex>
 
+#include "numerics/processes.hpp"
 #include "tests/integration/stored.hpp"
 
 namespace reeve::testing {
@@ -143,6 +145,43 @@ TEST_F(Mpirun, SaysTheBadOptionOfOneThatFollows) {
   EXPECT_NE(result.err.find(": The following argument was not expected: --bogus; see reeve --help"),
             std::string::npos)
       << result.err;
+}
+
+// The cores that this process may run on.
+std::vector<int> cores() {
+  cpu_set_t mine;
+  CPU_ZERO(&mine);
+  ::sched_getaffinity(0, sizeof mine, &mine);
+  std::vector<int> result;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &mine)) result.push_back(core);
+  }
+  return result;
+}
+
+// Ranks 0 and 1 stand on one core and rank 2 on another, in three processes of this test.
+TEST_F(Mpirun, CountsTheProcessesOnTheSameCores) {
+  const char* chosen = std::getenv("CORES");
+  if (chosen == nullptr) {
+    const std::vector<int> mine = cores();
+    if (mine.size() < 2) GTEST_SKIP() << "there is but one core";
+    ProcessOptions options;
+    options.environment["CORES"] = std::to_string(mine.front()) + " " + std::to_string(mine.back());
+    const ProcessResult result = run_together(
+        3, {fs::read_symlink("/proc/self/exe").string(), "--gtest_filter=Mpirun.Counts*"}, options);
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    return;
+  }
+  std::istringstream numbers(chosen);
+  std::vector<int> two(std::istream_iterator<int>(numbers), {});
+  const bool is_apart = launch_in_environment().rank == 2;
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(two.at(is_apart ? 1 : 0), &one);
+  ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
+  const auto processes = connected_processes(REEVE_MPI_MODULE);
+  EXPECT_EQ(processes->sharing_cores(), is_apart ? 1 : 2);
+  processes->finish();
 }
 
 TEST_F(Mpirun, AloneRunsAnything) {
