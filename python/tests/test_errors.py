@@ -36,6 +36,7 @@ def test_a_range_has_its_value_and_what_was_expected():
 @pytest.mark.parametrize(("call", "said"), [
     (lambda: reeve.explore(fingers="two"), "fingers: expected int, not 'two'"),
     (lambda: reeve.explore(fingers=2.0), "fingers: expected int, not 2.0"),
+    (lambda: reeve.explore(fingers=True), "fingers: expected int, not True"),
     (lambda: reeve.explore(uncertainty=1), "uncertainty: expected bool, not 1"),
     (lambda: reeve.explore(constraints=[5]), "constraints: expected str or sequence of str"),
     (lambda: reeve.explore(hardware=5), "hardware: expected str, path or Hardware, not 5"),
@@ -80,7 +81,7 @@ ONE, TWO = np.int64(1), np.int32(2)
 
 
 @pytest.mark.parametrize(("held", "same"), [
-    (ONE, 1), (np.array([1, 2]), [1, 2]),
+    (ONE, 1), (np.array([1, 2]), "1,2"), ([1, 2], "1,2"),
     ([ONE, "none"], [1, "none"]), ([[ONE, TWO], ONE], ["1,2", "1"]),
 ])
 def test_fingers_of_numpy_are_fingers(held, same):
@@ -89,7 +90,9 @@ def test_fingers_of_numpy_are_fingers(held, same):
 
 
 @pytest.mark.filterwarnings("ignore::reeve.Notice")
-@pytest.mark.parametrize(("held", "same"), [(ONE, 1), (np.array([1, 2]), "1;2"), ([TWO], "2")])
+@pytest.mark.parametrize(("held", "same"), [
+    (ONE, 1), (np.array([1, 2]), "1;2"), ([TWO], "2"), ([], "none"),
+])
 def test_a_log_holds_fingers_of_numpy(root, held, same):
     log = pd.read_csv(root / "tests/golden/log.csv", comment="#").drop(columns="held")
     ours, theirs = reeve.import_log(log, held=held), reeve.import_log(log, held=same)

@@ -40,6 +40,12 @@ def test_one_line_says_what_it_is(diagnosis, simulated, sized):
     assert repr(reeve.check(family="paper")).endswith(" numbers, 0 of them differ>")
 
 
+def test_a_front_is_the_first_front():
+    ranked = reeve.rank("TR1", "TR2", "TR3", "TR7", objectives=["uniformity", "sheaths"])
+    assert list(ranked.front["name"]) == ["TR7", "TR3", "TR1"]
+    assert list(ranked.designs["front"]) == [1, 1, 1, 2]
+
+
 def test_sizes_are_frames(sized):
     designs, dimensions = sized.designs, sized.dimensions
     assert list(designs["rank"]) == [1, 2] and list(designs["name"]) == ["TR7", "TR5"]

@@ -191,6 +191,11 @@ def test_axes_that_were_not_asked_for_are_not_there():
     assert isinstance(reeve.tensions("TR7", named=False), np.ndarray)
 
 
+def test_grasps_stand_along_their_axis_as_they_can_be_said():
+    along = reeve.tensions("TR7", held=[[1, 2], [1], []]).coords["held"]
+    assert np.asarray(along).tolist() == ["1,2", "1", "none"]
+
+
 def test_axes_keep_the_names_of_xarray():
     xarray = pytest.importorskip("xarray")
     mu = xarray.DataArray([0.1, 0.2], dims="lining")
