@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pages/diagnosis/diagnosis_labels.hpp"
 #include "tests/pages/diagnosed.hpp"
 #include "tests/support/svg.hpp"
 
@@ -64,6 +65,32 @@ TEST(DiagnosisPage, DoesNotSayThatNothingIsWrongWhereWeakStructureRemains) {
   const std::string page = diagnosis_html(report);
   EXPECT_FALSE(contains(page, "Nothing is wrong"));
   EXPECT_TRUE(contains(page, "No cause is named, and weak structure remains</h2>"));
+}
+
+TEST(DiagnosisPage, AsksForALookAtRowsThatReadOtherwise) {
+  for (const NoteKind kind : {NoteKind::other_direction, NoteKind::far_together}) {
+    DiagnosisReport report = plain_report();
+    report.result.notes.push_back({kind, "", {}});
+    EXPECT_EQ(pages::verdict_label(report).words,
+              "No cause is named, but some readings are to be looked at first");
+  }
+}
+
+TEST(WeighedModels, StandAsTheAnswerSays) {
+  DiagnosisResult result;
+  for (const char* name : {"tube_friction", "wear"}) {
+    result.causes.emplace_back().name = name;
+  }
+  result.indistinguishable = {{"tube_friction", "temperature"}};
+  result.not_confirmed = {"pretension"};
+  for (const auto& [model, standing] :
+       {std::pair<std::vector<std::string>, std::string>{{"tube_friction", "wear"}, "named"},
+        {{"temperature", "wear"}, "cannot be told from it"},
+        {{"temperature", "tube_friction", "wear"}, "weighed"},
+        {{"pretension"}, "not confirmed"},
+        {{"pretension", "wear"}, "weighed"}}) {
+    EXPECT_EQ(pages::standing(result, model), standing);
+  }
 }
 
 TEST(DiagnosisPage, SaysWhereTheNoiseIsEstimatedTooHigh) {

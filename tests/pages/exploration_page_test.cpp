@@ -10,6 +10,7 @@
 #include <string>
 
 #include "pages/exploration/exploration_designs.hpp"
+#include "pages/exploration/exploration_tables.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 
@@ -258,6 +259,67 @@ TEST(PageDesigns, StandInColumnsOfOneLength) {
     EXPECT_EQ(columns["kind"][i], static_cast<int>(designs[i].kind));
     EXPECT_NEAR(columns["values"][2][i], designs[i].values[2], 1e-8);
   }
+}
+
+TEST(PageDesigns, HaveTheirDrawsAndBandsInColumns) {
+  PageDesign design;
+  design.distribution = RankDistribution{0.125, 2, 3, 4};
+  design.bands = {{Objective::uniformity_mean, {0.375, 0.25, 0.5}}};
+  const Json drawn = design_columns({design}, {})["distribution"];
+  for (const auto& [name, value] :
+       {std::pair{"first", 0.125}, {"median", 2}, {"low", 3}, {"high", 4}}) {
+    EXPECT_EQ(drawn[name], Json({value})) << name;
+  }
+  const std::vector<Objective> shown{Objective::uniformity_mean};
+  EXPECT_EQ(band_columns({design}, shown, shown)[0], Json({{"low", {0.25}}, {"high", {0.5}}}));
+}
+
+TEST(PageObjectives, SayWhichWayIsBetterAndCountBlocksAndCostWhereThereAreAny) {
+  const Json json = objectives_json({Objective::uniformity_mean, Objective::travel});
+  EXPECT_EQ(json[0]["better"], "higher");
+  EXPECT_EQ(json[1]["better"], "lower");
+  ExploreReport report;
+  report.options = small_options();
+  const auto has = [&](Objective objective) {
+    const std::vector<Objective> shown = page_objectives(report);
+    return std::count(shown.begin(), shown.end(), objective) == 1;
+  };
+  EXPECT_FALSE(has(Objective::blocks) || has(Objective::cost));
+  report.options.generator.parts.blocks = 1;
+  report.options.prices.emplace();
+  EXPECT_TRUE(has(Objective::blocks) && has(Objective::cost));
+}
+
+// Fifty designs at least, and the whole front of up to two hundred.
+TEST(StaticTables, HaveTheFrontAndTheFirstDesigns) {
+  for (const auto& [designs, rows] : {std::pair{1'000U, 50U}, {10'000U, 100U}, {30'000U, 200U}}) {
+    EXPECT_EQ(pages::static_tables(testing::large(designs))["rows"].size(), rows) << designs;
+  }
+}
+
+TEST(StaticTables, WriteSharesWithFourDecimalsAndCostsAsTheyAre) {
+  ExploreReport report = testing::large(100);
+  report.options.prices.emplace();
+  value_of(report.top[0], Objective::cost) = 0.5;
+  value_of(report.top[0], Objective::uniformity_mean) = 0.5;
+  report.top[0].distribution->first = 0.25;
+  const Json row = pages::static_tables(report)["rows"][0]["cells"];
+  const std::size_t objectives = page_objectives(report).size();
+  EXPECT_EQ(row[0], "0.5000");
+  EXPECT_EQ(row[objectives - 1], "0.5");
+  EXPECT_EQ(row[objectives], "25.0 %");
+}
+
+TEST(StaticTables, HaveTheBestByEachObjectiveBesideTheFirst) {
+  const Json bests = pages::static_tables(explored(small_options()))["bests"];
+  const auto best = std::find_if(bests.begin(), bests.end(), [](const Json& json) {
+    return json["title"] == "force transmission";
+  });
+  ASSERT_NE(best, bests.end());
+  EXPECT_EQ((*best)["design"], "M-1b-B-2b-F");
+  // Four strands of e^{-0.36π} with a bearing between each two; those of TR7 have a quarter each.
+  EXPECT_EQ((*best)["value"], "1.2848");
+  EXPECT_EQ((*best)["first"], "0.3227");
 }
 
 TEST(PageDesigns, NameTheDesignThatStandsForThem) {

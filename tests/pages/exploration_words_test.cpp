@@ -45,7 +45,35 @@ TEST(ExplorationAnswer, CountsThePartsOfTheFirst) {
   const ExploreReport report = explored(options);
   const std::string values =
       pages::answer_body(report, testing::view(report).solve)["slots"][0]["values"];
-  EXPECT_EQ(values.substr(values.find(';')), "; 2 sheaths, 1 pulley") << values;
+  EXPECT_EQ(values, "uniformity mean 0.567, efficiency mean 0.253; 2 sheaths, 1 pulley");
+}
+
+TEST(ExplorationAnswer, AdvisesADesignOnceIfItIsAffordableAndTheKnee) {
+  ExploreReport report = explored(small_options());
+  report.ladder.affordable = report.ladder.rungs[0];
+  for (const auto& [knee, labels] :
+       {std::pair<std::size_t, std::vector<std::string>>{0, {"within 2 %, knee"}},
+        {1, {"within 2 %", "knee"}}}) {
+    report.ladder.ladder.knee = knee;
+    std::vector<std::string> advised;
+    for (const auto& design : pages::advised_designs(report)) advised.push_back(design.label);
+    EXPECT_EQ(advised, labels);
+  }
+}
+
+TEST(ExplorationWords, SayWhatWasCountedAndWhatHasItsOwnFriction) {
+  ExploreReport report = explored(small_options());
+  expect_says(pages::explored_words(report), "; any number of tendons; fingers count as alike.");
+  expect_says(pages::explored_words(report), "sheaths μ 0.18 over 6.283 rad. ");
+  report.options.generator.one_tendon = true;
+  report.options.generator.identity = FingerIdentity::distinct;
+  Hardware& hardware = report.options.model.hardware;
+  hardware.block = ContactLaw{0.25, 3};
+  hardware.contacts.push_back({"T1", "T2", 0.1, {}});
+  expect_says(pages::explored_words(report), "; one tendon; fingers are told apart.");
+  expect_says(pages::explored_words(report),
+              ", floating blocks μ 0.25 over 3 rad. 0 fingers and 1 contact have values of their "
+              "own.");
 }
 
 TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {
@@ -139,6 +167,46 @@ TEST(ExplorationWords, SayHowSureTheOrderIs) {
   const ExplorationWords words = exploration_words(report);
   expect_says(words.changes, "drawn 200 times from their ranges, 1-P-2-P-1 stays first in 25.0 %");
   expect_says(words.changes, report.top[3].ranked.design.word + " is first most often: in 75.0 %.");
+  EXPECT_EQ(joined(words.changes).find("it shares first place"), std::string::npos);
+  report.top[0].distribution->first_shared = 0.125;
+  report.top[0].constraints_met = 0.5;
+  const ExplorationWords more = exploration_words(report);
+  expect_says(more.changes, "In 12.5 % it shares first place with designs that equal it.");
+  expect_says(more.changes, "in 50.0 % of the draws it meets all of them.");
+}
+
+TEST(ExplorationWords, CountDesignsOfTheFrontThatAreNotListed) {
+  ExploreReport report = explored(small_options());
+  report.result.front_equals_left_out = 4;
+  expect_says(exploration_words(report).won, "It is one of 7 designs on the Pareto front");
+}
+
+TEST(ExplorationWords, SayWhereKnownRoutingsStand) {
+  ExploreReport report = explored(small_options());
+  std::vector<ReferenceStanding>& known = report.result.references;
+  known[0].rank = 5;
+  known[1].rank = 4;
+  known[1].dominated_by = 1;
+  expect_says(exploration_words(report).won,
+              "It is a known routing; the next of these, K2, has rank 4: 1 design dominates it");
+  known = {known[2]};
+  expect_says(exploration_words(report).won,
+              "It is a known routing; no other of these is among the listed designs.");
+  known[0].rank = 0;
+  expect_says(exploration_words(report).won,
+              "None of the known routings is among the listed designs.");
+}
+
+TEST(ExplorationWords, NameTheFirstOnlyWhereItStaysFirst) {
+  const ExploreReport report = explored(small_options());
+  const std::string changes = joined(exploration_words(report).changes);
+  EXPECT_NE(changes.find("1-P-2-P-1 stays first, or equal to the first, by "), std::string::npos);
+  EXPECT_EQ(changes.find("(1-P-2-P-1)"), std::string::npos) << changes;
+}
+
+// Of the whole, no part of it.
+TEST(ExplorationWords, WarnOfNothingThatIsNotSo) {
+  EXPECT_EQ(joined(exploration_words(explored(small_options())).caveats), "");
 }
 
 TEST(ExplorationWords, HaveNothingToSayOfAnEmptyList) {

@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "pages/ranking/distribution_figure.hpp"
+#include "pages/ranking/distribution_notes.hpp"
 #include "tests/pages/ranked.hpp"
+#include "tests/support/svg.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -48,6 +51,57 @@ std::vector<double> closed_form(const std::string& name, double mu) {
   for (const double tension : t) sum += tension;
   for (double& tension : t) tension /= sum;
   return t;
+}
+
+// Of TR1 with finger 1 held, twice.
+TensionDistributions of_three_readings() {
+  TensionDistribution one;
+  one.kind = FrictionKind::coefficient;
+  one.tube_mu = 0.18;
+  one.grasp = hold({1});
+  RoutingShares& tr1 = one.routings.emplace_back();
+  tr1.word = "M-1-T-2-F";
+  tr1.name = "TR1";
+  tr1.published_source = "Table I";
+  tr1.readings = 3;
+  for (const char* strand : {"T1", "T2", "T3", "T4"}) {
+    tr1.strands.push_back({strand, 0.25, PublishedShare{0.3, "a slip"}, MeasuredShare{0.2, 0.1}});
+  }
+  return {{one, one}, SharedData{"d.csv", false, {}}, 0};
+}
+
+TEST(FigureNine, SaysWhatItsBarsAreMeansOf) {
+  TensionDistributions distributions = of_three_readings();
+  const auto first_bar = [&] {
+    return read_chart(distribution_figures(distributions).at(0).svg)
+        .front()
+        .marks("bars")
+        .at(0)
+        .title;
+  };
+  EXPECT_EQ(first_bar(), "T1, measured: 20.0 %, mean of 3 readings");
+  distributions.list[0].routings[0].readings = 1;
+  EXPECT_EQ(first_bar(), "T1, measured: 20.0 %");
+}
+
+TEST(FigureNine, ReadsItsNumbersOutInWords) {
+  TensionDistributions distributions = of_three_readings();
+  const Figure figure = distribution_figures(distributions).at(0);
+  EXPECT_NE(figure.svg.find("sheaths 0.18, model: TR1 25 25 25 25 %;"), std::string::npos);
+  EXPECT_EQ(figure.caption.find("sensors"), std::string::npos);
+  distributions.list[1].sensors_differ = true;
+  EXPECT_NE(
+      distribution_figures(distributions)
+          .at(0)
+          .caption.find("What is wrong with the sensors is in the bars and not in the lines."),
+      std::string::npos);
+}
+
+// However many rows draw it.
+TEST(FigureNine, NamesEachSourceAndEachFaultOnce) {
+  const std::string notes = distribution_notes(of_three_readings());
+  EXPECT_EQ(count(notes, "TR1: Table I"), 1U);
+  EXPECT_EQ(count(notes, "a slip"), 4U);
 }
 
 TEST(FigureNine, DrawsTheClosedFormsAsTheModel) {
