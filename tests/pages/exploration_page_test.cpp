@@ -261,17 +261,14 @@ TEST(PageDesigns, StandInColumnsOfOneLength) {
   }
 }
 
-TEST(PageDesigns, HaveTheirDrawsAndBandsInColumns) {
+TEST(PageDesigns, HaveTheirDrawsInColumns) {
   PageDesign design;
   design.distribution = RankDistribution{0.125, 2, 3, 4};
-  design.bands = {{Objective::uniformity_mean, {0.375, 0.25, 0.5}}};
   const Json drawn = design_columns({design}, {})["distribution"];
   for (const auto& [name, value] :
        {std::pair{"first", 0.125}, {"median", 2}, {"low", 3}, {"high", 4}}) {
     EXPECT_EQ(drawn[name], Json({value})) << name;
   }
-  const std::vector<Objective> shown{Objective::uniformity_mean};
-  EXPECT_EQ(band_columns({design}, shown, shown)[0], Json({{"low", {0.25}}, {"high", {0.5}}}));
 }
 
 TEST(PageObjectives, SayWhichWayIsBetterAndCountBlocksAndCostWhereThereAreAny) {

@@ -68,6 +68,12 @@ TEST(FigureNames, OfMechanismsThatShareANameHaveTheirWordsBeside) {
             (Stems{"Hand_M-1-F", "Hand_M-1-M"}));
 }
 
+TEST(GraspWords, NameTheHeldFingers) {
+  EXPECT_EQ(grasp_words(Grasp{}), "no finger held");
+  EXPECT_EQ(grasp_words(hold({2})), "finger 2 held");
+  EXPECT_EQ(grasp_words(hold({1, 3})), "fingers 1, 3 held");
+}
+
 ShownRouting solved(const std::string& word, const Hardware& hardware) {
   return shown_routing(parse_routing(word), {hardware}, {{hold({1}), 1}}, Direction::pull,
                        shipped_catalogue());
@@ -92,6 +98,10 @@ TEST(FigureCaptions, SayWhatOfWhichPartsAndThatItWasComputed) {
 TEST(FigureCaptions, SayWhereARoutingJamsAndThatAModelHasEffects) {
   ShownRouting shown = solved("M-1-F+M-2-F", {});
   EXPECT_NE(schematic_caption(shown, shown.grasps.front()).find("(it jams)"), std::string::npos);
+  Hardware& hardware = shown.model.hardware;
+  hardware.contacts.resize(1);
+  EXPECT_NE(coefficients_text(shown.model).find(", others at 1 contact"), std::string::npos);
+  EXPECT_EQ(coefficients_text(shown.model).find("contacts"), std::string::npos);
   shown.model.effects.resize(2);
   EXPECT_NE(coefficients_text(shown.model).find("and 2 effects of a model"), std::string::npos);
 }

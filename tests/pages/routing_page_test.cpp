@@ -66,6 +66,13 @@ TEST(RoutingPage, DrawsTheSchematicOfEachGraspHereAndAsAFile) {
   EXPECT_TRUE(read_text(shown.folder.path() / "figures" / "tensions.svg").starts_with("<svg "));
 }
 
+TEST(RoutingPage, SaysHowUniformAndEfficientItIsOnAverageAndAtWorst) {
+  const Shown shown({"TR5"});
+  EXPECT_NE(shown.html.find("Over the grasps below its mean uniformity is 0.356 (worst 0.034) and "
+                            "its mean efficiency 0.142 (worst 0.052)."),
+            std::string::npos);
+}
+
 TEST(RoutingPage, SaysHowItIsWrittenAndMade) {
   const Shown shown({"F-2-T-1-M"});
   EXPECT_TRUE(shown.has("<h1>TR1: <code>F-2-T-1-M</code></h1>"));

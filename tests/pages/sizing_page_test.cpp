@@ -1,4 +1,5 @@
 // The page of `size --out`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +52,20 @@ TEST(SizingPage, AnswersWithDimensionsTolerancesAndTheMotor) {
     EXPECT_TRUE(page.has(part)) << part;
   }
   for (const Json& dimension : page.json["designs"][0]["dimensions"]) {
-    EXPECT_TRUE(page.has(">" + dimension["dimension"].get<std::string>() + "<"));
+    EXPECT_TRUE(page.has(fmt::format(
+        "{}</th><td>{:+.4g}</td><td>{:+.4g}</td>", dimension["dimension"].get<std::string>(),
+        dimension["slope"]["less"].get<double>(), dimension["slope"]["more"].get<double>())))
+        << dimension;
+  }
+  const auto motor = [&](const char* hand, const char* key) {
+    return page.json["details"][hand]["hand"]["motor"][key].get<double>();
+  };
+  for (const auto& [row, key] :
+       {std::pair{"force</th><td class=\"left short\">N", "force_N"},
+        {"speed of the spool</th><td class=\"left short\">rpm", "spool_rpm"}}) {
+    EXPECT_TRUE(page.has(fmt::format("{}</td><td>{:.4g}</td><td>{:.4g}</td>", row,
+                                     motor("before", key), motor("sized", key))))
+        << row;
   }
 }
 

@@ -149,10 +149,39 @@ TEST(SweepFigure, HasALineAndARibbonForEachCurveAndARuleForEachCrossing) {
   const std::vector<ReadMark> rules = panel.marks("rules");
   ASSERT_EQ(rules.size(), 1U);
   EXPECT_NEAR(panel.x_of(rules[0]), 0.25, 1e-3);
-  EXPECT_NE(rules[0].title.find("1-P-2-P-1 comes first from 0.25 to 0.3"), std::string::npos);
+  EXPECT_EQ(
+      rules[0].title,
+      "M-1-T-2-F and F-1-P-2-F, which are equal, come first from 0.1 to 0.25\n1-P-2-P-1 comes first "
+      "from 0.25 to 0.3");
   for (const char* label : {"M-1-T-2-F, F-1-P-2-F", "1-P-2-P-1"}) {
     EXPECT_EQ(panel.marks("paths", label).size(), 1U) << label;
   }
+}
+
+// A ribbon's own, even where only its upper edge is another one.
+TEST(SweepFigure, DrawsCurvesApartWhoseRibbonsAreAndReachesFromTheirLowToTheirHigh) {
+  SweptDesigns swept = swept_lines();
+  for (Band& band : swept.sweep.designs[2][0].bands) band.high = 0.9;
+  const ReadPanel panel = read_chart(sweep_figures(swept)[0].svg).front();
+  EXPECT_EQ(panel.marks("ribbons").size(), 3U);
+  const ReadMark ribbon = panel.marks("ribbons", "F-1-P-2-F").at(0);
+  EXPECT_NEAR(panel.y_of(ribbon), (3 * 0.9 + 0.4 + 0.3 + 0.2) / 6, 1e-3);  // of its corners
+}
+
+TEST(SweepFigure, DashesTheCurvesForWhichColoursAreUsedUp) {
+  SweptDesigns swept = swept_lines();
+  for (int more = 0; more < 8; ++more) {
+    swept.designs.push_back(swept.designs[0]);
+    swept.designs.back().ranked.design.word = "D" + std::to_string(more);
+    swept.sweep.designs.push_back(swept.sweep.designs[0]);
+    swept.sweep.designs.back()[0].values[0] = 0.6 + 0.02 * more;
+  }
+  std::size_t dashed = 0;
+  const ReadPanel panel = read_chart(sweep_figures(swept)[0].svg).front();
+  for (const ReadGroup& group : panel.groups) {
+    if (group.kind == "paths" && group.attributes.find("dasharray") != std::string::npos) ++dashed;
+  }
+  EXPECT_EQ(dashed, std::min<std::size_t>(panel.marks("paths").size(), studies::most_swept) - 7);
 }
 
 TEST(SweepFigure, HasNoRibbonWithoutDraws) {
