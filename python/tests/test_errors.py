@@ -1,5 +1,7 @@
 """What is wrong with what is given, and where."""
 
+import pickle
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -98,6 +100,17 @@ def test_a_log_holds_fingers_of_numpy(root, held, same):
     ours, theirs = reeve.import_log(log, held=held), reeve.import_log(log, held=same)
     assert ours.csv == theirs.csv and len(ours.data) > 0
     assert set(ours.data["held"]) == {str(same)}
+
+
+def test_an_error_keeps_its_parts_when_it_travels_and_when_its_words_change():
+    def fields(error):
+        own = (str(error), error.where, error.what, error.value, error.expected)
+        return [*own, *(field for part in error.parts for field in fields(part))]
+
+    error = reeve.InputError("m", "w", "x", "v", "e", (reeve.InputError("p", None, "q"),))
+    assert fields(pickle.loads(pickle.dumps(error))) == fields(error)
+    assert fields(error._changed(str.upper)) == [
+        field and field.upper() for field in fields(error)]
 
 
 def wrong(row=None, column="T1_N"):

@@ -1,7 +1,10 @@
 """The shape of results: frames, one line, tables and drawings."""
 
+import math
 import sys
+import types
 
+import numpy as np
 import pandas as pd
 import pytest
 import reeve
@@ -46,6 +49,53 @@ def test_a_front_is_the_first_front():
     assert list(ranked.designs["front"]) == [1, 1, 1, 2]
 
 
+def of_summary(kind, residuals="", **summary):
+    """A result of which nothing but its summary and residuals is known."""
+    result = kind.__new__(kind)
+    result._summary = {"simulated": False, **summary}
+    result._report = types.SimpleNamespace(residuals_csv=lambda: residuals)
+    return result
+
+
+def test_a_cause_has_a_row_for_each_parameter_and_one_without_any():
+    found = of_summary(reeve.Diagnosis, "run,T\nA,1\n", verdict="cause", causes=[
+        {"name": "wrong_grasp[TR1]", "parameters": [], "p_value": 0.01},
+        {"name": "wear", "parameters": [{"name": "depth"}, {"name": "cycles"}], "p_value": 0.02},
+    ])
+    assert found.causes["cause"].tolist() == ["wrong_grasp[TR1]", "wear", "wear"]
+    assert found.causes["parameter"].tolist() == [None, "depth", "cycles"]
+    assert found.causes["p_value"].tolist() == [0.01, 0.02, 0.02]
+    assert repr(found) == "<reeve.Diagnosis: cause (wrong_grasp[TR1], wear), 1 reading>"
+
+
+def test_a_power_counts_what_it_found():
+    findings = {"found": {"count": 2}, "none": {"count": 3}}
+    power = of_summary(reeve.Power, experiments=5, findings=findings)
+    assert repr(power) == "<reeve.Power: 5 simulated experiments, found in 2>"
+    assert power.findings["finding"].tolist() == ["found", "none"]
+
+
+def test_a_comparison_is_off_by_its_rms(simulated):
+    compared = reeve.compare(simulated.data)
+    rms = compared.summary["tension"]["all"]["rms"]
+    assert repr(compared).endswith(f", off by {rms:.3g} N rms>")
+
+
+def test_what_is_saved_is_afterwards_called_as_before(simulated, tmp_path):
+    compared = reeve.compare(simulated.data)
+    before = str(compared)
+    compared.save(tmp_path / "out")
+    assert str(compared) == before and before.startswith("data: ")
+
+
+def test_a_part_of_an_exploration_says_so():
+    found = of_summary(reeve.Exploration)
+    found._report = types.SimpleNamespace(
+        fingers=lambda: 1, evaluated=lambda: 5, front=lambda: {"rank": [1]},
+        partial=lambda: "it was stopped")
+    assert repr(found) == "<reeve.Exploration: 1 finger, 5 designs, 1 on the front, partial>"
+
+
 def test_sizes_are_frames(sized):
     designs, dimensions = sized.designs, sized.dimensions
     assert list(designs["rank"]) == [1, 2] and list(designs["name"]) == ["TR7", "TR5"]
@@ -57,6 +107,10 @@ def test_sizes_are_frames(sized):
     assert list(dimensions["dimension"]) == ["sheath_angle[1]", "sheath_angle[2]"] * 2
     assert (dimensions["low"] == 3).all() and (dimensions["high"] == 9).all()
     assert dimensions["sized"].between(3, 9).all()
+    of = [of for design in sized.summary["designs"] for of in design["dimensions"]]
+    for side in ("less", "more"):
+        assert dimensions[f"tolerance_{side}"].tolist() == pytest.approx(
+            [one["tolerance"][side] or math.nan for one in of], nan_ok=True)
 
 
 def test_causes_have_their_columns_where_there_are_none(diagnosis, simulated):
@@ -76,11 +130,15 @@ def test_what_is_simulated_stays_so(simulated, diagnosis):
 
 
 def test_tables_in_a_notebook(diagnosis, sized):
-    assert "<table" in reeve.rank("TR1", "TR7")._repr_html_()
+    ranked = reeve.rank("TR1", "TR7")._repr_html_()
+    assert ranked.count("<table") == 2 and "What more parts buy" in ranked
+    assert ranked.split("<p>")[0].count("<tr>") == 2
     assert "sheath_friction" in diagnosis._repr_html_()
     assert "sheath_angle[1]" in sized._repr_html_()
     assert reeve.Routing("TR5")._repr_svg_().startswith("<svg")
-    assert reeve.show("TR5")._repr_svg_().startswith("<svg")
+    shown = reeve.show("TR5")
+    assert shown._repr_svg_().startswith("<svg")
+    assert len({shown.svg(), shown.svg(0), shown.svg(1), shown.svg(2)}) == 4
 
 
 @pytest.fixture
@@ -102,6 +160,8 @@ def test_designs_are_drawn(drawing):
     found = reeve.explore(fingers=2)
     ax = found.plot(x="sheaths")
     assert points(ax) == {"designs": len(found.designs), "front": len(found.front)}
+    drawn = ax.collections[1].get_offsets().data
+    assert (drawn == found.front[["sheaths", "efficiency_mean"]].to_numpy()).all()
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("sheaths (parts)", "efficiency_mean")
     assert found.plot(ax=ax) is ax
     with pytest.raises(reeve.InputError, match="x 'mass': expected one of"):
@@ -117,6 +177,12 @@ def test_readings_are_drawn(drawing, diagnosis, simulated):
     drawn = pd.DataFrame(ax.collections[0].get_offsets().data, columns=["predicted", "measured"])
     residuals = reeve.compare(simulated.data).residuals
     assert (drawn["measured"].to_numpy() == residuals["measured"].to_numpy()).all()
+    data = simulated.data
+    data.loc[:2, "motor_tension_N"] = None  # rows of shares, which are no newtons
+    compared = reeve.compare(data)
+    tensions = (compared.residuals["quantity"] == "tension").sum()
+    assert 0 < tensions < len(compared.residuals)
+    assert points(compared.plot()) == {"the model": tensions}
 
 
 def test_dimensions_are_drawn(drawing, sized):
@@ -125,6 +191,13 @@ def test_dimensions_are_drawn(drawing, sized):
     assert labels == ["sheath_angle[1], 3 to 9 rad", "sheath_angle[2], 3 to 9 rad"]
     before = next(c for c in ax.collections if c.get_label() == "before").get_offsets().data
     assert before[:, 0] == pytest.approx((2 * 3.141592653589793 - 3) / 6)
+    best = sized.dimensions[:2]
+    line, _, (tolerances,) = ax.containers[0]
+    assert np.allclose(line.get_xdata().astype(float), (best["sized"] - 3) / 6)
+    ends = np.array([part[:, 0] for part in tolerances.get_segments()])
+    low = best["sized"] - best["tolerance_less"].fillna(0)
+    high = best["sized"] + best["tolerance_more"].fillna(0)
+    assert np.allclose(ends[:, 0], (low - 3) / 6) and np.allclose(ends[:, 1], (high - 3) / 6)
 
 
 def test_without_matplotlib_an_error_names_it(monkeypatch, sized, diagnosis):

@@ -191,9 +191,23 @@ def test_axes_that_were_not_asked_for_are_not_there():
     assert isinstance(reeve.tensions("TR7", named=False), np.ndarray)
 
 
-def test_grasps_stand_along_their_axis_as_they_can_be_said():
-    along = reeve.tensions("TR7", held=[[1, 2], [1], []]).coords["held"]
-    assert np.asarray(along).tolist() == ["1,2", "1", "none"]
+def test_routings_and_grasps_stand_along_their_axes_as_they_can_be_said():
+    along = reeve.tensions(["TR7", "TR1"], held=[[1, 2], [1], []]).coords
+    assert np.asarray(along["held"]).tolist() == ["1,2", "1", "none"]
+    assert np.asarray(along["routing"]).tolist() == ["1-P-2-P-1", "M-1-T-2-F"]
+
+
+def test_models_are_equal_if_their_files_are():
+    assert reeve.Model("a = 1") == reeve.Model("a = 1")
+    assert reeve.Model("a = 1") != reeve.Model("a = 2")
+
+
+def test_scores_and_causes_may_be_mappings():
+    said = reeve.rank("TR1", "TR7", score="uniformity=2,sheaths=0.5").summary
+    assert reeve.rank("TR1", "TR7", score={"uniformity": 2, "sheaths": 0.5}).summary == said
+    both = {"wear": {"change": -0.4, "cycles": 500}, "tube_friction": {"mu": 0.1}}
+    csv = reeve.simulate("TR1", runs=2, rows=2, cycles=[0, 1000], cause=both).csv
+    assert "--cause wear --set change=-0.4 --set cycles=500 --cause tube_friction --set mu=0.1" in csv
 
 
 def test_axes_keep_the_names_of_xarray():
