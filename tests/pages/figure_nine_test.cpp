@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "pages/ranking/distribution_figure.hpp"
-#include "pages/ranking/distribution_notes.hpp"
+#include "pages/distribution_figure.hpp"
+#include "pages/distribution_notes.hpp"
 #include "tests/pages/ranked.hpp"
 #include "tests/support/svg.hpp"
 

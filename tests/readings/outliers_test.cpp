@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "diagnosis/data/checks/levels.hpp"
 #include "numerics/random.hpp"
+#include "readings/levels.hpp"
 #include "tests/readings/read_data.hpp"
 
 namespace reeve::testing {
@@ -20,12 +20,12 @@ namespace {
 // more than one of its five cells are zeros; then the last load is 2, between what the two say.
 TEST(PolishedLevels, PassOverAChannelThatReadsNothingMoreThanOnceInFive) {
   for (const auto& [zeros, load] : {std::pair{1U, 2.0}, {2U, 4.0}}) {
-    diagnosis::KindCells cells;
+    readings::KindCells cells;
     for (std::size_t row = 0; row < 5; ++row) {
       cells.push_back({row, 0, row < zeros ? 0.0 : 1.0});
       cells.push_back({row, 1, row < 4 ? 1.0 : 4.0});
     }
-    const auto levels = diagnosis::polished_levels(cells, 2);
+    const auto levels = readings::polished_levels(cells, 2);
     EXPECT_NEAR(levels.expected_N({4, 1, 0}), load, 1e-12);
   }
 }

@@ -1,10 +1,10 @@
-#include "reports/results/compare_report.hpp"
+#include "reports/compare_report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reports/json.hpp"
+#include "reports/output/json.hpp"
 
 namespace reeve::testing {
 namespace {

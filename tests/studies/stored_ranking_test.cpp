@@ -1,4 +1,4 @@
-#include "studies/stored/stored_ranking.hpp"
+#include "studies/stored_ranking.hpp"
 
 #include <gtest/gtest.h>
 
