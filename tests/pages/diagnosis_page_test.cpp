@@ -68,7 +68,7 @@ TEST(DiagnosisPage, DoesNotSayThatNothingIsWrongWhereWeakStructureRemains) {
 }
 
 TEST(DiagnosisPage, AsksForALookAtRowsThatReadOtherwise) {
-  for (const NoteKind kind : {NoteKind::other_direction, NoteKind::far_together}) {
+  for (const NoteKind kind : {NoteKind::other_direction, NoteKind::outlier_groups}) {
     DiagnosisReport report = plain_report();
     report.result.notes.push_back({kind, "", {}});
     EXPECT_EQ(pages::verdict_label(report).words,

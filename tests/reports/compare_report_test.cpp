@@ -19,10 +19,10 @@ CompareReport report_of_many_runs() {
   return report;
 }
 
-TEST(CompareSheet, HasAColumnForEachFigureAndTheFirstGroupsOfAKind) {
-  const Sheet sheet = compare_sheet(report_of_many_runs());
-  ASSERT_EQ(sheet.sections.size(), 2U);
-  const std::vector<TableRow>& rows = sheet.sections[1].table->rows;
+TEST(CompareDocument, HasAColumnForEachFigureAndTheFirstGroupsOfAKind) {
+  const Document document = compare_sheet(report_of_many_runs());
+  ASSERT_EQ(document.sections.size(), 2U);
+  const std::vector<TableRow>& rows = document.sections[1].table->rows;
   ASSERT_EQ(rows.size(), 22U);
   EXPECT_EQ(rows[0].cells, (Cells{"all", "all", "4", "8", "-0.5", "2", "25.0 %"}));
   EXPECT_EQ(rows[20].cells, (Cells{"run", "A", "1", "-", "0", "2", "-"}));

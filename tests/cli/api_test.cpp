@@ -1,5 +1,5 @@
-// What options ask for, as values: the subcommands for callers that are no shell.
-#include "cli/asked/asked.hpp"
+// The options of the subcommands for callers that are no shell, as values.
+#include "cli/api.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,23 +9,23 @@
 namespace reeve::testing {
 namespace {
 
-using cli::Arguments;
+using cli::api::Arguments;
 
-SizingOptions sizing_asked(Arguments arguments) {
+SizingOptions size_options(Arguments arguments) {
   arguments.insert(arguments.end(), {"--nominal", "--starts", "1", "--evaluations", "10"});
-  return cli::asked_sizing(arguments, {}).options;
+  return cli::api::size(arguments, {}).options;
 }
 
-TEST(AskedSizing, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
+TEST(SizeOptions, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
   const Arguments target{"TR1", "--vary", "tip_angle=1..4", "--target", "1=2,others=1"};
-  EXPECT_EQ(to_text(sizing_asked(target).grasps), "none");
+  EXPECT_EQ(to_text(size_options(target).grasps), "none");
   Arguments held = target;
   held.insert(held.end(), {"--grasps", "1/2"});
-  EXPECT_EQ(to_text(sizing_asked(held).grasps), "1/2");
+  EXPECT_EQ(to_text(size_options(held).grasps), "1/2");
 }
 
 // Bounds that are given stand for those of the file, and with them for what it keeps equal.
-TEST(AskedSizing, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
+TEST(SizeOptions, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
   const TemporaryFolder folder;
   const std::string file =
       folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n").string();
@@ -35,7 +35,7 @@ TEST(AskedSizing, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
                                          {{"--vary", "tip_angle=1..3", "--same", "tips"}, 1}}) {
     Arguments arguments = of_file;
     arguments.insert(arguments.end(), given.begin(), given.end());
-    const SizingOptions options = sizing_asked(arguments);
+    const SizingOptions options = size_options(arguments);
     EXPECT_EQ(options.same.size(), 2 - variables);
     EXPECT_EQ(options.varied.at(0).bounds.high, given.empty() ? 4 : 3);
   }
