@@ -1,25 +1,90 @@
-#include "drawing/schematic/arrangement.hpp"
-
+// The layout of a hand with floating blocks, bars or anchored tips.
+//
+// Fingers stand at the top, by number. Below, in the palm, blocks and joins lie in levels, each
+// where its lines run straight, upright or inverted (facing.cpp), from left to right so that lines
+// cross each other seldom and are short; then come the sheaths and the carriage. A line runs down
+// from a port to a lane between two levels, along it and on (levels.hpp); whatever passes the same
+// height keeps its distance (columns.hpp). So no line lies on another or under a symbol or a text,
+// and lines cross at right angles only.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "drawing/schematic/crossings.hpp"
-#include "drawing/schematic/strips.hpp"
+#include "drawing/schematic/columns.hpp"
+#include "drawing/schematic/places.hpp"
 
 namespace reeve::drawing {
 namespace {
 
+using measures::flesh;
 using PortOrder = std::vector<std::size_t>;
+
+// More than anything else in the cost of a hand of this size.
+constexpr double cost_of_crossing = 10000;
+
+struct Arrangement {
+  Lanes lanes;
+  Heights heights;
+  Columns columns;
+};
+
+// A straight line, upright or level.
+struct Straight {
+  double at = 0;  // x if it is upright, y if it is level
+  double from = 0;
+  double to = 0;
+};
+
+Straight straight(double at, double a, double b) { return {at, std::min(a, b), std::max(a, b)}; }
+
+struct Straights {
+  std::vector<Straight> upright;
+  std::vector<Straight> level;
+};
+
+Straights straights(const Fittings& all, const Arrangement& made) {
+  Straights found;
+  for (const Stretch& stretch : made.lanes.stretches) {
+    const double y = height(made.heights, stretch);
+    const double one = column(all, made.columns, stretch.port[0]);
+    const double other = column(all, made.columns, stretch.port[1]);
+    found.level.push_back(straight(y, one, other));
+    for (const std::size_t end : {0U, 1U}) {
+      const double x = end == 0 ? one : other;
+      found.upright.push_back(straight(x, y, height(all, made.heights, stretch.port[end])));
+    }
+  }
+  for (const Fitting& sheath : all.fittings) {
+    if (sheath.carrier == nowhere) continue;
+    found.upright.push_back(straight(column(all, made.columns, sheath.carrier),
+                                     height(all, made.heights, sheath.carrier),
+                                     made.heights.level[sheath.level]));
+  }
+  return found;
+}
+
+// Little: few crossings, first of all; then short level stretches, and a narrow drawing.
+double cost(const Fittings& all, const Arrangement& made) {
+  const Straights found = straights(all, made);
+  double cost = made.columns.right / 4 + made.heights.bottom / 4;
+  for (const Straight& level : found.level) {
+    cost += level.to - level.from;
+    for (const Straight& upright : found.upright) {
+      const bool cross = upright.at > level.from + 1 && upright.at < level.to - 1 &&
+                         level.at > upright.from + 1 && level.at < upright.to - 1;
+      if (cross) cost += cost_of_crossing;
+    }
+  }
+  return cost;
+}
 
 // In pairs of ports looked at: some seconds at most.
 constexpr std::size_t most_work = 10'000'000;
 
 class Arranging {
  public:
-  Arranging(const Network& network, double palm, Fittings& all)
-      : net_(network), palm_(palm), all_(all) {}
+  Arranging(const Network& network, Fittings& all) : net_(network), all_(all) {}
 
   Arrangement run() {
     order_ = first_order();
@@ -144,11 +209,11 @@ class Arranging {
   double attempt() {
     const Ranks rank = ranks();
     made_.lanes = lanes(all_, rank);
-    made_.heights = heights(net_, all_, made_.lanes, palm_);
+    made_.heights = heights(net_, all_, made_.lanes);
     const std::optional<Columns> found = columns(net_, all_, made_.lanes, made_.heights, rank);
     if (!found) return std::numeric_limits<double>::infinity();
     made_.columns = *found;
-    return cost(all_, made_.lanes, made_.heights, made_.columns);
+    return cost(all_, made_);
   }
 
   // Nothing between the strands of a finger.
@@ -254,7 +319,6 @@ class Arranging {
   }
 
   const Network& net_;
-  double palm_;
   Fittings& all_;
   PortOrder order_;
   Arrangement made_;
@@ -262,10 +326,50 @@ class Arranging {
   std::size_t work_ = 0;
 };
 
+// The level pieces of each segment, in walk order.
+void add_pieces(const Arrangement& made, Places& places) {
+  for (const Stretch& stretch : made.lanes.stretches) {
+    const auto [one, other] = places.fittings.segments[stretch.segment].port;
+    // Of two stretches the upper comes first.
+    const bool backwards = stretch.port[1] == one || stretch.port[0] == other;
+    const LevelPiece piece{height(made.heights, stretch),
+                           places.ports[stretch.port[backwards ? 1 : 0]].x,
+                           places.ports[stretch.port[backwards ? 0 : 1]].x};
+    std::vector<LevelPiece>& pieces = places.pieces[stretch.segment];
+    pieces.insert(backwards ? pieces.begin() : pieces.end(), piece);
+  }
+}
+
 }  // namespace
 
-Arrangement arrange(const Network& network, double palm, Fittings& all) {
-  return Arranging(network, palm, all).run();
+Places places_in_levels(const Network& network, Fittings fittings) {
+  face(fittings);
+  const Arrangement made = Arranging(network, fittings).run();
+  Places places(std::move(fittings));
+  const Fittings& all = places.fittings;
+  places.width = made.columns.right;
+  for (int f = 0; f < network.fingers; ++f) {
+    places.fingers.push_back(made.columns.middle[static_cast<std::size_t>(f)]);
+  }
+  for (std::size_t port = 0; port < all.ports.size(); ++port) {
+    places.ports[port] = {column(all, made.columns, port), height(all, made.heights, port)};
+  }
+  add_pieces(made, places);
+  for (std::size_t i = 0; i < all.segments.size(); ++i) {
+    const auto [begin, end] = all.segments[i].port;
+    if (begin == nowhere || end == nowhere) {
+      const std::size_t port = begin == nowhere ? end : begin;
+      const LooseEnd loose = all.segments[i].loose;
+      places.loose[i] = {places.ports[port].x, loose_end(all, made.heights, port, loose)};
+    }
+    if (network.segments[i].kind == SegmentKind::strand) continue;
+    const std::size_t port = labelled_port(network, all, i);
+    places.labels[i].top = {places.ports[port].x, label_top(all, made.heights, port)};
+  }
+  places.hand = {-flesh / 2, 0, places.width + flesh / 2, made.heights.hand_bottom};
+  places.carriage_top = made.heights.carriage_top;
+  places.bottom = made.heights.bottom;
+  return places;
 }
 
 }  // namespace reeve::drawing

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "drawing/schematic/floating_measures.hpp"
-#include "drawing/schematic/strips.hpp"
-
 namespace reeve::drawing {
 namespace {
 
@@ -226,7 +223,7 @@ class Spacing {
 }  // namespace
 
 std::optional<Columns> columns(const Network& network, const Fittings& all, const Lanes& lanes,
-                               const FloatingHeights& heights, const Ranks& ranks) {
+                               const Heights& heights, const Ranks& ranks) {
   const std::vector<Strip> cut = strips(network, all, lanes, heights, ranks);
   Spacing spacing(all, lanes, cut);
   if (!spacing.solve()) return std::nullopt;

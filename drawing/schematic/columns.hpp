@@ -1,4 +1,4 @@
-// Where from left to right the fittings of a drawing with floating parts stand.
+// Where from left to right fittings in levels stand.
 //
 // What passes the same height keeps its order and some distance: x_j ≥ x_i + d_ij for every two
 // fittings i, j. Within that, each fitting goes where its lines run straight: to the median of the
@@ -8,9 +8,31 @@
 #include <optional>
 #include <vector>
 
-#include "drawing/schematic/heights.hpp"
+#include "drawing/schematic/levels.hpp"
 
 namespace reeve::drawing {
+
+// What keeps others away: an upright strip at a place of its fitting and over some heights.
+struct Strip {
+  std::size_t fitting = 0;  // whose middle it moves with
+  double rank = 0;
+  double left = 0;  // from that middle, rightward
+  double right = 0;
+  double top = 0;
+  double bottom = 0;
+  std::size_t segment = nowhere;  // of a line
+  bool rises = false;             // of a line: from its stretch upward
+};
+
+std::vector<Strip> strips(const Network& network, const Fittings& all, const Lanes& lanes,
+                          const Heights& heights, const Ranks& ranks);
+
+// The fitting on whose column a port lies, and how far right of its middle.
+struct ColumnOf {
+  std::size_t fitting = 0;
+  double offset = 0;
+};
+ColumnOf column_of(const Fittings& all, std::size_t port);
 
 // The middle of every fitting, the least x of all that is drawn being 0; nothing if the ranks ask
 // for more room between the strands of a finger than there is.
@@ -20,7 +42,7 @@ struct Columns {
 };
 
 std::optional<Columns> columns(const Network& network, const Fittings& all, const Lanes& lanes,
-                               const FloatingHeights& heights, const Ranks& ranks);
+                               const Heights& heights, const Ranks& ranks);
 
 // The x of a port; of what hangs straight below another port, that one's.
 double column(const Fittings& all, const Columns& columns, std::size_t port);

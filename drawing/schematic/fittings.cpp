@@ -1,8 +1,11 @@
 #include "drawing/schematic/fittings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "drawing/schematic/schematic_measures.hpp"
+#include "drawing/shapes.hpp"
 
 namespace reeve::drawing {
 namespace {
@@ -62,7 +65,7 @@ class Assembly {
     }
     if (!tendon.closed) add_end(tendon.right, last, 1);
     if (out_.segments[last].port == std::array{nowhere, nowhere}) {
-      out_.segments[last].port[0] = add_port(add_fitting(FittingKind::clamp, 0), PortRole::clamp);
+      out_.segments[last].port[1] = add_port(add_fitting(FittingKind::clamp, 0), PortRole::clamp);
     }
   }
 
@@ -214,6 +217,16 @@ void place_ports(const Network& network, std::size_t fitting, Fittings& all) {
     all.ports[others.front()].offset = mirrored ? -right : -left;
     all.ports[others.back()].offset = mirrored ? left : right;
   }
+}
+
+std::string block_title(const core::Block& block) {
+  const ArmRatio& arms = block.arms;
+  if (arms.left == arms.right) return block_name(block);
+  return fmt::format("{} {}:{}", block_name(block), arms.left, arms.right);
+}
+
+double name_width(const core::Block& block) {
+  return text_width(block_title(block), small_size, true);
 }
 
 }  // namespace reeve::drawing

@@ -1,21 +1,24 @@
-// What a drawing with floating blocks, bars or anchored tips is made of, before anything has a
-// place: fittings (fingers, blocks and bars, joins at the hand, sheaths, pulleys on the carriage),
-// and their ports, at which segments of tendon end.
+// What a schematic is made of, before anything has a place: fittings (fingers, blocks and bars,
+// joins at the hand, sheaths, pulleys on the carriage), and their ports, at which segments of
+// tendon end.
 //
 // A port faces down or up: that is where its line leaves. Passes, arms and beckets of a block face
 // one way and its tails the other; a block is drawn upright (its tails below) or inverted,
-// whichever lets more lines run straight on (facing.hpp).
+// whichever lets more lines run straight on (face).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "core/network.hpp"
-#include "drawing/schematic/schematic_plan.hpp"
 
 namespace reeve::drawing {
+
+inline constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 enum class FittingKind : std::uint8_t { finger, block, join, sheath, pulley, clamp, bend };
 
@@ -79,11 +82,14 @@ struct Fittings {
   const Fitting& of(std::size_t port) const { return fittings[ports[port].fitting]; }
 };
 
-// Whether the network needs such a drawing.
+// Blocks, bars or anchored tips.
 bool has_floating_parts(const Network& network);
 bool is_anchored(const Network& network, int finger);
 
 Fittings fittings(const Network& network);
+
+// Sets `inverted`, `level` and `carrier`, and adds the bends of lines that would run upward.
+void face(Fittings& all);
 
 // Gives the ports of a fitting their offsets, in their order.
 void place_ports(const Network& network, std::size_t fitting, Fittings& all);
@@ -94,5 +100,9 @@ struct Tails {
   double last = 0;
 };
 Tails tails_of(const Fittings& all, std::size_t fitting);
+
+// Y1; of unequal arms also the ratio of their tensions: W1 2:1.
+std::string block_title(const core::Block& block);
+double name_width(const core::Block& block);
 
 }  // namespace reeve::drawing

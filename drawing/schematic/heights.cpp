@@ -1,32 +1,38 @@
-#include "drawing/schematic/heights.hpp"
-
 #include <algorithm>
 
-#include "drawing/schematic/floating_measures.hpp"
+#include "drawing/schematic/levels.hpp"
+#include "drawing/schematic/schematic_measures.hpp"
 
 namespace reeve::drawing {
 namespace {
 
 using namespace measures;
 
-struct Extent {
+constexpr double below_level = 6;  // to the channel
+constexpr double lane_room = 12;   // above the topmost lane and below the lowest
+constexpr double label_room = 4;   // above and below a label
+constexpr double stub = label_height + 2 * label_room + 2;  // of a fixed end with a label
+constexpr double short_stub = 12;                           // … without
+
+struct FittingExtent {
   double above = 0;
   double below = 0;
 };
 
-Extent extent(const Network& network, const Fitting& fitting) {
+FittingExtent extent(const Network& network, const Fitting& fitting) {
   constexpr double wheel = tip_radius - thickest / 2;
   switch (fitting.kind) {
     case FittingKind::block: {
       const bool bar = network.blocks[fitting.index].is_bar;
-      const Extent upright = bar ? Extent{turning_arrow + 6, bar_half + name_height + 4}
-                                 : Extent{wheel + 2, tail_eye + 9};
-      return fitting.inverted ? Extent{upright.below, upright.above} : upright;
+      const FittingExtent upright =
+          bar ? FittingExtent{turning_arrow + 6, bar_half + name_height + 4}
+              : FittingExtent{wheel + 2, tail_eye + 9};
+      return fitting.inverted ? FittingExtent{upright.below, upright.above} : upright;
     }
     case FittingKind::join:
     case FittingKind::pulley: {
-      const Extent upright{wheel + 2, tip_radius + sleeve + 2};
-      return fitting.inverted ? Extent{upright.below, upright.above} : upright;
+      const FittingExtent upright{wheel + 2, tip_radius + sleeve + 2};
+      return fitting.inverted ? FittingExtent{upright.below, upright.above} : upright;
     }
     case FittingKind::sheath:
       return {sheath_length / 2, sheath_length / 2};
@@ -50,17 +56,17 @@ class Measuring {
   Measuring(const Network& network, const Fittings& all, const Lanes& lanes)
       : net_(network), all_(all), lanes_(lanes), bands_(lanes.of_channel.size()) {}
 
-  FloatingHeights measure(double palm) {
+  Heights measure() {
     for (std::size_t i = 0; i < all_.segments.size(); ++i) need_room(i);
-    out_.level.push_back(palm);
-    double y = palm;
+    out_.level.push_back(0);
+    double y = 0;
     for (std::size_t channel = 0; channel < all_.sheath_level; ++channel) {
-      y = add_channel(channel, y, channel == 0 ? 0 : gap);
+      y = add_channel(channel, y, channel == 0 ? 0 : below_level);
       if (channel + 1 == all_.sheath_level) break;
       y = add_level(channel + 1, y);
     }
     constexpr double least = 34;
-    out_.hand_bottom = std::max(y + 10, palm + least);
+    out_.hand_bottom = std::max(y + 10, least);
     out_.bottom = out_.hand_bottom;
     out_.channel.back().bottom = out_.hand_bottom - 6;
     if (has_carriage()) add_carriage();
@@ -108,10 +114,10 @@ class Measuring {
   }
 
   double add_level(std::size_t level, double top) {
-    Extent most;
+    FittingExtent most;
     for (const Fitting& fitting : all_.fittings) {
       if (fitting.level != level) continue;
-      const Extent one = extent(net_, fitting);
+      const FittingExtent one = extent(net_, fitting);
       most = {std::max(most.above, one.above), std::max(most.below, one.below)};
     }
     out_.level.push_back(top + most.above);
@@ -139,7 +145,7 @@ class Measuring {
   const Fittings& all_;
   const Lanes& lanes_;
   std::vector<HeightBands> bands_;
-  FloatingHeights out_;
+  Heights out_;
 };
 
 }  // namespace
@@ -162,12 +168,11 @@ std::size_t labelled_port(const Network& network, const Fittings& all, std::size
   return best;
 }
 
-FloatingHeights heights(const Network& network, const Fittings& all, const Lanes& lanes,
-                        double palm) {
-  return Measuring(network, all, lanes).measure(palm);
+Heights heights(const Network& network, const Fittings& all, const Lanes& lanes) {
+  return Measuring(network, all, lanes).measure();
 }
 
-double height(const Fittings& all, const FloatingHeights& heights, std::size_t port) {
+double height(const Fittings& all, const Heights& heights, std::size_t port) {
   const Fitting& fitting = all.of(port);
   const double middle = heights.level[fitting.level];
   switch (all.ports[port].role) {
@@ -187,12 +192,11 @@ double height(const Fittings& all, const FloatingHeights& heights, std::size_t p
   return middle;
 }
 
-double height(const FloatingHeights& heights, const Stretch& stretch) {
+double height(const Heights& heights, const Stretch& stretch) {
   return heights.channel[stretch.channel].lanes + lane_pitch * static_cast<double>(stretch.lane);
 }
 
-double loose_end(const Fittings& all, const FloatingHeights& heights, std::size_t port,
-                 LooseEnd end) {
+double loose_end(const Fittings& all, const Heights& heights, std::size_t port, LooseEnd end) {
   if (end == LooseEnd::tied) return heights.tied;
   const bool down = all.faces_down(port);
   const bool strand = all.ports[port].role == PortRole::strand;
@@ -201,7 +205,7 @@ double loose_end(const Fittings& all, const FloatingHeights& heights, std::size_
   return down ? channel.top + length : channel.bottom - length;
 }
 
-double label_top(const Fittings& all, const FloatingHeights& heights, std::size_t port) {
+double label_top(const Fittings& all, const Heights& heights, std::size_t port) {
   const bool down = all.faces_down(port);
   const ChannelHeights& channel = heights.channel[all.of(port).level - (down ? 0 : 1)];
   if (all.ports[port].role == PortRole::motor_side) return channel.top;

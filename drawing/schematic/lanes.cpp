@@ -1,6 +1,6 @@
-#include "drawing/schematic/lanes.hpp"
-
 #include <algorithm>
+
+#include "drawing/schematic/levels.hpp"
 
 namespace reeve::drawing {
 namespace {

@@ -1,15 +1,12 @@
 #include "drawing/schematic/schematic_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "drawing/schematic/fittings.hpp"
-#include "drawing/schematic/floating_layout.hpp"
-#include "drawing/schematic/schematic_grid.hpp"
-#include "drawing/schematic/schematic_measures.hpp"
-#include "drawing/schematic/schematic_plan.hpp"
-#include "drawing/schematic/schematic_text.hpp"
+#include "drawing/schematic/places.hpp"
 
 namespace reeve::drawing {
 namespace {
@@ -17,226 +14,312 @@ namespace {
 using namespace measures;
 using Path = std::vector<Corner>;
 
+void append(Path& path, const Path& more) { path.insert(path.end(), more.begin(), more.end()); }
+
+struct FingerHeights {
+  double top = 0;     // of the outline
+  double centre = 0;  // of the turn at the tip
+};
+
+struct FingerRow {
+  std::vector<FingerHeights> fingers;
+  double base = 0;  // where the palm begins
+};
+
+// Of a hand with three fingers or more, those in the middle are longer.
+double reach_of_finger(int finger, int fingers) {
+  constexpr double most = 22;
+  if (fingers < 3) return 0;
+  const double off = static_cast<double>(2 * finger - fingers - 1) / (fingers - 1);
+  return most * (1 - off * off);
+}
+
+FingerRow finger_row(int fingers, Grasp held, double top) {
+  constexpr double tip_to_labels = tip_radius + 4;
+  if (fingers == 0) return {{}, top};
+  double head = line_height + 4;  // its name
+  if (held.held != 0) head += line_height + object_size + 2;
+  double longest = 0;
+  for (int f = 1; f <= fingers; ++f) longest = std::max(longest, reach_of_finger(f, fingers));
+  FingerRow row;
+  for (int f = 1; f <= fingers; ++f) {
+    const double outline = top + head + longest - reach_of_finger(f, fingers);
+    row.fingers.push_back({outline, outline + flesh + tip_radius});
+  }
+  row.base =
+      top + head + longest + flesh + tip_radius + tip_to_labels + label_step + label_height + 8;
+  return row;
+}
+
 class Layouter {
  public:
-  Layouter(const Network& network, const SchematicFrame& frame)
-      : net_(network), frame_(frame), plan_(plan(network)) {}
+  Layouter(const Network& network, const SchematicFrame& frame, const Places& places)
+      : net_(network), frame_(frame), places_(places), all_(places.fittings) {}
 
   SchematicLayout run() {
-    const SchematicGrid measured = grid(net_, plan_, frame_.held, 0);
-    out_.width = std::max(least_width, measured.right + 2 * (margin + flesh));
-    const double top = add_heading(frame_, out_);
-    grid_ = grid(net_, plan_, frame_.held, top);
-    shift((out_.width - measured.right) / 2);
     out_.title = frame_.title;
     out_.subtitle = frame_.subtitle;
     out_.parts = drawn_parts(net_);
-    out_.segments.resize(net_.segments.size());
-    out_.contacts.resize(net_.contacts.size());
-    add_hand_turns();
-    add_fingers();
+    out_.width = std::max(least_width, places_.width + 2 * (margin + flesh));
+    left_ = std::floor((out_.width - places_.width) / 2);
+    const FingerRow row = finger_row(net_.fingers, frame_.held, add_heading());
+    palm_ = row.base;
+    for (int finger = 1; finger <= net_.fingers; ++finger) add_finger(finger, row);
+    for (const TendonSpan& tendon : net_.tendons) {
+      for (std::size_t k = 0; k < tendon.contacts; ++k) {
+        const auto [in, out] = ends_of(tendon, k);
+        add_contact(tendon.first_contact + k, in, out);
+      }
+    }
+    for (std::size_t i = 0; i < net_.blocks.size(); ++i) add_block(i);
     for (std::size_t i = 0; i < net_.segments.size(); ++i) add_segment(i);
-    out_.hand = {grid_.left - flesh, grid_.finger_base, grid_.right + flesh, grid_.hand_bottom};
+    const Box& hand = places_.hand;
+    out_.hand = {left_ + hand.left, palm_ + hand.top, left_ + hand.right, palm_ + hand.bottom};
+    out_.height = palm_ + places_.bottom + margin;
     add_carriage();
-    out_.height = grid_.carriage_bottom + margin;
-    if (out_.motor.bottom > 0) out_.height = out_.motor.bottom + margin;
     if (frame_.with_legend) add_legend();
     return std::move(out_);
   }
 
  private:
-  void shift(double by) {
-    for (double& x : grid_.column) x += by;
-    grid_.left += by;
-    grid_.right += by;
+  Point moved(Point place) const { return {left_ + place.x, palm_ + place.y}; }
+
+  Point at(std::size_t port) const {
+    const Point place = moved(places_.ports[port]);
+    if (all_.ports[port].role != PortRole::strand) return place;
+    return {place.x, fingertips_[all_.of(port).index]};
   }
 
-  void add_turns(const std::vector<Arc>& arcs, const std::vector<ArcRow>& rows) {
-    for (const Arc& arc : arcs) {
-      const Turn turn = reports::turn(arc, plan_, grid_);
-      const Contact& contact = net_.contacts[arc.contact];
-      out_.contacts[arc.contact] = {
-          contact.kind,  contact.place, {turn.centre, rows[arc.row].centre}, turn.radius, 1, 0, 1,
-          arc.left_first};
-    }
+  // Title and subtitle; returns where the drawing may begin.
+  double add_heading() {
+    const double title = add_lines(frame_.title, 10, {{}, "", 16, Weight::bold});
+    return add_lines(frame_.subtitle, title, {{}, "", small_size, Weight::normal}) + 6;
   }
 
-  void add_hand_turns() {
-    add_turns(plan_.hand_arcs, grid_.hand_rows);
-    add_turns(plan_.carriage_arcs, grid_.carriage_rows);
-    for (std::size_t c = 0; c < plan_.columns.size(); ++c) {
-      const Column& column = plan_.columns[c];
-      if (column.foot != Foot::sheath) continue;
-      const bool downward = plan_.segments[column.segment].after == column.contact;
-      out_.contacts[column.contact] = {ContactKind::sheath,
-                                       ContactPlace::sheath,
-                                       {grid_.column[c], grid_.sheath},
-                                       0,
-                                       1,
-                                       sheath_length,
-                                       first_of_block(c) ? 1.0 : -1.0,
-                                       downward};
+  double add_lines(const std::string& text, double top, DrawnText style) {
+    const double width = out_.width - 2 * margin;
+    const bool bold = style.weight == Weight::bold;
+    for (const std::string& piece : wrap(text, style.size, bold, width)) {
+      style.text = piece;
+      style.box = {margin, top, margin + std::min(width, text_width(piece, style.size, bold)),
+                   top + style.size + 4};
+      out_.texts.push_back(style);
+      top = style.box.bottom;
     }
+    return top;
   }
 
-  void add_fingers() {
-    for (const ColumnBlock& block : plan_.blocks) {
-      if (block.finger == 0) continue;
-      const auto f = static_cast<std::size_t>(block.finger - 1);
-      const double left = grid_.column[block.first_column];
-      const FingerHeights heights = grid_.fingers[f];
-      const Box outline{left - flesh, heights.top, left + pitch + flesh, grid_.finger_base};
-      const double middle = left + pitch / 2;
-      const bool held = frame_.held.holds(block.finger);
-      const Box object{middle - object_size / 2, heights.top - 1 - object_size,
-                       middle + object_size / 2, heights.top - 1};
-      out_.fingers.push_back({outline, held, held ? object : Box{}});
-      add_finger_name(block.finger, out_.fingers.back(), out_);
+  void add_finger(int number, const FingerRow& row) {
+    const auto f = static_cast<std::size_t>(number - 1);
+    const FingerHeights& heights = row.fingers[f];
+    const bool anchored = is_anchored(net_, number);
+    fingertips_.push_back(anchored ? heights.top + anchor_depth : heights.centre);
+    const double middle = left_ + places_.fingers[f];
+    const double half = pitch / 2 + flesh;
+    const bool held = frame_.held.holds(number);
+    const Box object{middle - object_size / 2, heights.top - 1 - object_size,
+                     middle + object_size / 2, heights.top - 1};
+    out_.fingers.push_back(
+        {{middle - half, heights.top, middle + half, row.base}, held, held ? object : Box{}});
+    // Over the fingertip, or over what holds it.
+    double bottom = held ? object.top - 1 : heights.top - 3;
+    const auto add = [&](const std::string& text, Weight weight) {
+      const double reach = text_width(text, small_size, weight == Weight::bold) / 2;
+      const Box box{middle - reach, bottom - line_height, middle + reach, bottom};
+      out_.texts.push_back({box, text, small_size, weight, Align::middle});
+      bottom -= line_height;
+    };
+    if (held) add("held", Weight::bold);
+    add(fmt::format("finger {}", number), Weight::normal);
+  }
+
+  // Between segments `before` and `after`.
+  void add_contact(std::size_t i, std::size_t before, std::size_t after) {
+    const Contact& contact = net_.contacts[i];
+    const std::size_t in = all_.segments[before].port[1];
+    const std::size_t out = all_.segments[after].port[0];
+    DrawnContact drawn;
+    drawn.kind = contact.kind;
+    drawn.place = contact.place;
+    const Point from = at(in);
+    const Point to = at(out);
+    drawn.centre = {(from.x + to.x) / 2, from.y};
+    drawn.apex = all_.faces_down(in) ? -1 : 1;
+    drawn.forward = from.x < to.x;
+    if (contact.place == ContactPlace::sheath) {
+      drawn.length = sheath_length;
+      drawn.forward = all_.ports[in].role == PortRole::hand_side;
+      // On the side of the label below.
+      const LabelPlace& label = places_.labels[drawn.forward ? after : before];
+      drawn.arrow_side = label.align == Align::end ? -1 : 1;
+    } else if (contact.kind == ContactKind::bar) {
+      drawn.centre = at(tail_of(contact.block));
+    } else {
+      drawn.radius = std::abs(to.x - from.x) / 2;
     }
-    for (std::size_t i = 0; i < net_.contacts.size(); ++i) {
-      const Contact& contact = net_.contacts[i];
-      if (contact.place != ContactPlace::tip) continue;
-      const auto f = static_cast<std::size_t>(contact.finger - 1);
-      const Box& outline = out_.fingers[f].outline;
-      out_.contacts[i] = {contact.kind,
-                          contact.place,
-                          {(outline.left + outline.right) / 2, grid_.fingers[f].centre},
-                          tip_radius,
-                          -1,
-                          0,
-                          1,
-                          true};
+    out_.contacts.push_back(drawn);
+  }
+
+  std::size_t tail_of(std::size_t block) const {
+    const std::vector<std::size_t>& ports = all_.fittings[all_.blocks[block]].ports;
+    return *std::find_if(ports.begin(), ports.end(),
+                         [&](std::size_t port) { return is_tail(all_.ports[port].role); });
+  }
+
+  void add_block(std::size_t i) {
+    const core::Block& block = net_.blocks[i];
+    const Fitting& fitting = all_.fittings[all_.blocks[i]];
+    DrawnBlock drawn;
+    drawn.is_bar = block.is_bar;
+    drawn.apex = fitting.inverted ? -1 : 1;
+    drawn.sheave = tip_radius - thickest / 2 - 1;
+    for (const std::size_t port : fitting.ports) {
+      const FittingPort& place = all_.ports[port];
+      if (place.role == PortRole::turn) {
+        if (port < place.twin) drawn.axles.push_back(centre(port));
+      } else {
+        (is_tail(place.role) ? drawn.tails : drawn.eyes).push_back(at(port));
+      }
     }
+    const Point tail = at(tail_of(i));
+    const double x = tail.x - all_.ports[tail_of(i)].offset;
+    drawn.beam = block.is_bar ? tail.y : tail.y - drawn.apex * (tail_eye - beam_depth);
+    const double half = block.is_bar ? bar_half : beam_half;
+    const double beside = drawn.beam + drawn.apex * (half + 2 + name_height / 2);
+    const auto [first, last] = tails_of(all_, all_.blocks[i]);
+    const double before = x + first - name_left;
+    drawn.motion = {before - motion_width, beside - motion_length / 2, before,
+                    beside + motion_length / 2};
+    out_.blocks.push_back(drawn);
+    const double left = x + last + name_left;
+    const Box name{left, beside - name_height / 2, left + name_width(block),
+                   beside + name_height / 2};
+    out_.texts.push_back({name, block_title(block), small_size, Weight::bold, Align::start});
+  }
+
+  // Of a turn's half circle.
+  Point centre(std::size_t port) const {
+    const Point place = at(port);
+    return {(place.x + at(all_.ports[port].twin).x) / 2, place.y};
   }
 
   void add_segment(std::size_t i) {
-    DrawnSegment& drawn = out_.segments[i];
-    drawn.name = segment_name(net_.segments[i]);
-    drawn.tendon = plan_.segments[i].tendon;
-    switch (net_.segments[i].kind) {
-      case SegmentKind::strand:
-        add_strand(i, drawn);
-        break;
-      case SegmentKind::hand:
-        add_stretch(i, drawn);
-        break;
-      case SegmentKind::motor_side:
-        add_motor_side(i, drawn);
-        break;
-    }
-  }
-
-  void add_strand(std::size_t i, DrawnSegment& drawn) {
     const Segment& segment = net_.segments[i];
-    const FingerHeights& heights = grid_.fingers[static_cast<std::size_t>(segment.finger - 1)];
-    const bool left = segment.number % 2 == 1;
-    const std::size_t c = plan_.segments[i].column[left ? 0 : 1];
-    const double x = grid_.column[c];
-    const double apex = heights.centre - tip_radius;
-    drawn.path = {{{x + (left ? tip_radius : -tip_radius), apex}, 0}, {{x, apex}, tip_radius}};
-    append(drawn.path, foot(c));
-    if (left) std::reverse(drawn.path.begin(), drawn.path.end());
-    const double upper = grid_.finger_base - 6 - label_height - label_step;
-    place_label(x, left ? upper : upper + label_step, left, drawn);
+    DrawnSegment drawn;
+    drawn.name = segment_name(segment);
+    drawn.tendon = all_.segments[i].tendon;
+    drawn.path = path(i);
+    for (const std::size_t side : {0U, 1U}) add_end(i, side, drawn);
+    const bool strand = segment.kind == SegmentKind::strand;
+    label(strand ? strand_label(segment)
+                 : LabelPlace{moved(places_.labels[i].top), places_.labels[i].align},
+          drawn);
+    out_.segments.push_back(std::move(drawn));
   }
 
-  // A stretch between two contacts bends over at its top; an end that is fixed is fixed there.
-  void add_stretch(std::size_t i, DrawnSegment& drawn) {
-    const auto [front, back] = plan_.segments[i].column;
-    if (front != nowhere && back != nowhere) {
-      const double left = grid_.column[front];
-      const double right = grid_.column[back];
-      drawn.path = foot(front);
-      std::reverse(drawn.path.begin(), drawn.path.end());
-      append(drawn.path, {{{left, grid_.arch}, pitch / 2}, {{right, grid_.arch}, pitch / 2}});
-      append(drawn.path, foot(back));
-      const double middle = (left + right) / 2;
-      constexpr double half = 20;  // under the bend there is less room
-      const double label = grid_.arch + 18;
-      drawn.label = {middle - half, label, middle + half, label + label_height};
-      drawn.align = Align::middle;
-      return;
+  Path path(std::size_t segment) const {
+    Path path = inward(segment, 0);
+    std::reverse(path.begin(), path.end());
+    for (const LevelPiece& piece : places_.pieces[segment]) {
+      const double radius = std::min(piece.rounding, std::abs(piece.to - piece.from) / 2);
+      if (radius == 0) continue;
+      append(path, {{moved({piece.from, piece.y}), radius}, {moved({piece.to, piece.y}), radius}});
     }
-    const std::size_t c = front != nowhere ? front : back;
-    const Point top{grid_.column[c], grid_.arch + 4};
-    drawn.path = {{top, 0}};
-    append(drawn.path, foot(c));
-    if (front != nowhere) std::reverse(drawn.path.begin(), drawn.path.end());
-    out_.ends.push_back({EndHold::fixed, top, -1});
-    place_label(top.x, grid_.arch + 18, true, drawn);
-  }
-
-  void add_motor_side(std::size_t i, DrawnSegment& drawn) {
-    const SegmentPlan& segment = plan_.segments[i];
-    const std::size_t c = segment.column[0];
-    const double x = grid_.column[c];
-    drawn.path = {{{x, grid_.sheath}, 0}};
-    const bool sheath_first = segment.before == plan_.columns[c].contact;
-    const std::size_t other = sheath_first ? segment.after : segment.before;
-    if (other == nowhere) {
-      drawn.path.push_back({{x, grid_.tied}, 0});
-      out_.ends.push_back({EndHold::tied, {x, grid_.tied}, 1});
-    } else {
-      append(drawn.path, leg(c, other, plan_.carriage_arcs, grid_.carriage_rows));
-    }
-    if (!sheath_first) std::reverse(drawn.path.begin(), drawn.path.end());
-    const bool first = first_of_block(c);
-    place_label(x, grid_.motor_labels + (first ? 0 : label_step), first, drawn);
-  }
-
-  bool first_of_block(std::size_t c) const {
-    return c == plan_.blocks[plan_.columns[c].block].first_column;
-  }
-
-  // From a column's line downward to where its segment ends.
-  Path foot(std::size_t c) {
-    const Column& column = plan_.columns[c];
-    const double x = grid_.column[c];
-    switch (column.foot) {
-      case Foot::fixed:
-        out_.ends.push_back({EndHold::fixed, {x, grid_.fixed}, 1});
-        return {{{x, grid_.fixed}, 0}};
-      case Foot::sheath:
-        return {{{x, grid_.sheath}, 0}};
-      case Foot::joined:
-        break;
-    }
-    return leg(c, column.contact, plan_.hand_arcs, grid_.hand_rows);
-  }
-
-  Path leg(std::size_t c, std::size_t contact, const std::vector<Arc>& arcs,
-           const std::vector<ArcRow>& rows) const {
-    const auto arc =
-        std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.contact == contact; });
-    const Turn turn = reports::turn(*arc, plan_, grid_);
-    const ArcRow& row = rows[arc->row];
-    const double x = grid_.column[c];
-    const double leg = turn.centre + (c == arc->left ? -turn.radius : turn.radius);
-    const double apex = row.centre + turn.radius;
-    Path path;
-    const double aside = std::abs(leg - x);
-    if (aside > 0.5) {
-      const double radius = std::min(bend, aside / 2);
-      path = {{{x, row.lane}, radius}, {{leg, row.lane}, radius}};
-    }
-    append(path, {{{leg, apex}, turn.radius}, {{turn.centre, apex}, 0}});
+    append(path, inward(segment, 1));
     return path;
   }
 
-  static void append(Path& path, const Path& more) {
-    path.insert(path.end(), more.begin(), more.end());
+  // From a segment's line to its end, or to the middle of the contact there.
+  Path inward(std::size_t segment, std::size_t side) const {
+    const std::size_t port = all_.segments[segment].port[side];
+    if (port == nowhere) return {{moved(places_.loose[segment]), 0}};
+    const Point place = at(port);
+    const PortRole role = all_.ports[port].role;
+    const bool has_turn = all_.ports[port].twin != nowhere;
+    if (role != PortRole::turn && !(role == PortRole::strand && has_turn)) return {{place, 0}};
+    const double middle = centre(port).x;
+    const double radius = std::abs(middle - place.x);
+    const double apex = place.y + (all_.faces_down(port) ? -radius : radius);
+    return {{{place.x, apex}, radius}, {{middle, apex}, 0}};
   }
 
+  void add_end(std::size_t segment, std::size_t side, const DrawnSegment& drawn) {
+    const SegmentEnds& ends = all_.segments[segment];
+    const Point at = (side == 0 ? drawn.path.front() : drawn.path.back()).at;
+    const std::size_t port = ends.port[side];
+    if (port == nowhere) {
+      const bool tied = ends.loose == LooseEnd::tied;
+      const double away = all_.faces_down(ends.port[1 - side]) ? 1 : -1;
+      out_.ends.push_back({tied ? EndHold::tied : EndHold::fixed, at, away});
+      return;
+    }
+    const PortRole role = all_.ports[port].role;
+    if (role == PortRole::clamp) out_.ends.push_back({EndHold::fixed, at, -1});
+    if (role == PortRole::strand && all_.ports[port].twin == nowhere) {
+      out_.ends.push_back({EndHold::anchored, at, -1});
+    } else if (is_tail(role) || role == PortRole::becket) {
+      out_.ends.push_back({EndHold::block, at, 1});
+    }
+  }
+
+  LabelPlace strand_label(const Segment& strand) const {
+    const auto f = static_cast<std::size_t>(strand.finger - 1);
+    const double upper = palm_ - 6 - label_height - label_step;
+    const double middle = left_ + places_.fingers[f];
+    if (is_anchored(net_, strand.finger)) return {{middle, upper}, Align::start};
+    if (strand.number % 2 == 1) return {{middle - tip_radius, upper}, Align::start};
+    return {{middle + tip_radius, upper + label_step}, Align::end};
+  }
+
+  static void label(const LabelPlace& place, DrawnSegment& drawn) {
+    constexpr double under = 20;  // half the room under a bend
+    const auto [x, top] = place.top;
+    drawn.align = place.align;
+    drawn.label = {x + label_gap, top, x + label_gap + label_width, top + label_height};
+    if (place.align == Align::end) {
+      drawn.label.left = x - label_gap - label_width;
+      drawn.label.right = drawn.label.left + label_width;
+    } else if (place.align == Align::middle) {
+      drawn.label.left = x - under;
+      drawn.label.right = x + under;
+    }
+  }
+
+  // Below what hangs on it, with the motor's arrow and text.
   void add_carriage() {
+    constexpr double overhang = 22;
+    constexpr double arrow = 34;
     double left = out_.width;
     double right = 0;
-    for (std::size_t c = 0; c < plan_.columns.size(); ++c) {
-      if (plan_.columns[c].motor_side == nowhere) continue;
-      left = std::min(left, grid_.column[c]);
-      right = std::max(right, grid_.column[c]);
+    for (const Fitting& fitting : all_.fittings) {
+      if (fitting.kind != FittingKind::sheath && fitting.kind != FittingKind::pulley) continue;
+      for (const std::size_t port : fitting.ports) {
+        left = std::min(left, at(port).x);
+        right = std::max(right, at(port).x);
+      }
     }
     if (right < left) return;
-    place_carriage(left, right, grid_.carriage_top, grid_.carriage_bottom, out_);
+    const double bottom = palm_ + places_.bottom;
+    out_.carriage = {left - overhang, palm_ + places_.carriage_top, right + overhang, bottom};
+    const double x = (left + right) / 2;
+    out_.motor = {x - 6, bottom + 2, x + 6, bottom + 2 + arrow};
+    out_.motor_text = motor_text();
+    out_.height = out_.motor.bottom + margin;
+  }
+
+  DrawnText motor_text() const {
+    constexpr double aside = 5;
+    const double top = (out_.motor.top + out_.motor.bottom - line_height) / 2;
+    const double width = text_width("motor 1.00", small_size, false);
+    DrawnText text{{}, "", small_size, Weight::normal, Align::start};
+    const double right = out_.motor.right + aside;
+    text.box = {right, top, right + width, top + line_height};
+    if (text.box.right > out_.width - margin / 2) {
+      const double left = out_.motor.left - aside;
+      text.box = {left - width, top, left, top + line_height};
+      text.align = Align::end;
+    }
+    return text;
   }
 
   void add_legend() {
@@ -249,26 +332,35 @@ class Layouter {
 
   const Network& net_;
   const SchematicFrame& frame_;
-  SchematicPlan plan_;
-  SchematicGrid grid_;
+  const Places& places_;
+  const Fittings& all_;
+  double left_ = 0;                 // x of the leftmost part
+  double palm_ = 0;                 // y
+  std::vector<double> fingertips_;  // y of the turns there, or of what is tied
   SchematicLayout out_;
 };
 
 }  // namespace
 
-LayoutPlan layout_plan(const Network& network) {
-  if (!has_floating_parts(network)) return {};
-  return {std::make_shared<const FloatingPlan>(floating_plan(network))};
+Places::Places(Fittings placed)
+    : fittings(std::move(placed)),
+      ports(fittings.ports.size()),
+      pieces(fittings.segments.size()),
+      loose(fittings.segments.size()),
+      labels(fittings.segments.size()) {}
+
+Places places(const Network& network) {
+  Fittings parts = fittings(network);
+  return has_floating_parts(network) ? places_in_levels(network, std::move(parts))
+                                     : places_in_rows(network, std::move(parts));
 }
 
-SchematicLayout layout(const Network& network, const SchematicFrame& frame,
-                       const LayoutPlan& plan) {
-  if (plan.floating) return floating_layout(network, frame, *plan.floating);
-  return Layouter(network, frame).run();
+SchematicLayout layout(const Network& network, const SchematicFrame& frame, const Places& places) {
+  return Layouter(network, frame, places).run();
 }
 
 SchematicLayout layout(const Network& network, const SchematicFrame& frame) {
-  return layout(network, frame, layout_plan(network));
+  return layout(network, frame, places(network));
 }
 
 }  // namespace reeve::drawing

@@ -10,12 +10,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/grasp.hpp"
 #include "core/network.hpp"
+#include "drawing/schematic/places.hpp"
 #include "drawing/shapes.hpp"
 
 namespace reeve::drawing {
@@ -144,16 +144,8 @@ struct SchematicFrame {
   bool with_slack = true;    // among it strands without any
 };
 
-// What drawings of one routing in several grasps share: for who makes more than one.
-struct FloatingPlan;
-struct LayoutPlan {
-  // Of drawings with floating blocks, bars or anchored tips: floating/floating_layout.hpp.
-  std::shared_ptr<const FloatingPlan> floating;
-};
-LayoutPlan layout_plan(const Network& network);
-
-// With the plan of this network.
-SchematicLayout layout(const Network& network, const SchematicFrame& frame, const LayoutPlan& plan);
+// With the places of this network: for who draws it in several grasps.
+SchematicLayout layout(const Network& network, const SchematicFrame& frame, const Places& places);
 SchematicLayout layout(const Network& network, const SchematicFrame& frame);
 
 // Slack is not among them.
@@ -161,10 +153,5 @@ DrawnParts drawn_parts(const Network& network);
 
 // The symbols' meanings, flowing between left and right.
 Legend legend(const Box& room, bool with_tension, const DrawnParts& parts);
-
-// What a symbol covers.
-Box bounds(const DrawnContact& contact);
-Box bounds(const DrawnEnd& end);
-std::vector<Box> bounds(const DrawnBlock& block);
 
 }  // namespace reeve::drawing

@@ -35,4 +35,19 @@ inline constexpr double label_height = 2 * line_height;
 inline constexpr double label_step = label_height + 3;  // to the next label below
 inline constexpr double label_gap = 7;                  // from a line to its label
 
+// Of blocks and bars.
+inline constexpr double tail_eye = 52;    // from the middle of a sheave to the eye of the tail
+inline constexpr double beam_depth = 40;  // … to the beam that bears several sheaves
+inline constexpr double eye_radius = 5;
+inline constexpr double beam_half = 4;
+inline constexpr double bar_half = 8;        // half the thickness of a bar
+inline constexpr double turning_arrow = 20;  // radius of the arrow over a bar that turns
+inline constexpr double name_height = 18;    // of Y1, W1
+inline constexpr double motion_length = 20;  // of the arrow at a block
+inline constexpr double anchor_depth = 24;   // from the top of a finger to the tendon tied there
+
+inline constexpr double lane_pitch = 15;  // of level stretches above each other
+inline constexpr double name_left = 11;   // of a block's name, from its tail
+inline constexpr double motion_width = 10;
+
 }  // namespace reeve::drawing::measures

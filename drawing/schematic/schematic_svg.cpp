@@ -3,14 +3,256 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/text.hpp"
-#include "drawing/schematic/schematic_drawing.hpp"
-#include "drawing/schematic/schematic_measures.hpp"
+#include "drawing/schematic/schematic_symbols.hpp"
 #include "drawing/svg.hpp"
 
 namespace reeve::drawing {
 namespace {
+
+using namespace measures;
+
+const char* const strokes = " stroke=\"currentColor\" stroke-width=\"1.5\"";
+
+// Okabe and Ito's colours, which people with any colour vision tell apart; the darker ones first.
+constexpr std::array<const char*, 6> tendon_colours{"#0072b2", "#d55e00", "#009e73",
+                                                    "#cc79a7", "#56b4e9", "#e69f00"};
+
+std::string tension_text(double tension) {
+  constexpr double least_shown = 0.005;
+  if (tension == 0) return "0";
+  if (tension < least_shown) return "<.01";
+  if (tension < 9.995) return fixed(tension, 2);
+  return tension < 999.5 ? fixed(tension, 0) : fmt::format("{:.0e}", tension);
+}
+
+// What a line of full width stands for: the motor tension, or more where friction, releasing, makes
+// a strand pull harder than the motor.
+double full_tension(const Schematic& schematic) {
+  double most = 1;
+  if (schematic.state == nullptr) return most;
+  for (const double tension : schematic.state->tension) most = std::max(most, tension);
+  return most;
+}
+
+// The cross-section in proportion to the tension: a rope under the same stress everywhere.
+double line_width(double share) { return std::max(1.2, thickest * std::sqrt(share)); }
+
+std::string tendon(const DrawnSegment& segment, const double* tension, double full) {
+  const double width = tension == nullptr ? 2.5 : line_width(*tension / full);
+  const bool slack = tension != nullptr && *tension == 0;
+  return svg::path(
+      svg::rounded(segment.path),
+      " class=\"reeve-tendon\"" + svg::attribute("data-segment", segment.name) +
+          svg::attribute("stroke", tendon_colours[segment.tendon % tendon_colours.size()]) +
+          svg::attribute("stroke-width", svg::number(width)) +
+          (slack ? " stroke-dasharray=\"5 4\"" : ""));
+}
+
+std::string label(const DrawnSegment& segment, const double* tension) {
+  const Box& box = segment.label;
+  const double x = svg::anchor(box, segment.align);
+  const double baseline = box.top + 0.8 * line_height;
+  std::string content = "<tspan font-weight=\"bold\">" + segment.name + "</tspan>";
+  if (tension != nullptr) {
+    content += "<tspan" + svg::attribute("x", svg::number(x)) +
+               svg::attribute("dy", svg::number(line_height)) + ">" +
+               svg::escape(tension_text(*tension)) + "</tspan>";
+  }
+  return "<text" + svg::attribute("x", svg::number(x)) +
+         svg::attribute("y", svg::number(baseline)) +
+         svg::attribute("font-size", svg::number(text_size)) + svg::anchor(segment.align) + ">" +
+         content + "</text>\n";
+}
+
+std::string turns(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnContact& contact : layout.contacts) {
+    if (contact.place == ContactPlace::sheath) continue;
+    if (contact.kind == ContactKind::bar) continue;
+    content += contact.kind == ContactKind::tube
+                   ? symbols::tube(contact, sleeve)
+                   : symbols::wheel(contact.centre, contact.radius - thickest / 2 - 1);
+  }
+  return content;
+}
+
+// Behind the sheaves.
+std::string shells(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnBlock& block : layout.blocks) content += symbols::shell(block);
+  return content;
+}
+
+// Over the tendons that are tied there.
+std::string eyes(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnBlock& block : layout.blocks) content += symbols::eyes(block);
+  return content;
+}
+
+std::string sheaths(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnContact& contact : layout.contacts) {
+    if (contact.place == ContactPlace::sheath) content += symbols::sheath(contact, sleeve);
+  }
+  return content;
+}
+
+std::string ends(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnEnd& end : layout.ends) {
+    switch (end.hold) {
+      case EndHold::fixed:
+        content += symbols::fixation(end, fixation_width, fixation_depth);
+        break;
+      case EndHold::tied:
+        content += symbols::knot(end.at, knot_size);
+        break;
+      case EndHold::anchored:
+        content += symbols::anchor(end.at, knot_size / 2);
+        break;
+      case EndHold::block:
+        break;
+    }
+  }
+  return content;
+}
+
+std::string arrows(const Schematic& schematic) {
+  std::string content;
+  if (schematic.state == nullptr) return content;
+  for (std::size_t i = 0; i < schematic.layout.contacts.size(); ++i) {
+    const double slip = schematic.state->slip[i];
+    if (slip == 0) continue;
+    content += svg::group(" class=\"reeve-slides\"",
+                          symbols::sliding(schematic.layout.contacts[i], slip > 0));
+  }
+  return content;
+}
+
+// Which way blocks and bars move.
+std::string motions(const Schematic& schematic) {
+  std::string content;
+  if (schematic.state == nullptr) return content;
+  // A state has the travel of a release as it would be pulled.
+  const double way = schematic.direction == Direction::pull ? 1 : -1;
+  for (std::size_t i = 0; i < schematic.layout.blocks.size(); ++i) {
+    const DrawnBlock& block = schematic.layout.blocks[i];
+    const double travel = way * schematic.state->block_travel[i] * block.apex;
+    if (travel == 0) continue;
+    const double x = (block.motion.left + block.motion.right) / 2;
+    Point from{x, block.motion.top};
+    Point to{x, block.motion.bottom};
+    if (travel < 0) std::swap(from, to);
+    content += svg::group(" class=\"reeve-moves\"", symbols::straight_arrow(from, to));
+  }
+  return content;
+}
+
+std::string held_fingers(const SchematicLayout& layout) {
+  std::string content;
+  for (const DrawnFinger& finger : layout.fingers) {
+    if (finger.held) content += symbols::object(finger.object) + symbols::hatching(finger.outline);
+  }
+  return content;
+}
+
+std::string carriage(const Schematic& schematic) {
+  const SchematicLayout& layout = schematic.layout;
+  if (layout.carriage.right <= layout.carriage.left) return "";
+  const double x = (layout.motor.left + layout.motor.right) / 2;
+  Point from{x, layout.motor.top};
+  Point to{x, layout.motor.bottom};
+  if (schematic.direction == Direction::release) std::swap(from, to);
+  DrawnText text = layout.motor_text;
+  text.text = "motor";
+  if (schematic.state != nullptr) text.text += " 1.00";
+  return svg::group(
+             strokes,
+             svg::rectangle(layout.carriage, 6, " class=\"reeve-carriage\" fill=\"#e2e6ea\"") +
+                 svg::group(" stroke-width=\"3\"", symbols::straight_arrow(from, to))) +
+         svg::text(text);
+}
+
+std::string tendons(const Schematic& schematic) {
+  const double full = full_tension(schematic);
+  std::string lines;
+  std::string labels;
+  for (std::size_t i = 0; i < schematic.layout.segments.size(); ++i) {
+    const double* tension = schematic.state == nullptr ? nullptr : &schematic.state->tension[i];
+    lines += tendon(schematic.layout.segments[i], tension, full);
+    labels += label(schematic.layout.segments[i], tension);
+  }
+  return svg::group(" fill=\"none\"", lines) + labels;
+}
+
+std::string legend_symbol(const LegendItem& item) {
+  const Point centre{(item.box.left + item.box.right) / 2, (item.box.top + item.box.bottom) / 2};
+  const DrawnContact small{ContactKind::tube, ContactPlace::tip, {centre.x, centre.y + 3}, 7, -1};
+  DrawnContact sheath = small;
+  sheath.centre = centre;
+  sheath.length = 18;
+  switch (item.symbol) {
+    case LegendSymbol::tube:
+      return symbols::tube(small, 3);
+    case LegendSymbol::bearing:
+      return symbols::wheel(centre, 8);
+    case LegendSymbol::sheath:
+      return symbols::sheath(sheath, 4.5);
+    case LegendSymbol::fixed:
+      return symbols::fixation({EndHold::fixed, {centre.x, centre.y - 3}, 1}, 18, 10);
+    case LegendSymbol::tied:
+      return symbols::knot(centre, 10);
+    case LegendSymbol::anchored:
+      return symbols::anchor(centre, 5);
+    case LegendSymbol::block: {
+      DrawnBlock block;
+      block.axles = {{centre.x, centre.y - 3}};
+      block.sheave = 6;
+      block.tails = {{centre.x, centre.y + 8}};
+      block.beam = centre.y + 7;
+      return symbols::shell(block) + symbols::wheel(block.axles.front(), 6.5);
+    }
+    case LegendSymbol::bar: {
+      DrawnBlock bar;
+      bar.is_bar = true;
+      bar.eyes = {{centre.x - 7, centre.y}, {centre.x + 7, centre.y}};
+      bar.tails = {centre};
+      bar.beam = centre.y;
+      return symbols::shell(bar) + symbols::eyes(bar);
+    }
+    case LegendSymbol::slides:
+      return symbols::straight_arrow({item.box.left + 2, centre.y}, {item.box.right - 2, centre.y});
+    case LegendSymbol::slack:
+      return svg::path(
+          svg::move_to({item.box.left, centre.y}) + svg::line_to({item.box.right, centre.y}),
+          " stroke-dasharray=\"5 4\"");
+  }
+  return "";
+}
+
+std::string draw(const Legend& legend) {
+  std::string symbols;
+  std::string texts;
+  for (const LegendItem& item : legend.items) symbols += legend_symbol(item);
+  for (const DrawnText& text : legend.texts) texts += svg::text(text);
+  return svg::group(strokes, symbols) + texts;
+}
+
+std::string draw(const Schematic& schematic) {
+  const SchematicLayout& layout = schematic.layout;
+  std::string texts;
+  for (const DrawnText& text : layout.texts) texts += svg::text(text);
+  return svg::group(strokes, symbols::hand(layout) + held_fingers(layout)) + carriage(schematic) +
+         svg::group(strokes, shells(layout) + turns(layout)) + tendons(schematic) +
+         svg::group(strokes, sheaths(layout) + eyes(layout) + ends(layout) + arrows(schematic) +
+                                 motions(schematic)) +
+         texts + draw(layout.legend);
+}
 
 std::string description(const Schematic& schematic) {
   std::string text = schematic.layout.subtitle;
@@ -64,14 +306,14 @@ Schematic schematic(const Network& network, const std::string& title, bool with_
 
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
                     bool with_legend) {
-  return schematic(network, layout_plan(network), title, view, with_legend);
+  return schematic(network, places(network), title, view, with_legend);
 }
 
-Schematic schematic(const Network& network, const LayoutPlan& plan, const std::string& title,
+Schematic schematic(const Network& network, const Places& places, const std::string& title,
                     const GraspView& view, bool with_legend) {
   const SchematicFrame frame{
       title, subtitle(view, network.fingers), view.grasp, with_legend, true, has_slack(view.state)};
-  return {layout(network, frame, plan), &view.state, view.direction};
+  return {layout(network, frame, places), &view.state, view.direction};
 }
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
@@ -81,8 +323,8 @@ std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
 }
 
 std::string schematic_legend(double width, const std::string& ids, const DrawnParts& parts) {
-  const Legend key = legend({measures::margin, 0, width - measures::margin, 0}, true, parts);
-  return file({0, 0, width, key.bottom + measures::margin / 2}, "img", ids, "Symbols",
+  const Legend key = legend({margin, 0, width - margin, 0}, true, parts);
+  return file({0, 0, width, key.bottom + margin / 2}, "img", ids, "Symbols",
               "What the symbols of the schematics mean.", draw(key));
 }
 
@@ -111,10 +353,8 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
     parts |= schematic.layout.parts;
     parts.slack = parts.slack || (schematic.state != nullptr && has_slack(*schematic.state));
   }
-  const Legend key =
-      legend({measures::margin, bottom, right - measures::margin, 0}, with_tension, parts);
-  return file({0, 0, right, key.bottom + measures::margin / 2}, "group", ids, title, "",
-              content + draw(key));
+  const Legend key = legend({margin, bottom, right - margin, 0}, with_tension, parts);
+  return file({0, 0, right, key.bottom + margin / 2}, "group", ids, title, "", content + draw(key));
 }
 
 }  // namespace reeve::drawing

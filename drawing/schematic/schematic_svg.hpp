@@ -30,7 +30,7 @@ Schematic schematic(const Network& network, const std::string& title, bool with_
 // Keeps a pointer to the view's state.
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
                     bool with_legend = true);
-Schematic schematic(const Network& network, const LayoutPlan& plan, const std::string& title,
+Schematic schematic(const Network& network, const Places& places, const std::string& title,
                     const GraspView& view, bool with_legend = true);
 
 // A whole file. Identifiers in it begin with `ids`, so that a page can hold several.

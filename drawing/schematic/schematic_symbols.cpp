@@ -1,9 +1,9 @@
 #include "drawing/schematic/schematic_symbols.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "drawing/schematic/floating_measures.hpp"
 #include "drawing/schematic/schematic_measures.hpp"
 #include "drawing/svg.hpp"
 
@@ -11,8 +11,10 @@ namespace reeve::drawing::symbols {
 namespace {
 
 using namespace svg;
+using namespace measures;
 
 const char* const ink = " fill=\"currentColor\"";
+const char* const solid = " fill=\"currentColor\" stroke=\"none\"";
 
 // A triangle with its tip ahead of `at`.
 std::string arrow_head(Point at, double dx, double dy) {
@@ -22,8 +24,7 @@ std::string arrow_head(Point at, double dx, double dy) {
   const Point tip{at.x + ahead * dx, at.y + ahead * dy};
   const Point left{at.x - behind * dx - half * dy, at.y - behind * dy + half * dx};
   const Point right{at.x - behind * dx + half * dy, at.y - behind * dy - half * dx};
-  return path(move_to(tip) + line_to(left) + line_to(right) + "Z",
-              std::string(ink) + " stroke=\"none\"");
+  return path(move_to(tip) + line_to(left) + line_to(right) + "Z", solid);
 }
 
 // Round the turn's centre, from the left to the right or back; `reach` from the apex, in rad.
@@ -38,6 +39,36 @@ std::string curved_arrow(const DrawnContact& turn, double radius, double reach, 
   const bool clockwise = (turn.apex < 0) == to_the_right;
   return path(move_to(at(start)) + arc_to(at(end), radius, clockwise), " fill=\"none\"") +
          arrow_head(at(end), sense * std::cos(end), -sense * turn.apex * std::sin(end));
+}
+
+// A plate that narrows from a wheel to its foot.
+std::string cheek(Point axle, double half, double foot) {
+  const double narrow = half / 3;
+  return path(move_to({axle.x - half, axle.y}) + line_to({axle.x - narrow, foot}) +
+                  line_to({axle.x + narrow, foot}) + line_to({axle.x + half, axle.y}) + "Z",
+              paper);
+}
+
+Box beam(const DrawnBlock& block) {
+  Box box{block.tails.front().x, block.beam, block.tails.front().x, block.beam};
+  for (const auto* points : {&block.axles, &block.eyes, &block.tails}) {
+    for (const Point& at : *points) {
+      box.left = std::min(box.left, at.x);
+      box.right = std::max(box.right, at.x);
+    }
+  }
+  return box;
+}
+
+Box grown(const Box& box, double by) {
+  return {box.left - by, box.top - by, box.right + by, box.bottom + by};
+}
+
+// From the beam to an eye.
+std::string arm(Point eye, double beam) {
+  constexpr double half = 2.5;
+  return rectangle({eye.x - half, std::min(eye.y, beam), eye.x + half, std::max(eye.y, beam)}, 0,
+                   paper);
 }
 
 }  // namespace
@@ -57,8 +88,7 @@ std::string tube(const DrawnContact& turn, double half) {
 }
 
 std::string wheel(Point centre, double radius) {
-  return circle(centre, radius, paper) +
-         circle(centre, std::max(2.0, radius / 6), std::string(ink) + " stroke=\"none\"");
+  return circle(centre, radius, paper) + circle(centre, std::max(2.0, radius / 6), solid);
 }
 
 std::string sheath(const DrawnContact& sheath, double half) {
@@ -86,12 +116,46 @@ std::string fixation(const DrawnEnd& end, double width, double depth) {
     const double x = end.at.x - width / 2 + width / ticks * (i + 1);
     commands += move_to({x, end.at.y}) + line_to({x - width / ticks, end.at.y + deep});
   }
-  return path(commands, " fill=\"none\"") +
-         circle(end.at, width / 6, std::string(ink) + " stroke=\"none\"");
+  return path(commands, " fill=\"none\"") + circle(end.at, width / 6, solid);
 }
 
 std::string knot(Point at, double size) {
   return rectangle({at.x - size / 2, at.y - size / 2, at.x + size / 2, at.y + size / 2}, 0, ink);
+}
+
+std::string anchor(Point at, double radius) { return circle(at, radius, solid); }
+
+std::string shell(const DrawnBlock& block) {
+  const Box box = beam(block);
+  // Within a legend there is less room.
+  if (block.is_bar) {
+    const double half = std::min(bar_half, (box.right - box.left) / 4);
+    return rectangle(grown(box, half), half - 1, paper);
+  }
+  const bool alone = box.right == box.left;
+  if (alone && !block.axles.empty()) {
+    return cheek(block.axles.front(), block.sheave * 0.75, block.tails.front().y);
+  }
+  std::string content;
+  for (const Point& eye : block.eyes) content += arm(eye, block.beam);
+  for (const Point& tail : block.tails) content += arm(tail, block.beam);
+  for (const Point& axle : block.axles) {
+    content += cheek(axle, block.sheave * 0.75, block.beam);
+  }
+  if (!alone) content += rectangle(grown(box, beam_half), 3, paper);
+  return content;
+}
+
+std::string eyes(const DrawnBlock& block) {
+  std::string content;
+  for (const Point& eye : block.eyes) {
+    content += circle(eye, block.is_bar ? 3 : eye_radius, paper);
+  }
+  for (const Point& tail : block.tails) {
+    content += block.is_bar ? circle(tail, 4.5, paper) + circle(tail, 1.5, solid)
+                            : circle(tail, eye_radius, paper);
+  }
+  return content;
 }
 
 std::string object(const Box& box) {
@@ -127,12 +191,12 @@ std::string sliding(const DrawnContact& contact, bool with_walk) {
     // A sheave in its place would turn the same way; there is room on the side of the arms.
     DrawnContact over = contact;
     over.apex = -contact.apex;
-    return curved_arrow(over, measures::turning_arrow, 0.95, !forward);
+    return curved_arrow(over, turning_arrow, 0.95, !forward);
   }
   if (contact.place != ContactPlace::sheath) {
     return curved_arrow(contact, contact.radius - 13, 1.3, forward);
   }
-  constexpr double aside = measures::sleeve + 8;
+  constexpr double aside = sleeve + 8;
   const double half = contact.length / 2 - 12;
   const double x = contact.centre.x + contact.arrow_side * aside;
   const Point top{x, contact.centre.y - half};

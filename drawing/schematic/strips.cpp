@@ -1,19 +1,21 @@
-#include "drawing/schematic/strips.hpp"
-
 #include <algorithm>
 #include <limits>
 
-#include "drawing/schematic/floating_measures.hpp"
+#include "drawing/schematic/columns.hpp"
+#include "drawing/schematic/schematic_measures.hpp"
 
 namespace reeve::drawing {
 namespace {
 
 using namespace measures;
 
+constexpr double body_margin = 12;  // beside the outermost lines of a fitting
+constexpr double apart = 18;        // least distance of parallel lines
+
 class Cutting {
  public:
-  Cutting(const Network& network, const Fittings& all, const Lanes& lanes,
-          const FloatingHeights& heights, const Ranks& ranks)
+  Cutting(const Network& network, const Fittings& all, const Lanes& lanes, const Heights& heights,
+          const Ranks& ranks)
       : net_(network), all_(all), lanes_(lanes), heights_(heights), ranks_(ranks) {}
 
   std::vector<Strip> cut() {
@@ -81,9 +83,9 @@ class Cutting {
     for (const std::size_t end : {0U, 1U}) {
       const bool rises = stretch.rises[end];
       const std::size_t port = stretch.port[end];
-      const bool bend = all_.ports[port].role == PortRole::bend;
-      const double to = bend ? height_at_bend(stretch, port) : height(all_, heights_, port);
-      add_line(port, to, y + (rises ? bend_room : -bend_room), stretch.segment, rises);
+      const bool at_bend = all_.ports[port].role == PortRole::bend;
+      const double to = at_bend ? height_at_bend(stretch, port) : height(all_, heights_, port);
+      add_line(port, to, y + (rises ? bend : -bend), stretch.segment, rises);
     }
   }
 
@@ -127,7 +129,7 @@ class Cutting {
   const Network& net_;
   const Fittings& all_;
   const Lanes& lanes_;
-  const FloatingHeights& heights_;
+  const Heights& heights_;
   const Ranks& ranks_;
   std::vector<Strip> strips_;
 };
@@ -144,7 +146,7 @@ ColumnOf column_of(const Fittings& all, std::size_t port) {
 }
 
 std::vector<Strip> strips(const Network& network, const Fittings& all, const Lanes& lanes,
-                          const FloatingHeights& heights, const Ranks& ranks) {
+                          const Heights& heights, const Ranks& ranks) {
   return Cutting(network, all, lanes, heights, ranks).cut();
 }
 

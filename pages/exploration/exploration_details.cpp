@@ -60,11 +60,11 @@ class Lines {
 
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
-std::string planned_svg(const ShownRouting& report, const LayoutPlan& plan, std::size_t grasp,
+std::string placed_svg(const ShownRouting& report, const Places& places, std::size_t grasp,
                         const std::string& ids) {
   const ShownGrasp& shown = report.grasps[grasp];
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
-  return schematic_svg(schematic(report.network, plan, title,
+  return schematic_svg(schematic(report.network, places, title,
                                  GraspView{shown.grasp, report.direction, shown.state}, false),
                        ids);
 }
@@ -89,10 +89,10 @@ Json design_json(const ShownRouting& report, bool whole, Lines& lines) {
     json["shared"] = std::move(shared);
   }
   json["grasps"] = Json::array();
-  const LayoutPlan plan = layout_plan(report.network);
+  const Places places = reeve::drawing::places(report.network);
   for (std::size_t i = 0; i < report.grasps.size(); ++i) {
     Json grasp = grasp_json(report, i);
-    if (whole || i == 0) grasp["schematic"] = lines.add(planned_svg(report, plan, i, "schematic"));
+    if (whole || i == 0) grasp["schematic"] = lines.add(placed_svg(report, places, i, "schematic"));
     json["grasps"].push_back(std::move(grasp));
   }
   json["contacts"] = Json::array();
@@ -165,7 +165,7 @@ DesignDetails design_details(const DetailedDesigns& designs, const SolveDesign& 
 }
 
 std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids) {
-  return planned_svg(report, layout_plan(report.network), grasp, ids);
+  return placed_svg(report, places(report.network), grasp, ids);
 }
 
 }  // namespace reeve::pages

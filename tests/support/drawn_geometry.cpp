@@ -15,6 +15,56 @@
 namespace reeve::testing {
 namespace {
 
+using namespace measures;
+
+// What a symbol covers.
+Box bounds(const DrawnContact& contact) {
+  const Point& at = contact.centre;
+  if (contact.place == ContactPlace::sheath) {
+    constexpr double ferrule = sleeve + 2;
+    constexpr double arrow = sleeve + 13;
+    const bool right = contact.arrow_side > 0;
+    return {at.x - (right ? ferrule : arrow), at.y - contact.length / 2,
+            at.x + (right ? arrow : ferrule), at.y + contact.length / 2};
+  }
+  const bool wheel = contact.kind == ContactKind::bearing || contact.kind == ContactKind::block;
+  const double reach = contact.radius + (wheel ? thickest / 2 : sleeve);
+  const double inner = wheel ? contact.radius - thickest / 2 : 4;
+  return {at.x - reach, at.y - (contact.apex > 0 ? inner : reach), at.x + reach,
+          at.y + (contact.apex > 0 ? reach : inner)};
+}
+
+Box bounds(const DrawnEnd& end) {
+  if (end.hold != EndHold::fixed) {
+    return {end.at.x - knot_size / 2, end.at.y - knot_size / 2, end.at.x + knot_size / 2,
+            end.at.y + knot_size / 2};
+  }
+  const double deep = end.away * fixation_depth;
+  return {end.at.x - fixation_width / 2, end.at.y + std::min(0.0, deep),
+          end.at.x + fixation_width / 2, end.at.y + std::max(0.0, deep)};
+}
+
+std::vector<Box> bounds(const DrawnBlock& block) {
+  std::vector<Box> found;
+  Box beam{block.tails.front().x, block.beam, block.tails.front().x, block.beam};
+  const auto widen = [&](const Point& at) {
+    beam.left = std::min(beam.left, at.x);
+    beam.right = std::max(beam.right, at.x);
+  };
+  const auto add = [&](const Point& at, double half, double to) {
+    found.push_back(
+        {at.x - half, std::min(at.y - half, to), at.x + half, std::max(at.y + half, to)});
+    widen(at);
+  };
+  for (const Point& axle : block.axles) add(axle, block.sheave, block.beam);
+  for (const Point& eye : block.eyes) add(eye, eye_radius, block.beam);
+  for (const Point& tail : block.tails) add(tail, eye_radius, block.beam);
+  const double half = block.is_bar ? bar_half : beam_half;
+  found.push_back({beam.left - half, beam.top - half, beam.right + half, beam.bottom + half});
+  found.push_back(block.motion);
+  return found;
+}
+
 std::vector<Item> texts(const SchematicLayout& layout) {
   std::vector<Item> items;
   for (const DrawnSegment& segment : layout.segments)
@@ -66,7 +116,7 @@ void expect_inside(const SchematicLayout& layout) {
   for (const Item& item : symbols(layout)) items.push_back(item);
   for (const DrawnSegment& segment : layout.segments) {
     for (const Edge& edge : edges(segment, false)) {
-      items.push_back({segment.name, around(edge, measures::thickest / 2)});
+      items.push_back({segment.name, around(edge, thickest / 2)});
     }
   }
   items.push_back({"hand", layout.hand});
@@ -95,7 +145,7 @@ void expect_lines_clear(const SchematicLayout& layout) {
     const Point front = segment.path.front().at;
     const Point back = segment.path.back().at;
     for (const Edge& edge : edges(segment, true)) {
-      const Box line = around(edge, measures::thickest / 2 - 0.1);
+      const Box line = around(edge, thickest / 2 - 0.1);
       for (const Item& label : labels) {
         EXPECT_FALSE(overlap(line, label.box))
             << segment.name << " " << text(line) << " runs over the text " << label.name << " "
@@ -138,8 +188,8 @@ void expect_lines_apart(const SchematicLayout& layout) {
       if (shared < 0.01) continue;
       const double apart =
           upright ? std::abs(one.left - other.left) : std::abs(one.top - other.top);
-      EXPECT_GE(apart, measures::thickest) << all[i].segment->name << " " << text(one) << " and "
-                                           << all[k].segment->name << " " << text(other);
+      EXPECT_GE(apart, thickest) << all[i].segment->name << " " << text(one) << " and "
+                                 << all[k].segment->name << " " << text(other);
     }
   }
 }
@@ -154,7 +204,7 @@ void expect_blocks_clear(const SchematicLayout& layout) {
       if (half_turn) continue;
       for (const DrawnBlock& block : layout.blocks) {
         for (const Box& box : bounds(block)) {
-          EXPECT_FALSE(overlap(around(straight[i], measures::thickest / 2), box)) << segment.name;
+          EXPECT_FALSE(overlap(around(straight[i], thickest / 2), box)) << segment.name;
         }
       }
     }
@@ -164,7 +214,7 @@ void expect_blocks_clear(const SchematicLayout& layout) {
 // Lines that cross do so away from the bends of both.
 void expect_crossings_clear(const SchematicLayout& layout) {
   for_each_meeting(layout, [](const DrawnSegment& one, const DrawnSegment& other, double inside) {
-    EXPECT_TRUE(inside < -measures::thickest + 0.01 || inside > measures::bend - 0.01)
+    EXPECT_TRUE(inside < -thickest + 0.01 || inside > measures::bend - 0.01)
         << one.name << " ends on " << other.name;
   });
 }

@@ -1,32 +1,13 @@
-#include "drawing/schematic/schematic_text.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
+// What the symbols of a schematic mean: the texts and their places.
 #include <array>
 
 #include "core/performance.hpp"
-#include "drawing/schematic/fittings.hpp"
-#include "drawing/schematic/schematic_measures.hpp"
+#include "drawing/schematic/schematic_layout.hpp"
 
 namespace reeve::drawing {
-
-using namespace measures;
-
 namespace {
 
-double add_lines(const std::string& text, double top, DrawnText style, SchematicLayout& layout) {
-  const double width = layout.width - 2 * margin;
-  const bool bold = style.weight == Weight::bold;
-  for (const std::string& piece : wrap(text, style.size, bold, width)) {
-    style.text = piece;
-    style.box = {margin, top, margin + std::min(width, text_width(piece, style.size, bold)),
-                 top + style.size + 4};
-    layout.texts.push_back(style);
-    top = style.box.bottom;
-  }
-  return top;
-}
+using namespace measures;
 
 struct SymbolMeaning {
   LegendSymbol symbol;
@@ -70,63 +51,6 @@ bool is_shown(LegendSymbol symbol, bool with_tension, const DrawnParts& parts) {
   }
   return true;
 }
-
-DrawnText motor_text(const SchematicLayout& layout) {
-  const double top = (layout.motor.top + layout.motor.bottom - line_height) / 2;
-  const double width = text_width("motor 1.00", small_size, false);
-  constexpr double aside = 5;
-  DrawnText text{{}, "", small_size, Weight::normal, Align::start};
-  const double right = layout.motor.right + aside;
-  text.box = {right, top, right + width, top + line_height};
-  if (text.box.right > layout.width - margin / 2) {
-    const double left = layout.motor.left - aside;
-    text.box = {left - width, top, left, top + line_height};
-    text.align = Align::end;
-  }
-  return text;
-}
-
-}  // namespace
-
-double add_heading(const SchematicFrame& frame, SchematicLayout& layout) {
-  const double title = add_lines(frame.title, 10, {{}, "", 16, Weight::bold}, layout);
-  const double subtitle =
-      add_lines(frame.subtitle, title, {{}, "", small_size, Weight::normal}, layout);
-  return subtitle + 6;
-}
-
-void add_finger_name(int number, const DrawnFinger& finger, SchematicLayout& layout) {
-  const double middle = (finger.outline.left + finger.outline.right) / 2;
-  double bottom = finger.held ? finger.object.top - 1 : finger.outline.top - 3;
-  const auto add = [&](const std::string& text, Weight weight) {
-    const double half = text_width(text, small_size, weight == Weight::bold) / 2;
-    layout.texts.push_back({{middle - half, bottom - line_height, middle + half, bottom},
-                            text,
-                            small_size,
-                            weight,
-                            Align::middle});
-    bottom -= line_height;
-  };
-  if (finger.held) add("held", Weight::bold);
-  add(fmt::format("finger {}", number), Weight::normal);
-}
-
-void place_label(double x, double top, bool to_the_right, DrawnSegment& drawn) {
-  const double left = to_the_right ? x + label_gap : x - label_gap - label_width;
-  drawn.label = {left, top, left + label_width, top + label_height};
-  drawn.align = to_the_right ? Align::start : Align::end;
-}
-
-void place_carriage(double left, double right, double top, double bottom, SchematicLayout& layout) {
-  constexpr double overhang = 22;
-  constexpr double arrow = 34;
-  layout.carriage = {left - overhang, top, right + overhang, bottom};
-  const double x = (left + right) / 2;
-  layout.motor = {x - 6, bottom + 2, x + 6, bottom + 2 + arrow};
-  layout.motor_text = motor_text(layout);
-}
-
-namespace {
 
 void add_note(const Box& room, Legend& legend) {
   const std::string note = "line width and number: tension at motor tension 1";

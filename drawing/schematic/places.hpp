@@ -1,0 +1,53 @@
+// What a schematic's layout decides and no grasp changes: where ports, lines and labels stand.
+//
+// There are two such layouts. A hand without floating parts has its columns in the order of the
+// fingers and its joins in rows below each other (rows.cpp). With blocks, bars or anchored tips,
+// blocks and joins lie in levels, in an order that is searched for (arrangement.cpp).
+#pragma once
+
+#include <vector>
+
+#include "drawing/schematic/fittings.hpp"
+#include "drawing/schematic/schematic_measures.hpp"
+#include "drawing/shapes.hpp"
+
+namespace reeve::drawing {
+
+// A level piece of a line.
+struct LevelPiece {
+  double y = 0;
+  double from = 0;  // x, in walk order
+  double to = 0;
+  double rounding = measures::bend;  // of its two corners, where there is room
+};
+
+// `start`: right of the line at that x, `end`: left of it, `middle`: under it.
+struct LabelPlace {
+  Point top;
+  Align align = Align::start;
+};
+
+// x from the leftmost part, y from where the palm begins.
+struct Places {
+  Fittings fittings;
+  double width = 0;
+  std::vector<double> fingers;  // the middle of each
+  std::vector<Point> ports;     // the fingertips' y depends on the grasp
+  // Parallel to the segments:
+  std::vector<std::vector<LevelPiece>> pieces;
+  std::vector<Point> loose;        // where an end without a port is held
+  std::vector<LabelPlace> labels;  // the strands' stand in their fingers
+  Box hand;
+  double carriage_top = 0;
+  double bottom = 0;  // of the carriage, or of the hand where there is none
+
+  explicit Places(Fittings placed);
+};
+
+Places places_in_rows(const Network& network, Fittings fittings);
+Places places_in_levels(const Network& network, Fittings fittings);
+
+// By whichever of them the network needs.
+Places places(const Network& network);
+
+}  // namespace reeve::drawing
