@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing/chart/chart.hpp"
-#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "search/uncertainty/bands.hpp"
 
 namespace reeve::pages {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
 #include "reports/document/text_table.hpp"

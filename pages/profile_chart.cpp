@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "reports/sizing_words.hpp"
 
 namespace reeve::pages {

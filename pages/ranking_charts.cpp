@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/band_spans.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/objective_axis.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/figure_captions.hpp"
 #include "pages/figure_names.hpp"
 #include "pages/routing_parts.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/exploration/objective_axis.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/shell/template.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "drawing/chart/chart.hpp"
-#include "drawing/chart/chart_svg.hpp"
 #include "reports/data_text.hpp"
 #include "reports/import_words.hpp"
 

@@ -1,5 +1,4 @@
-// A chart as values: panels with two axes each, and in them layers of marks. chart_svg.hpp draws
-// it.
+// A chart as values: panels with two axes each, and in them layers of marks; and its drawing.
 //
 //   chart::Chart chart;
 //   chart.alt = "Measured over predicted tensions";  // for who cannot see it
@@ -24,6 +23,7 @@
 // - The same chart gives the same bytes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,6 +40,24 @@ namespace reeve::drawing::chart {
 enum class Colour : std::uint8_t { blue, orange, green, pink, sky, amber, ink, grey, violet };
 
 enum class Symbol : std::uint8_t { circle, square, triangle, diamond, cross, wedge, tick };
+
+// On white. A page that shows a chart in the dark gives the classes reeve-blue, reeve-orange, …
+// another `color`; reeve-chart has that of the ink.
+struct NamedColour {
+  Colour colour;
+  const char* name;
+  const char* on_white;
+};
+
+inline constexpr std::array<NamedColour, 9> colours{{{Colour::blue, "blue", "#0072b2"},
+                                                     {Colour::orange, "orange", "#d55e00"},
+                                                     {Colour::green, "green", "#009e73"},
+                                                     {Colour::pink, "pink", "#cc79a7"},
+                                                     {Colour::sky, "sky", "#56b4e9"},
+                                                     {Colour::amber, "amber", "#e69f00"},
+                                                     {Colour::ink, "ink", "#1a1a1a"},
+                                                     {Colour::grey, "grey", "#808080"},
+                                                     {Colour::violet, "violet", "#7b3fa0"}}};
 
 // For the i-th of several classes. Seven colours and six symbols are 42 pairs.
 Colour series_colour(std::size_t i);
@@ -191,3 +209,16 @@ struct Chart {
 };
 
 }  // namespace reeve::drawing::chart
+
+namespace reeve::drawing {
+
+// Draws a chart as a file of SVG, on white.
+//
+// A page that inlines it may restyle the classes reeve-chart (its `color` is the ink), reeve-paper,
+// reeve-grid and those of the colours: colours are attributes, which any style overrides. Marks are
+// the elements inside reeve-points, reeve-bars, reeve-spans, reeve-paths, reeve-bands and
+// reeve-rules; data-series says which series a group shows. No identifiers are in it, so a page can
+// hold several.
+std::string chart_svg(const chart::Chart& chart);
+
+}  // namespace reeve::drawing

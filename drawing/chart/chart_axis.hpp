@@ -1,17 +1,73 @@
-// An axis as it is drawn: its scale, and where which ticks lie along it.
+// An axis: its scale, from a quantity to pixels and back, and which of its values get a tick.
+//
+// p(v) = from + (f(v) − f(low)) / (f(high) − f(low)) · (to − from), where f(v) = v, or with
+// c = linear_to > 0 f(v) = sign(v) ln(1 + |v| / c): linear where |v| ≪ c, logarithmic where |v| ≫
+// c, so that 0 and both signs have a place (Webber, "A bi-symmetric log transformation for
+// wide-range data", Meas. Sci. Technol. 24, 2013).
+//
+// Ticks of a linear axis: multiples of a step of 1, 2 or 5 times a power of ten, from at or below
+// the least value to at or above the greatest ("loose" labels of Heckbert, "Nice numbers for graph
+// labels", Graphics Gems, 1990); of such steps the finest that gives no more ticks than asked for.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "drawing/chart/chart.hpp"
-#include "drawing/chart/chart_extent.hpp"
-#include "drawing/chart/chart_scale.hpp"
 
 namespace reeve::drawing::chart {
 
+struct Scale {
+  double low = 0;  // of the quantity; less than `high`
+  double high = 1;
+  double from = 0;  // pixels: where `low` lies
+  double to = 1;
+  double linear_to = 0;
+};
+
+double place(const Scale& scale, double value);
+double value(const Scale& scale, double place);
+
+// Numbers that an axis can hold: finite, and no further from 0 than 1e100.
+bool can_be_drawn(double value);
+bool can_be_drawn(const Point& at);
+bool can_be_drawn(const Spot& spot);
+bool can_be_drawn(const Span& span);
+bool can_be_drawn(const Level& level);
+
+// From the least to the greatest of some numbers; empty at first.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return low > high; }
+  // Leaves out what cannot be drawn.
+  void add(double value);
+  void add(const Extent& other);
+};
+
+struct Ticks {
+  std::vector<double> values;  // ascending
+  double step = 1;
+};
+
+// The extent has a length; `most` is at least 3, which a step always meets. `whole`: no step
+// below 1.
+Ticks nice_ticks(const Extent& extent, std::size_t most, bool whole = false);
+
+// For an axis that is logarithmic beyond `linear_to`: 0 and 1, 3, 10, 30, … from there on, of both
+// signs, as far as they lie within the extent. Those that matter most come first: 0, powers of ten,
+// the rest.
+std::vector<double> bent_ticks(const Extent& extent, double linear_to);
+
+// With as many decimals as the step has.
+std::string tick_text(double value, double step, Format format);
+// With as many as the value itself needs.
+std::string tick_text(double value, Format format);
+
 inline constexpr double tick_size = 12;  // of the text
-inline constexpr double line_height = 15;
 
 struct Tick {
   double value = 0;
@@ -22,6 +78,13 @@ struct Tick {
 struct LaidAxis {
   Scale scale;
   std::vector<Tick> ticks;
+};
+
+// Room that stays free at the ends of an axis, px, so that no symbol leaves the frame: half the
+// largest one, of which categories have their share. Bars stand on the frame.
+struct Inset {
+  double low = 0;
+  double high = 0;
 };
 
 // A stretch of the picture: the low end of the axis lies at `from`, but for what stays free.

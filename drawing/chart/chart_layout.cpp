@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/chart/chart_extent.hpp"
-#include "drawing/chart/chart_mark_labels.hpp"
-
 namespace reeve::drawing::chart {
 namespace {
 
@@ -117,6 +114,52 @@ double put_row(const Row& row, const std::vector<ColumnPlace>& columns, double w
   return bottom + between_rows;
 }
 
+constexpr double symbol_width = 22;
+constexpr double row_height = 20;
+constexpr double before_text = 5;
+constexpr double between = 16;
+
+// Layers of one name and kind look alike; the first speaks for all.
+void add_entry(const Layer& layer, std::vector<LegendEntry>& entries) {
+  if (layer.name.empty()) return;
+  auto found = std::find_if(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
+    return entry.layers.front()->name == layer.name;
+  });
+  if (found == entries.end()) {
+    entries.push_back({{&layer}, {}, {}});
+    return;
+  }
+  const bool is_new =
+      std::none_of(found->layers.begin(), found->layers.end(),
+                   [&](const Layer* other) { return other->marks.index() == layer.marks.index(); });
+  if (is_new) found->layers.push_back(&layer);
+}
+
+// In the order in which the names come first, in rows from the left between the room's sides. Keeps
+// pointers to the layers.
+std::vector<LegendEntry> legend(const Chart& chart, const Box& room) {
+  std::vector<LegendEntry> entries;
+  for (const Panel& panel : chart.panels) {
+    for (const Layer& layer : panel.layers) add_entry(layer, entries);
+  }
+  double x = room.left;
+  double y = room.top;
+  const double widest = room.right - room.left - symbol_width - before_text;
+  for (LegendEntry& entry : entries) {
+    const ChartText text = cut(entry.layers.front()->name, small_text, Weight::normal, widest);
+    const double width = measures::text_width(text.drawn.text, small_text, false);
+    if (x > room.left && x + symbol_width + before_text + width > room.right) {
+      x = room.left;
+      y += row_height;
+    }
+    entry.symbol = {x, y, x + symbol_width, y + row_height};
+    x += symbol_width + before_text;
+    entry.text = at(text, {x, y + (row_height - line_of(small_text)) / 2}, Align::start);
+    x += width + between;
+  }
+  return entries;
+}
+
 void add_legend(const Chart& chart, ChartLayout& layout) {
   double left = margin;
   double right = 0;
@@ -138,6 +181,78 @@ void add_legend(const Chart& chart, ChartLayout& layout) {
   }
   layout.width = std::ceil(right + margin);
   layout.height = std::ceil(bottom + margin);
+}
+
+constexpr double widest = 0.45;  // of the frame
+
+struct Wanted {
+  std::vector<WantedLabel> labels;
+  std::vector<ChartText> texts;
+  std::vector<Box> marks;
+};
+
+void want(const std::string& text, Point at, double radius, const Box& frame, Wanted& wanted) {
+  const ChartText shown =
+      cut(text, small_text, Weight::normal, widest * (frame.right - frame.left));
+  wanted.labels.push_back(
+      {at, radius, measures::text_width(shown.drawn.text, small_text, false), line_of(small_text)});
+  wanted.texts.push_back(shown);
+}
+
+void add_points(const LaidPanel& panel, const Layer& layer, const Points& points, Wanted& wanted) {
+  const double radius = layer.style.size;
+  for (const Spot& spot : points.spots) {
+    if (!can_be_drawn(spot)) continue;
+    const Point at = place(panel, spot.x, spot.y);
+    wanted.marks.push_back({at.x - radius, at.y - radius, at.x + radius, at.y + radius});
+    if (!spot.label.empty()) want(spot.label, at, radius, panel.frame, wanted);
+  }
+}
+
+// Just inside the frame, at the end where the rule leaves it.
+void add_rules(const LaidPanel& panel, const Rules& rules, Wanted& wanted) {
+  const double inside = line_of(small_text) / 2 + 2;
+  for (const Level& rule : rules.rules) {
+    if (!can_be_drawn(rule) || rule.label.empty()) continue;
+    const Point at = rules.on == Along::x
+                         ? Point{place(panel.x.scale, rule.at), panel.frame.top + inside}
+                         : Point{panel.frame.right - inside, place(panel.y.scale, rule.at)};
+    want(rule.label, at, 1, panel.frame, wanted);
+  }
+}
+
+// Where the line from the mark meets the text's box, and where it leaves the mark.
+LaidLabel laid(ChartText text, const WantedLabel& wanted, const PlacedLabel& placed) {
+  const Box& box = placed.box;
+  text.drawn.box = box;
+  LaidLabel label{std::move(text), placed.needs_leader, wanted.at, {}};
+  label.to = {std::clamp(wanted.at.x, box.left, box.right),
+              std::clamp(wanted.at.y, box.top, box.bottom)};
+  const double length = std::hypot(label.to.x - wanted.at.x, label.to.y - wanted.at.y);
+  if (length > 0) {
+    const double share = std::min(1.0, (wanted.radius + 1) / length);
+    label.from = {wanted.at.x + share * (label.to.x - wanted.at.x),
+                  wanted.at.y + share * (label.to.y - wanted.at.y)};
+  }
+  return label;
+}
+
+// Of spots and rules that have one, as far as there is room; the panel lies where it will stay.
+std::vector<LaidLabel> mark_labels(const LaidPanel& panel) {
+  Wanted wanted;
+  for (const Layer& layer : panel.panel->layers) {
+    if (const auto* points = std::get_if<Points>(&layer.marks)) {
+      add_points(panel, layer, *points, wanted);
+    } else if (const auto* rules = std::get_if<Rules>(&layer.marks)) {
+      add_rules(panel, *rules, wanted);
+    }
+  }
+  const auto placed = place_labels(wanted.labels, wanted.marks, panel.frame);
+  std::vector<LaidLabel> labels;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (placed[i]) labels.push_back(laid(wanted.texts[i], wanted.labels[i], *placed[i]));
+  }
+  return labels;
 }
 
 }  // namespace

@@ -1,14 +1,30 @@
 // The geometry of a chart: where everything lies, in pixels, y downward. No text overlaps another,
-// and all lies within the picture. chart_svg.hpp draws it.
+// and all lies within the picture.
 #pragma once
 
 #include <vector>
 
 #include "drawing/chart/chart.hpp"
-#include "drawing/chart/chart_legend.hpp"
-#include "drawing/chart/chart_panel.hpp"
+#include "drawing/chart/chart_axis.hpp"
+#include "drawing/chart/chart_text.hpp"
 
 namespace reeve::drawing::chart {
+
+// A panel with its frame, its axes and the texts round it.
+struct LaidPanel {
+  const Panel* panel = nullptr;
+  Box frame;
+  LaidAxis x;
+  LaidAxis y;
+  bool numbers_at_y = true;
+  std::vector<ChartText> texts;  // title, ticks, titles of the axes
+};
+
+struct LegendEntry {
+  std::vector<const Layer*> layers;  // whose symbols lie over each other
+  Box symbol;
+  ChartText text;
+};
 
 // The text of a mark, and the line from the mark to it where it stands apart.
 struct LaidLabel {
@@ -32,5 +48,33 @@ ChartLayout layout(const Chart& chart);
 
 // Where a spot of this panel lies.
 Point place(const LaidPanel& panel, double x, double y);
+
+// Of the panels alone, before anybody knows where in the picture they lie (chart_panel.cpp):
+
+// Over all marks of the panel that can be drawn, and the axis' own `reaches`; over both axes where
+// they have one scale. Categories are wide: half of one on both sides of its place.
+Extent extent(const Panel& panel, Along along);
+
+// With a length greater than 0 whatever the marks are, and within what is possible unless marks lie
+// beyond that.
+Extent widened(const Axis& axis, const Extent& marks);
+
+const Axis& axis(const Panel& panel, Along along);
+
+struct PanelFrame {
+  double width = 0;
+  double height = 0;
+  Extent x;  // of numbers; they have lengths
+  Extent y;
+  bool numbers_at_y = true;  // otherwise another panel of the row has them
+};
+
+// Keeps a pointer to the panel.
+LaidPanel lay_panel(const Panel& panel, const PanelFrame& frame);
+
+void shift(LaidPanel& panel, double dx, double dy);
+
+// Round the frame and all texts.
+Box bounds(const LaidPanel& panel);
 
 }  // namespace reeve::drawing::chart

@@ -1,12 +1,66 @@
-#include "drawing/chart/chart_panel.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/chart/chart_extent.hpp"
+#include "drawing/chart/chart_layout.hpp"
 
 namespace reeve::drawing::chart {
 namespace {
+
+class Reaching {
+ public:
+  Reaching(Along along, Extent& extent) : along_(along), extent_(extent) {}
+
+  void operator()(const Points& points) const { add(points.spots); }
+  void operator()(const Texts& texts) const { add(texts.texts); }
+  void operator()(const Bars& bars) const {
+    add(bars.bars);
+    if (along_ == Along::y) extent_.add(0);
+  }
+  void operator()(const Spans& spans) const {
+    for (const Span& span : spans.spans) add(span, spans.along);
+  }
+  void operator()(const Ribbons& ribbons) const {
+    for (const Ribbon& ribbon : ribbons.ribbons) {
+      for (const Span& span : ribbon.through) add(span, Along::y);
+    }
+  }
+  void operator()(const Paths& paths) const {
+    for (const Polyline& path : paths.paths) add(path.through);
+  }
+  void operator()(const Bands& bands) const {
+    if (bands.on != along_) return;
+    for (const Span& band : bands.bands) add_ends(band);
+  }
+  void operator()(const Rules& rules) const {
+    if (rules.on != along_) return;
+    for (const Level& rule : rules.rules) extent_.add(rule.at);
+  }
+
+ private:
+  template <typename Place>
+  void add(const std::vector<Place>& places) const {
+    for (const Place& at : places) {
+      if (can_be_drawn(at)) extent_.add(along_ == Along::x ? at.x : at.y);
+    }
+  }
+
+  void add(const Span& span, Along lengthwise) const {
+    if (!can_be_drawn(span)) return;
+    if (along_ == lengthwise) {
+      add_ends(span);
+    } else {
+      extent_.add(span.at);
+    }
+  }
+
+  void add_ends(const Span& span) const {
+    extent_.add(span.low);
+    extent_.add(span.high);
+  }
+
+  Along along_;
+  Extent& extent_;
+};
 
 constexpr double tick_length = 5;
 constexpr double beside_tick = tick_length + 3;  // from the frame to a tick's text
@@ -133,6 +187,26 @@ void add_title(const LaidPanel& laid, std::vector<ChartText>& texts) {
   add_lines(lines, {laid.frame.left, laid.frame.top - before_title - height}, Align::start, texts);
 }
 
+Inset inset(const Panel& panel, Along along, double length) {
+  double half = 0;
+  bool has_bars = false;
+  for (const Layer& layer : panel.layers) {
+    has_bars = has_bars || std::holds_alternative<Bars>(layer.marks);
+    if (!std::holds_alternative<Points>(layer.marks)) continue;
+    const double reach = layer.style.symbol == Symbol::tick ? 1.6 : 1.35;
+    half = std::max(half, reach * layer.style.size + layer.style.line + 1);
+  }
+  const auto categories = static_cast<double>(axis(panel, along).categories.size());
+  if (categories == 1) return {};
+  if (categories > 1) {
+    // With i the inset, half a category is (length - 2 i) / 2 / categories: with i it must be half.
+    const double room = (half - length / 2 / categories) / (1 - 1 / categories);
+    return {std::max(0.0, room), std::max(0.0, room)};
+  }
+  if (has_bars && along == Along::y) return {0, std::max(half, 4.0)};
+  return {half, half};
+}
+
 LaidAxis lay_axis(const Panel& panel, Along along, const Extent& extent, Stretch stretch) {
   const Axis& of = axis(panel, along);
   stretch.inset = inset(panel, along, std::abs(stretch.to - stretch.from));
@@ -153,6 +227,41 @@ LaidAxis turned(LaidAxis axis, const Scale& direction) {
 }
 
 }  // namespace
+
+Extent extent(const Panel& panel, Along along) {
+  const Axis& of = panel.one_scale ? panel.x : axis(panel, along);
+  Extent extent;
+  if (!of.categories.empty()) {
+    extent.add(-0.5);
+    extent.add(static_cast<double>(of.categories.size()) - 0.5);
+    return extent;
+  }
+  for (const double value : of.reaches) extent.add(value);
+  for (const Layer& layer : panel.layers) {
+    std::visit(Reaching(along, extent), layer.marks);
+    const Along other = along == Along::x ? Along::y : Along::x;
+    if (panel.one_scale) std::visit(Reaching(other, extent), layer.marks);
+  }
+  return extent;
+}
+
+Extent widened(const Axis& axis, const Extent& marks) {
+  Extent extent = marks;
+  if (extent.empty()) {
+    extent.low = axis.least.value_or(std::min(0.0, axis.greatest.value_or(1) - 1));
+    extent.high = axis.greatest.value_or(extent.low + 1);
+  }
+  if (extent.high > extent.low) return extent;
+  const double value = extent.low;
+  const double by = value == 0 || axis.whole ? 1 : 0.1 * std::abs(value);
+  extent.low = std::max(value - by, axis.least.value_or(value - by));
+  extent.high = std::min(value + by, axis.greatest.value_or(value + by));
+  // Where nothing is possible beside the value, or the limits are the wrong way round.
+  if (extent.high <= extent.low) return {value - by, value + by};
+  return extent;
+}
+
+const Axis& axis(const Panel& panel, Along along) { return along == Along::x ? panel.x : panel.y; }
 
 LaidPanel lay_panel(const Panel& panel, const PanelFrame& frame) {
   LaidPanel laid{&panel, {0, 0, frame.width, frame.height}, {}, {}, frame.numbers_at_y, {}};

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "drawing/chart/chart_scale.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 
 namespace reeve::pages {

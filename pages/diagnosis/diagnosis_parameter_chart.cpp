@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "drawing/chart/chart_svg.hpp"
-#include "drawing/chart/chart_ticks.hpp"
+#include "drawing/chart/chart.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 

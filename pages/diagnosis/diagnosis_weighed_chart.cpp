@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/diagnosis/diagnosis_charts.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"

@@ -6,8 +6,8 @@
 #include <array>
 #include <map>
 
-#include "drawing/chart/chart_scale.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "pages/band_spans.hpp"
 #include "pages/exploration/design_layers.hpp"
 #include "pages/exploration/objective_axis.hpp"

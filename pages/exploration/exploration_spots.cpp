@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_axis.hpp"
 
 namespace reeve::pages {
 namespace {

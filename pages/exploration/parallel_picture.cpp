@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "drawing/chart/chart_scale.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "pages/exploration/design_layers.hpp"
 #include "pages/exploration/objective_title.hpp"
 #include "pages/exploration/phrases.hpp"

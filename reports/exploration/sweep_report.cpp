@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "drawing/chart/chart_scale.hpp"
+#include "drawing/chart/chart_axis.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/output/csv_field.hpp"

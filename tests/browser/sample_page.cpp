@@ -11,7 +11,7 @@
 #include "core/mechanics.hpp"
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
 #include "drawing/svg.hpp"
 #include "pages/shell/page.hpp"

@@ -1,8 +1,10 @@
-// Scales and axes: values go to pixels and come back, and an axis ends where it should.
+// Scales, ticks and axes: values go to pixels and come back, ticks against cases worked by hand,
+// and an axis ends where it should.
 #include "drawing/chart/chart_axis.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -111,6 +113,81 @@ TEST(ChartAxis, GivesEachCategoryTheSameRoom) {
     EXPECT_NEAR(laid.ticks[i].at, 25 + 50 * static_cast<double>(i), 1e-9);
     EXPECT_EQ(laid.ticks[i].text, axis.categories[i]);
   }
+}
+
+std::vector<std::string> texts(double low, double high, std::size_t most, bool whole = false,
+                               Format format = Format::plain) {
+  const Ticks ticks = nice_ticks({low, high}, most, whole);
+  std::vector<std::string> result;
+  for (const double value : ticks.values) result.push_back(tick_text(value, ticks.step, format));
+  return result;
+}
+
+TEST(NiceTicks, AreMultiplesOfOneTwoOrFive) {
+  EXPECT_EQ(texts(0, 1, 6), (Strings{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+  EXPECT_EQ(texts(0, 1, 5), (Strings{"0.0", "0.5", "1.0"}));
+  EXPECT_EQ(texts(0, 1, 11).size(), 11U);
+  EXPECT_EQ(texts(0.02, 0.33, 6), (Strings{"0.0", "0.1", "0.2", "0.3", "0.4"}));
+  EXPECT_EQ(texts(105, 543, 6), (Strings{"100", "200", "300", "400", "500", "600"}));  // Heckbert's
+  EXPECT_EQ(texts(-5200, 26900, 5), (Strings{"−10000", "0", "10000", "20000", "30000"}));
+}
+
+TEST(NiceTicks, TakeTheFinestStepThatFits) {
+  EXPECT_EQ(texts(0, 10, 6), (Strings{"0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(texts(0, 10, 7).size(), 6U);
+  EXPECT_EQ(texts(0, 10, 11).size(), 11U);
+  EXPECT_EQ(texts(0.1, 9.9, 3), (Strings{"0", "5", "10"}));
+}
+
+TEST(NiceTicks, OfWholeThingsAreWhole) {
+  EXPECT_EQ(texts(3, 4, 9, true), (Strings{"3", "4"}));
+  EXPECT_EQ(texts(1, 7, 9, true), (Strings{"1", "2", "3", "4", "5", "6", "7"}));
+  EXPECT_EQ(texts(1, 40, 6, true), (Strings{"0", "10", "20", "30", "40"}));
+}
+
+TEST(NiceTicks, CoverWhateverTheyAreGiven) {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    const double size = std::pow(10, 24 * uniform(seed, 1, 0) - 12);
+    const double low = size * normal(seed, 1, 1);
+    const double high = low + size * std::pow(10, -6 * uniform(seed, 1, 2));
+    const std::size_t most = 3 + static_cast<std::size_t>(9 * uniform(seed, 1, 3));
+    SCOPED_TRACE(::testing::Message() << low << " to " << high << " by " << most);
+    const Ticks ticks = nice_ticks({low, high}, most);
+    ASSERT_GE(ticks.values.size(), 2U);
+    EXPECT_LE(ticks.values.size(), most);
+    const double hair = 1e-6 * ticks.step;
+    EXPECT_LE(ticks.values.front(), low + hair);
+    EXPECT_GE(ticks.values.back(), high - hair);
+    EXPECT_GT(ticks.values.front(), low - ticks.step);
+    EXPECT_LT(ticks.values.back(), high + ticks.step);
+    EXPECT_TRUE(std::is_sorted(ticks.values.begin(), ticks.values.end()));
+  }
+}
+
+TEST(NiceTicks, EndWhereNumbersAreTooNearToTellApart) {
+  EXPECT_GE(nice_ticks({1e9, std::nextafter(1e9, 2e9)}, 9).values.size(), 2U);
+  EXPECT_GE(nice_ticks({-1e100, 1e100}, 9).values.size(), 3U);
+  EXPECT_GE(nice_ticks({0, 1e-100}, 9).values.size(), 2U);
+}
+
+TEST(BentTicks, AreZeroAndOnesAndThreesOfBothSignsTheMostTellingFirst) {
+  EXPECT_EQ(bent_ticks({-40, 20}, 2), (std::vector<double>{0, 10, -10, -30, 3, -3}));
+  EXPECT_EQ(bent_ticks({0, 3}, 0.1), (std::vector<double>{0, 1, 0.1, 3, 0.3}));
+  EXPECT_EQ(bent_ticks({-1, 1}, 2), (std::vector<double>{0}));
+}
+
+TEST(TickText, HasTheDecimalsOfTheStep) {
+  EXPECT_EQ(tick_text(0.3, 0.1, Format::plain), "0.3");
+  EXPECT_EQ(tick_text(0.25, 0.05, Format::plain), "0.25");
+  EXPECT_EQ(tick_text(-0.0, 0.1, Format::plain), "0.0");
+  EXPECT_EQ(tick_text(-1e-17, 0.1, Format::plain), "0.0");
+  EXPECT_EQ(tick_text(20, 5, Format::plain), "20");
+  EXPECT_EQ(tick_text(0.2, 0.1, Format::percent), "20 %");
+  EXPECT_EQ(tick_text(0.025, 0.005, Format::percent), "2.5 %");
+  EXPECT_EQ(tick_text(30, 10, Format::with_sign), "+30");
+  EXPECT_EQ(tick_text(-30, 10, Format::with_sign), "−30");
+  EXPECT_EQ(tick_text(0, 10, Format::with_sign), "0");
+  EXPECT_EQ(tick_text(2e9, 1e9, Format::plain), "2e+09");
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "drawing/chart/chart_svg.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_layout.hpp"
 #include "tests/support/svg.hpp"
 

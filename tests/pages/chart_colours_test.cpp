@@ -1,7 +1,5 @@
 // The colours of charts stand in three places: in the chart writer, in the style sheet for the
 // dark, and in the theme of those that come alive. They have to agree.
-#include "drawing/chart/chart_colours.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/chart/chart.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "reports/output/json.hpp"

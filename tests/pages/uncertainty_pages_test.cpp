@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/chart/chart_svg.hpp"
+#include "drawing/chart/chart.hpp"
 #include "pages/band_spans.hpp"
 #include "pages/exploration/exploration_pictures.hpp"
 #include "pages/sweep_figures.hpp"

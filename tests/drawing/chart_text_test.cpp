@@ -1,4 +1,4 @@
-#include "drawing/chart/chart_labels.hpp"
+#include "drawing/chart/chart_text.hpp"
 
 #include <gtest/gtest.h>
 
