@@ -42,10 +42,7 @@ struct Arc {
   std::size_t right = 0;
   std::size_t row = 0;  // 0: the topmost
   std::size_t gap = 0;  // the turn sits between this column and the next
-};
-
-struct Turn {
-  double centre = 0;  // x
+  double centre = 0;    // of the turn, x
   double radius = 0;
 };
 
@@ -279,41 +276,31 @@ class Rows {
     }
   }
 
-  // Between the two legs of an arc.
-  Turn turn(const Arc& arc) const {
-    return {(columns_[arc.gap].x + columns_[arc.gap + 1].x) / 2,
-            in_one_block(arc.gap) ? tip_radius : turn_radius};
-  }
-
   // From `top` downward; lines come in along a lane and turn below it. Returns where they end.
-  double place_rows(const std::vector<Arc>& arcs, double top) {
-    constexpr double lane_to_centre = 2 * bend + 2;
-    std::size_t row = 0;
-    for (bool any = true; any; ++row) {
-      any = false;
-      double radius = 0;
+  double place_rows(std::vector<Arc>& arcs, double top) {
+    for (std::size_t row = 0;; ++row) {
+      std::vector<Arc*> here;
       bool straight = true;
-      for (const Arc& arc : arcs) {
+      double radius = 0;
+      for (Arc& arc : arcs) {
         if (arc.row != row) continue;
-        any = true;
-        const Turn turn = this->turn(arc);
-        radius = std::max(radius, turn.radius);
-        straight = straight && columns_[arc.left].x == turn.centre - turn.radius &&
-                   columns_[arc.right].x == turn.centre + turn.radius;
+        here.push_back(&arc);
+        arc.centre = (columns_[arc.gap].x + columns_[arc.gap + 1].x) / 2;
+        arc.radius = in_one_block(arc.gap) ? tip_radius : turn_radius;
+        radius = std::max(radius, arc.radius);
+        straight = straight && columns_[arc.left].x == arc.centre - arc.radius &&
+                   columns_[arc.right].x == arc.centre + arc.radius;
       }
-      if (!any) break;
+      if (here.empty()) return top;
       const double lane = top + 8;
-      const double centre = straight ? lane + 12 : lane + lane_to_centre;
-      for (const Arc& arc : arcs) {
-        if (arc.row != row) continue;
-        const Turn turn = this->turn(arc);
-        out_.ports[arc.left_port] = {turn.centre - turn.radius, centre};
-        out_.ports[arc.right_port] = {turn.centre + turn.radius, centre};
-        lanes_[arc.left_port] = lanes_[arc.right_port] = lane;
+      const double centre = lane + (straight ? 12 : 2 * bend + 2);
+      for (const Arc* arc : here) {
+        out_.ports[arc->left_port] = {arc->centre - arc->radius, centre};
+        out_.ports[arc->right_port] = {arc->centre + arc->radius, centre};
+        lanes_[arc->left_port] = lanes_[arc->right_port] = lane;
       }
       top = centre + radius + sleeve + 4;
     }
-    return top;
   }
 
   void place_hand() {
