@@ -1,7 +1,6 @@
-#include "pages/distribution_notes.hpp"
-
 #include <set>
 
+#include "pages/distribution_figure.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/data_text.hpp"
 #include "reports/output/json.hpp"

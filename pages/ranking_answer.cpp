@@ -1,5 +1,3 @@
-#include "pages/ranking_answer.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +5,8 @@
 
 #include "core/routing.hpp"
 #include "core/text.hpp"
-#include "pages/exploration/objective_title.hpp"
+#include "pages/page_words.hpp"
+#include "pages/ranking_parts.hpp"
 #include "reports/data_text.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/band_report.hpp"

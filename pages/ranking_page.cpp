@@ -1,5 +1,3 @@
-#include "pages/ranking_page.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +5,10 @@
 
 #include "core/text.hpp"
 #include "pages/distribution_figure.hpp"
-#include "pages/distribution_notes.hpp"
-#include "pages/exploration/ladder_part.hpp"
-#include "pages/exploration/objective_title.hpp"
-#include "pages/figure_captions.hpp"
-#include "pages/figure_names.hpp"
-#include "pages/ranking_answer.hpp"
-#include "pages/ranking_charts.hpp"
+#include "pages/figures.hpp"
+#include "pages/page_words.hpp"
+#include "pages/pages.hpp"
+#include "pages/ranking_parts.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/settings.hpp"
@@ -136,7 +131,7 @@ class RankingPageBuilder {
         stems_(file_stems(named(report))),
         command_(command) {}
 
-  RankingPage build();
+  PageFiles build();
 
  private:
   std::string add(const Figure& figure) {
@@ -158,7 +153,7 @@ class RankingPageBuilder {
   Labels labels_;
   std::vector<std::string> stems_;  // of the schematics' files
   const std::string& command_;
-  RankingPage page_;
+  PageFiles page_;
 };
 
 std::string RankingPageBuilder::distributions() {
@@ -199,7 +194,7 @@ Json RankingPageBuilder::grasps() {
   return list;
 }
 
-RankingPage RankingPageBuilder::build() {
+PageFiles RankingPageBuilder::build() {
   const std::string title =
       fmt::format("Ranking of {} routing{}", labels_.size(), labels_.size() == 1 ? "" : "s");
   Json values{{"title", title},
@@ -226,7 +221,7 @@ RankingPage RankingPageBuilder::build() {
 
 }  // namespace
 
-RankingPage ranking_page(const RankReport& report, const std::string& command) {
+PageFiles ranking_page(const RankReport& report, const std::string& command) {
   return RankingPageBuilder(report, command).build();
 }
 

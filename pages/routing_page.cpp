@@ -1,11 +1,9 @@
-#include "pages/routing_page.hpp"
-
 #include <fmt/format.h>
 
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
-#include "pages/figure_captions.hpp"
-#include "pages/figure_names.hpp"
+#include "pages/figures.hpp"
+#include "pages/pages.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/settings.hpp"
@@ -81,8 +79,8 @@ GraspSet grasps(const ShownRouting& report) {
 
 }  // namespace
 
-RoutingPage routing_page(const ShownRouting& report, const std::string& command) {
-  RoutingPage page;
+PageFiles routing_page(const ShownRouting& report, const std::string& command) {
+  PageFiles page;
   std::string first;
   std::string others;
   const std::string stem = file_stems({{report.name, report.word}}).front();

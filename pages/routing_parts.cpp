@@ -6,9 +6,13 @@
 
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
-#include "pages/exploration/objective_title.hpp"
-#include "pages/figure_captions.hpp"
+#include "pages/figures.hpp"
+#include "pages/page_words.hpp"
+#include "pages/shell/glossary.hpp"
+#include "pages/shell/html_table.hpp"
+#include "pages/shell/template.hpp"
 #include "reports/document/text_table.hpp"
+#include "reports/exploration/ladder_report.hpp"
 #include "reports/output/json.hpp"
 #include "reports/shown_value.hpp"
 
@@ -116,6 +120,17 @@ HtmlTable routing_objectives(const ShownRouting& report) {
                priced ? report.prices->unit : row.unit, row.meaning});
   }
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
+}
+
+std::string ladder_html(const ListedLadder& ladder) {
+  const Section section = ladder_section(ladder);
+  if (!section.table) return "";
+  return render("ladder.mustache",
+                {{"title", section.title},
+                 {"table", html({"ladder-table",
+                                 "Gains over the line above; kept of the first in what loses most.",
+                                 *section.table})},
+                 {"glossary", glossary_html("Gain, kept, knee: what they mean", ladder_terms())}});
 }
 
 }  // namespace reeve::pages

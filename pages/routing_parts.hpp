@@ -1,16 +1,17 @@
-// Pieces of pages about a routing that was solved in some grasps: its schematics, and what `show`
-// says of it as tables.
+// Pieces that several pages have: schematics of a routing that was solved in some grasps, what
+// `show` says of it as tables, and a ladder.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "pages/routing_labels.hpp"
+#include "pages/page_words.hpp"
 #include "pages/shell/figure_files.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/page.hpp"
 #include "reports/show_report.hpp"
+#include "studies/listed_design.hpp"
 
 namespace reeve::pages {
 
@@ -30,5 +31,9 @@ HtmlTable tension_table(const ShownRouting& report);
 HtmlTable share_table(const ShownRouting& report);
 HtmlTable contact_table(const ShownRouting& report);
 HtmlTable routing_objectives(const ShownRouting& report);
+
+// What more parts buy, as a section with its heading; "" where there is no ladder of at least two
+// rungs.
+std::string ladder_html(const ListedLadder& ladder);
 
 }  // namespace reeve::pages

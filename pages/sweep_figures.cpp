@@ -7,8 +7,8 @@
 
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
-#include "pages/exploration/objective_axis.hpp"
-#include "pages/exploration/objective_title.hpp"
+#include "pages/objective_plot.hpp"
+#include "pages/page_words.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/sweep_report.hpp"

@@ -138,7 +138,7 @@ std::string command_text(const CLI::App& command) {
 
 void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
                   const std::string& command, const Catalogue& catalogue) {
-  const DiagnosisPage page =
+  const PageFiles page =
       diagnosis_page({report, command, next_routing(report, catalogue),
                       diagnosed_distributions(report.data, report.hardware, report.result,
                                               report.published, catalogue)});

@@ -25,7 +25,7 @@
 #include "core/error.hpp"
 #include "core/hand.hpp"
 #include "core/notation.hpp"
-#include "pages/ranking_page.hpp"
+#include "pages/pages.hpp"
 #include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
@@ -121,7 +121,7 @@ void print(const RankReport& report, const RankFlags& flags, const ListColumns& 
 
 void write_page(const RankReport& report, const std::filesystem::path& folder,
                 const CLI::App& command) {
-  const RankingPage page = ranking_page(
+  const PageFiles page = ranking_page(
       report, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
   const std::string json = rank_json(report);
   write_result(

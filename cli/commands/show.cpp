@@ -11,7 +11,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
-#include "pages/routing_page.hpp"
+#include "pages/pages.hpp"
 #include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/show_report.hpp"
@@ -100,7 +100,7 @@ void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
 
 void write_page(const std::filesystem::path& folder, const ShownRouting& report,
                 const CLI::App& command) {
-  const RoutingPage page = routing_page(report, command_line(command, {"--format", "--svg"}));
+  const PageFiles page = routing_page(report, command_line(command, {"--format", "--svg"}));
   const std::string json = show_json(report);
   write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"routing.json", json}}},
                result_stamp(json));

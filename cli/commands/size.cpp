@@ -18,8 +18,8 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/notation.hpp"
+#include "pages/pages.hpp"
 #include "pages/shell/result_files.hpp"
-#include "pages/sizing_page.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/exploration/range_notes.hpp"
 #include "reports/model_text.hpp"
@@ -183,7 +183,7 @@ void print(const SizingReport& report, const SizeFlags& flags,
 
 void write_page(const SizingReport& report, const std::filesystem::path& folder,
                 const std::string& command) {
-  const SizingPage page = sizing_page(report, command);
+  const PageFiles page = sizing_page(report, command);
   const std::string json = sizing_json(report);
   write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"sizing.json", json}}},
                result_stamp(json));

@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "drawing/schematic/schematic_svg.hpp"
-#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_figures.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/distribution_figure.hpp"
-#include "pages/distribution_notes.hpp"
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/data_text.hpp"
@@ -153,7 +152,7 @@ Json loss_values(const DiagnosisReport& report) {
 
 }  // namespace
 
-DiagnosisPage diagnosis_page(const DiagnosisPageInput& input) {
+PageFiles diagnosis_page(const DiagnosisPageInput& input) {
   const DiagnosisReport& report = input.report;
   const MarkColumns columns = mark_columns(report);
   const std::vector<ReadingMark> few = marks(report, most_residuals);

@@ -14,11 +14,6 @@
 
 namespace reeve::pages {
 
-struct DiagnosisPage {
-  std::string html;
-  std::vector<FigureFile> figures;
-};
-
 struct DiagnosisPageInput {
   const DiagnosisReport& report;
   std::string command;  // which makes the page again
@@ -29,6 +24,6 @@ struct DiagnosisPageInput {
   std::optional<TensionDistributions> distributions{};
 };
 
-DiagnosisPage diagnosis_page(const DiagnosisPageInput& input);
+PageFiles diagnosis_page(const DiagnosisPageInput& input);
 
 }  // namespace reeve::pages

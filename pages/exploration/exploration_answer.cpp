@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/exploration/objective_title.hpp"
+#include "pages/page_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/decision_words.hpp"

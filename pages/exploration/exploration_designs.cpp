@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "pages/exploration/objective_title.hpp"
+#include "pages/page_words.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {

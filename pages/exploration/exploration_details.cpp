@@ -61,7 +61,7 @@ class Lines {
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
 std::string placed_svg(const ShownRouting& report, const Places& places, std::size_t grasp,
-                        const std::string& ids) {
+                       const std::string& ids) {
   const ShownGrasp& shown = report.grasps[grasp];
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
   return schematic_svg(schematic(report.network, places, title,

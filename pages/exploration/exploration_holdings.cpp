@@ -9,8 +9,8 @@
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_answer.hpp"
-#include "pages/exploration/exploration_method.hpp"
-#include "pages/exploration/ladder_part.hpp"
+#include "pages/exploration/exploration_words.hpp"
+#include "pages/routing_parts.hpp"
 #include "pages/shell/compressed.hpp"
 
 namespace reeve::pages {

@@ -1,8 +1,7 @@
-#include "pages/exploration/exploration_method.hpp"
-
 #include <fmt/format.h>
 
-#include "pages/exploration/phrases.hpp"
+#include "pages/exploration/exploration_words.hpp"
+#include "pages/page_words.hpp"
 #include "pages/shell/settings.hpp"
 #include "reports/data_text.hpp"
 #include "reports/model_text.hpp"

@@ -33,11 +33,6 @@ struct ExplorationView {
   std::optional<std::size_t> details;
 };
 
-struct PageFiles {
-  std::string html;
-  std::vector<FigureFile> figures;
-};
-
 PageFiles exploration_page(const ExplorationView& view);
 
 }  // namespace reeve::pages

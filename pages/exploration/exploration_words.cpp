@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/exploration/exploration_method.hpp"
-#include "pages/exploration/objective_title.hpp"
-#include "pages/exploration/phrases.hpp"
+#include "pages/page_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"

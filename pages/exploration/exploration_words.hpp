@@ -20,6 +20,10 @@ struct ExplorationWords {
 
 ExplorationWords exploration_words(const ExploreReport& report);
 
+// How an exploration was made: what was generated, how judged, what rejected. Sentences.
+std::vector<std::string> explored_words(const ExploreReport& report);
+std::vector<std::string> rejected_words(const ExploreReport& report);
+
 // Who comes first among the listed designs if nothing but one objective counts.
 struct SingleBest {
   const ObjectiveRow& objective;

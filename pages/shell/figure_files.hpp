@@ -17,6 +17,11 @@ struct FigureFile {
   std::string caption{};  // "": none is written
 };
 
+struct PageFiles {
+  std::string html;
+  std::vector<FigureFile> figures;
+};
+
 // Adds figures/ID.svg and figures/ID.txt to the batch, and removes what an earlier run wrote there
 // and this one did not: what lies in the folder then belongs to one result. Files of others stay;
 // which are ours stands in figures/.reeve, before them and after them. Throws InputError.

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "pages/exploration/objective_title.hpp"
+#include "pages/page_words.hpp"
 #include "pages/shell/template.hpp"
 
 namespace reeve::pages {

@@ -19,9 +19,9 @@ Json values(const Figure& figure) {
 
 std::string figure_html(const Figure& figure) { return render("figure.mustache", values(figure)); }
 
-std::string live_figure_html(const Figure& figure, const std::string& alt) {
-  Json all = values(figure);
-  all["alt"] = alt;
+std::string live_figure_html(const LiveFigure& live) {
+  Json all = values(live.figure);
+  all["alt"] = live.alt;
   return render("live_figure.mustache", all);
 }
 

@@ -1,9 +1,9 @@
 // What all pages have in common: one file of HTML that needs no other and no network.
 //
-// A page is readable without JavaScript: texts, tables, schematics and charts, which are pictures.
+// A page is readable without JavaScript: texts, tables, schematics and charts, which are figures.
 // With JavaScript they can be saved (assets/page.js), and those of an exploration come alive
 // (assets/live_charts.js). A program that was built with REEVE_PAGES=OFF lacks the chart library:
-// its explorations stay pictures and tables, and say so.
+// its explorations stay figures and tables, and say so.
 #pragma once
 
 #include <string>
@@ -24,9 +24,12 @@ struct Figure {
 // With buttons to save it.
 std::string figure_html(const Figure& figure);
 
-// With room for the chart that the page's script draws in the picture's place; `alt` is what that
-// shows, in words.
-std::string live_figure_html(const Figure& figure, const std::string& alt);
+// A figure in whose place the page's script draws a chart; `alt` is what that shows, in words.
+struct LiveFigure {
+  Figure figure;
+  std::string alt;
+};
+std::string live_figure_html(const LiveFigure& live);
 
 // A schematic with buttons to save it, under the file's name if it has one of its own.
 std::string schematic_html(const std::string& id, const std::string& svg,

@@ -66,14 +66,14 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-inline const std::string& svg_of(const DiagnosisPage& page, const std::string& id) {
+inline const std::string& svg_of(const PageFiles& page, const std::string& id) {
   const auto found = std::find_if(page.figures.begin(), page.figures.end(),
                                   [&](const FigureFile& file) { return file.id == id; });
   EXPECT_NE(found, page.figures.end()) << id;
   return found->svg;
 }
 
-inline std::vector<ReadPanel> chart_of(const DiagnosisPage& page, const std::string& id) {
+inline std::vector<ReadPanel> chart_of(const PageFiles& page, const std::string& id) {
   return read_chart(svg_of(page, id));
 }
 

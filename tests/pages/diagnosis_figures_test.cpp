@@ -14,7 +14,7 @@ namespace {
 TEST(DiagnosisPage, DrawsOneMarkForEachValueBeforeAndAfter) {
   DiagnosisReport report = plain_report(10);
   name_tube_friction(report);
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   for (const char* id : {"compared", "compared-logarithmic"}) {
     const std::vector<ReadPanel> panels = chart_of(page, id);
     ASSERT_EQ(panels.size(), 2U);
@@ -120,7 +120,7 @@ TEST(DiagnosisPage, DrawsTheTensionDistributionAndHasItsErrors) {
     distribution.routings[0].strands.push_back(
         {"T", share, std::nullopt, MeasuredShare{share + 0.01, 0.002}});
   }
-  const DiagnosisPage page = diagnosis_page(
+  const PageFiles page = diagnosis_page(
       {report, "", {}, TensionDistributions{{distribution}, SharedData{"rig.csv", false, {}}, 0}});
   EXPECT_TRUE(contains(page.html, "(a) as diagnosed: μ of tubes 0.09, of sheaths 0.18"));
   EXPECT_TRUE(contains(page.html, "averaged over the routings, is of the model in (a) 2.0 %."));
@@ -149,7 +149,7 @@ TEST(DiagnosisPage, SaysOfADistributionInWhichGraspItIsWhereThereIsAChoice) {
 
 TEST(DiagnosisPage, DrawsAPartOfManyValuesAndSaysSo) {
   DiagnosisReport report = plain_report(5000);
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   const std::vector<ReadMark> drawn = chart_of(page, "compared").front().marks("points");
   EXPECT_EQ(drawn.size(), 1500U);
   EXPECT_TRUE(contains(page.html, "Drawn are 1500 of 10000 values"));
@@ -162,7 +162,7 @@ TEST(DiagnosisPage, DrawsAPartOfManyValuesAndSaysSo) {
 TEST(DiagnosisPage, WeighsTheBestFirstBesideWhatNoiseAllows) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   const ReadPanel weighed = chart_of(page, "weighed").front();
   const ReadMark named = weighed.marks("points", "named").at(0);
   const ReadMark other = weighed.marks("points", "weighed").at(0);
@@ -191,7 +191,7 @@ TEST(DiagnosisPage, WeighsTheNamedModelWhereverItStands) {
     report.result.weighed.push_back({{"other" + std::to_string(i)}, 200.0 + i, gained});
   }
   report.result.weighed.push_back({{"tube_friction"}, 100, gained});
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   const ReadPanel weighed = chart_of(page, "weighed").front();
   const std::vector<std::string> names = texts(weighed.y);
   ASSERT_EQ(names.size(), 15U);
@@ -213,7 +213,7 @@ TEST(DiagnosisPage, PutsNoMarkWhereTheHeldOutRunsCouldNotBeForecast) {
   DiagnosisReport report = plain_report();
   name_tube_friction(report);
   report.result.weighed[0].held_out.reset();
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   const ReadPanel weighed = chart_of(page, "weighed").front();
   EXPECT_EQ(texts(weighed.y), (std::vector<std::string>{"◆ tube_friction", "wear"}));
   EXPECT_TRUE(weighed.marks("points", "weighed").empty());
@@ -238,7 +238,7 @@ TEST(DiagnosisPage, RoundsInTheChartAsInTheTable) {
   name_tube_friction(report);
   report.result.weighed = {
       {{"tube_friction"}, 357.96, HeldOut{1, 0.1, 0.9, 0.8, 0.95, 206.14, 63.24, 348.6, 48}}};
-  const DiagnosisPage page = diagnosis_page({report, "", {}});
+  const PageFiles page = diagnosis_page({report, "", {}});
   const ReadPanel weighed = chart_of(page, "weighed").front();
   EXPECT_EQ(weighed.marks("points", "named").at(0).title,
             "tube_friction: named\ntraining runs: 358\nheld-out runs: 206 (63.2 to 349)");

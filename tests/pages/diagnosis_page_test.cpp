@@ -130,7 +130,7 @@ TEST(DiagnosisPage, TakesAnyNameOfTheUsers) {
     reading.covariates = {static_cast<double>(reading.line), -static_cast<double>(reading.line)};
   }
   report.result.notes = {{NoteKind::covariate, hostile_name, {2, 3}}};
-  const DiagnosisPage page = diagnosis_page({report, hostile_name, {}});
+  const PageFiles page = diagnosis_page({report, hostile_name, {}});
   EXPECT_FALSE(contains(page.html, "<img"));
   EXPECT_TRUE(contains(page.html, "&lt;img"));
   const ReadPanel drawn = chart_of(page, "residuals-column-1").front();
@@ -240,10 +240,10 @@ TEST(DiagnosisPage, NamesTheFaultsOfWhatIsPublishedBelowTheFigure) {
 
 TEST(DiagnosisPage, DrawsTheDistributionsOfFourGraspsAtMost) {
   const DiagnosisReport report = plain_report();
-  const DiagnosisPage all = diagnosis_page({report, "", {}, distributions(4)});
+  const PageFiles all = diagnosis_page({report, "", {}, distributions(4)});
   EXPECT_TRUE(contains(all.html, "id=\"figure-9-held-3\""));
   EXPECT_FALSE(contains(all.html, "not drawn; diagnosis.json"));
-  const DiagnosisPage some = diagnosis_page({report, "", {}, distributions(6)});
+  const PageFiles some = diagnosis_page({report, "", {}, distributions(6)});
   EXPECT_TRUE(contains(some.html, "id=\"figure-9-held-3\""));
   EXPECT_FALSE(contains(some.html, "id=\"figure-9-held-4\""));
   EXPECT_TRUE(contains(some.html, "2 more grasps not drawn; diagnosis.json has the errors in all"));

@@ -1,6 +1,4 @@
 // The plots of an exploration without its script: which designs they show, and where.
-#include "pages/exploration/exploration_pictures.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pages/exploration/parallel_picture.hpp"
+#include "pages/exploration/exploration_figures.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"
@@ -80,7 +78,7 @@ TEST(ParetoPicture, PutsEveryMarkWhereItsDesignIs) {
     by_label[(design.name.empty() ? "" : design.name + ": ") + design.word] = &design;
   }
   const ReadPanel panel =
-      read_chart(pareto_picture(all, report.options.order.objectives).figure.svg).front();
+      read_chart(pareto_figure(all, report.options.order.objectives).figure.svg).front();
   const std::vector<ReadMark> marks = panel.marks("points");
   EXPECT_EQ(marks.size(), thinned(all, usual).size());
   EXPECT_GT(marks.size(), 20U);
@@ -103,7 +101,7 @@ TEST(ParetoPicture, NamesTheKnownRoutingsOnce) {
   }
   all.insert(all.end(), twice.begin(), twice.end());
   const ReadPanel panel =
-      read_chart(pareto_picture(all, report.options.order.objectives).figure.svg)[0];
+      read_chart(pareto_figure(all, report.options.order.objectives).figure.svg)[0];
   for (const char* label : {"KM, KM'", "KF, KF'", "K1, K1'"}) {  // those on one spot together
     EXPECT_EQ(std::count(panel.texts.begin(), panel.texts.end(), label), 1) << label;
   }
@@ -112,7 +110,7 @@ TEST(ParetoPicture, NamesTheKnownRoutingsOnce) {
 TEST(ParetoPicture, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
   const ExploreReport report = explored(small_options());
   const auto edges = [&](const std::vector<Objective>& ranking) {
-    return read_chart(pareto_picture(designs(report), ranking).figure.svg)
+    return read_chart(pareto_figure(designs(report), ranking).figure.svg)
         .front()
         .marks("paths")
         .size();
@@ -124,7 +122,7 @@ TEST(ParetoPicture, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
 TEST(ParetoPicture, EndsWhereUniformityDoes) {
   const ExploreReport report = explored(small_options());
   const ReadPanel panel =
-      read_chart(pareto_picture(designs(report), report.options.order.objectives).figure.svg)
+      read_chart(pareto_figure(designs(report), report.options.order.objectives).figure.svg)
           .front();
   EXPECT_EQ(panel.x.back().text, "1.0");
 }
@@ -133,7 +131,7 @@ TEST(ParallelPicture, HasLinesOfTheBestAndTheKnown) {
   const auto lines = [](const ExploreReport& report) {
     const ReadPanel panel =
         read_chart(
-            parallel_picture(designs(report), shown_objectives({}, authors_score())).figure.svg)
+            parallel_figure(designs(report), shown_objectives({}, authors_score())).figure.svg)
             .front();
     std::set<std::string> titles;
     for (const char* kind : {"listed", "on the front", "known routing"}) {
@@ -163,7 +161,7 @@ TEST(ParallelPicture, HasLinesOfTheBestAndTheKnown) {
 TEST(ParallelPicture, CountsEveryDesignOnEveryAxis) {
   const std::vector<PageDesign> all = designs(explored(small_options()));
   const std::vector<Objective> shown = shown_objectives({}, authors_score());
-  const ReadPanel panel = read_chart(parallel_picture(all, shown).figure.svg).front();
+  const ReadPanel panel = read_chart(parallel_figure(all, shown).figure.svg).front();
   std::size_t counted = 0;
   for (const ReadMark& bar : panel.marks("paths", "how many designs")) {
     counted += std::stoul(bar.title);
@@ -181,7 +179,7 @@ TEST(ParetoPicture, MarksWhatIsAdvised) {
   EXPECT_EQ(advised[1].label, "knee");
   const ReadPanel panel =
       read_chart(
-          pareto_picture(designs(report), report.options.order.objectives, advised).figure.svg)
+          pareto_figure(designs(report), report.options.order.objectives, advised).figure.svg)
           .front();
   const std::vector<ReadMark> rings = panel.marks("points", "advised");
   ASSERT_EQ(rings.size(), 2U);
@@ -192,8 +190,8 @@ TEST(ParetoPicture, MarksWhatIsAdvised) {
 }
 
 TEST(ParallelPicture, SaysWhichAxesAreTurnedRound) {
-  const ReadPanel panel = read_chart(parallel_picture(designs(explored(small_options())),
-                                                      shown_objectives({}, authors_score()))
+  const ReadPanel panel = read_chart(parallel_figure(designs(explored(small_options())),
+                                                     shown_objectives({}, authors_score()))
                                          .figure.svg)
                               .front();
   const auto& texts = panel.texts;
@@ -203,8 +201,8 @@ TEST(ParallelPicture, SaysWhichAxesAreTurnedRound) {
 
 TEST(Pictures, AreMadeEvenIfNothingIsLeft) {
   for (const std::string& svg :
-       {pareto_picture({}, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg,
-        parallel_picture({}, shown_objectives({}, authors_score())).figure.svg}) {
+       {pareto_figure({}, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg,
+        parallel_figure({}, shown_objectives({}, authors_score())).figure.svg}) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
   }

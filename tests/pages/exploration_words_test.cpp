@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "pages/exploration/exploration_answer.hpp"
-#include "pages/exploration/exploration_method.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {

@@ -1,6 +1,4 @@
 // Names of figures, and what stands beside them.
-#include "pages/figure_names.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 #include <set>
 
 #include "core/notation.hpp"
-#include "pages/figure_captions.hpp"
+#include "pages/figures.hpp"
 #include "pages/routing_parts.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawing/chart/chart.hpp"
-#include "pages/band_spans.hpp"
-#include "pages/exploration/exploration_pictures.hpp"
+#include "pages/exploration/exploration_figures.hpp"
+#include "pages/objective_plot.hpp"
 #include "pages/sweep_figures.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"
@@ -89,13 +89,13 @@ TEST(ExplorationPicture, HasBarsOfTheFrontAndKnownRoutingsOnly) {
   std::size_t with_bars = 0;
   const auto bars = [&] {
     const std::vector<PageDesign> designs = page_designs(report, 1000);
-    const ExplorationPicture picture =
-        pareto_picture(designs, {Objective::uniformity_mean, Objective::efficiency_mean});
+    const LiveFigure figure =
+        pareto_figure(designs, {Objective::uniformity_mean, Objective::efficiency_mean});
     with_bars = 0;
     for (const PageDesign& design : designs) {
       if (design.kind == Kind::front || design.kind == Kind::known) ++with_bars;
     }
-    return read_chart(picture.figure.svg).front().marks("spans").size();
+    return read_chart(figure.figure.svg).front().marks("spans").size();
   };
   EXPECT_EQ(bars(), 0U);
   for (ListedDesign& design : report.top) {

@@ -1,5 +1,3 @@
-#include "pages/ranking_charts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,10 +5,10 @@
 
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
-#include "pages/band_spans.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/exploration/objective_axis.hpp"
-#include "pages/exploration/objective_title.hpp"
+#include "pages/objective_plot.hpp"
+#include "pages/page_words.hpp"
+#include "pages/ranking_parts.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
 #include "reports/document/text_table.hpp"

@@ -1,5 +1,3 @@
-#include "pages/exploration/parallel_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,9 +7,8 @@
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"
-#include "pages/exploration/design_layers.hpp"
-#include "pages/exploration/objective_title.hpp"
-#include "pages/exploration/phrases.hpp"
+#include "pages/exploration/exploration_figures.hpp"
+#include "pages/page_words.hpp"
 #include "reports/data_text.hpp"
 
 namespace reeve::pages {
@@ -144,8 +141,8 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
 
 }  // namespace
 
-ExplorationPicture parallel_picture(const std::vector<PageDesign>& designs,
-                                    const std::vector<Objective>& shown) {
+LiveFigure parallel_figure(const std::vector<PageDesign>& designs,
+                           const std::vector<Objective>& shown) {
   const std::vector<std::size_t> picked = with_lines(designs);
   chart::Chart chart;
   chart.width = 760;

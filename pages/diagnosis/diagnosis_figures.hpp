@@ -1,4 +1,4 @@
-// The charts of a diagnosis' page.
+// The figures of a diagnosis' page.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The 5–95 % bands of designs as bars both ways in a plot over two objectives.
+// A plot over objectives: its axes, and the 5–95 % bands of designs as bars both ways.
 #pragma once
 
 #include <array>
@@ -7,9 +7,13 @@
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "search/uncertainty/bands.hpp"
 
 namespace reeve::pages {
+
+// Named with its unit and which way is better; no longer than what the objective can be.
+chart::Axis objective_axis(Objective objective, const std::string& cost_unit = "");
 
 // Where a design is drawn, at its nominal values.
 struct BandedSpot {

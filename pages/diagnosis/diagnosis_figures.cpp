@@ -1,4 +1,4 @@
-#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -130,6 +130,84 @@ std::string drawn(const DiagnosisReport& report, const std::vector<ReadingMark>&
   return chart_svg(chart);
 }
 
+constexpr std::size_t most_runs = 40;
+
+std::string title(const std::string& run, const RunGain& gain, bool extended) {
+  std::string text = fmt::format("run {}: {} measured values\nbefore {:.3g} N", run, gain.cells,
+                                 gain.rms_before_N);
+  if (extended) text += fmt::format(", after {:.3g} N", gain.rms_after_N);
+  return text + fmt::format("\nnoise alone {:.3g} N", gain.rms_noise_N);
+}
+
+chart::Panel panel(const DiagnosisReport& report, std::size_t runs, bool extended) {
+  chart::Panel panel;
+  panel.x.title = "root mean square residual, N";
+  panel.x.least = 0;
+  panel.x.reaches = {0};
+  panel.y.title = "run";
+  chart::Spans gains{{}, chart::Along::x, {}};
+  chart::Points noise;
+  chart::Points before;
+  chart::Points after;
+  for (std::size_t i = 0; i < runs; ++i) {
+    const RunGain& gain = report.result.run_gains[i];
+    const std::string& run = report.data.runs[gain.run];
+    const std::string text = title(run, gain, extended);
+    const auto at = static_cast<double>(i);
+    panel.y.categories.push_back(run);
+    gains.spans.push_back({at, gain.rms_before_N, gain.rms_after_N, text});
+    noise.spots.push_back({gain.rms_noise_N, at, text, ""});
+    before.spots.push_back({gain.rms_before_N, at, text, ""});
+    after.spots.push_back({gain.rms_after_N, at, text, ""});
+  }
+  chart::Style ink{chart::Colour::ink};
+  if (extended) panel.layers.push_back({"", ink, gains});
+  panel.layers.push_back({"noise alone", {chart::Colour::grey, chart::Symbol::tick, 6}, noise});
+  panel.layers.push_back({"before", {chart::Colour::blue, chart::Symbol::circle, 5}, before});
+  if (extended) {
+    panel.layers.push_back({"after", {chart::Colour::orange, chart::Symbol::diamond, 5}, after});
+  }
+  return panel;
+}
+
+std::string interval(const EstimatedParameter& parameter) {
+  return fmt::format("{:.4g} ({:.4g} to {:.4g})", parameter.value, parameter.low, parameter.high);
+}
+
+// A row for each thing that is known of the parameter.
+chart::Panel panel(const NamedCause& cause, const EstimatedParameter& parameter) {
+  chart::Panel panel;
+  panel.title = cause.name;
+  panel.x.title = parameter.unit == "1" ? parameter.name
+                                        : fmt::format("{}, {}", parameter.name, parameter.unit);
+  panel.y.categories = {"estimate", "nominal", "literature"};
+  panel.y.grid = false;
+  const std::string title = fmt::format("{} {}", parameter.name, interval(parameter));
+  chart::Style ink{chart::Colour::ink, chart::Symbol::diamond, 5, 3};
+  panel.layers = {
+      {"", ink, chart::Spans{{{0, parameter.low, parameter.high, title}}, chart::Along::x, {}}},
+      {"",
+       {chart::Colour::blue, chart::Symbol::diamond, 5},
+       chart::Points{{{parameter.value, 0, title, ""}}}}};
+  if (parameter.nominal) {
+    const chart::Style hollow{chart::Colour::blue, chart::Symbol::circle, 5, 2, 0};
+    panel.layers.push_back(
+        {"", hollow,
+         chart::Points{
+             {{*parameter.nominal, 1, fmt::format("nominal {:.4g}", *parameter.nominal), ""}}}});
+  }
+  if (parameter.literature) {
+    const auto [low, high] = *parameter.literature;
+    const chart::Style broad{chart::Colour::grey, chart::Symbol::circle, 5, 10, 1, 0.5};
+    panel.layers.push_back(
+        {"", broad,
+         chart::Spans{{{2, low, high, fmt::format("literature {:.4g} to {:.4g}", low, high)}},
+                      chart::Along::x,
+                      {}}});
+  }
+  return panel;
+}
+
 }  // namespace
 
 Figure compared_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks) {
@@ -162,6 +240,45 @@ std::string thinned_text(const DiagnosisReport& report, std::size_t drawn) {
       " Drawn are {} of {} values, chosen evenly by a fixed rule; residuals.csv has "
       "all.",
       drawn, all);
+}
+
+Figure runs_figure(const DiagnosisReport& report) {
+  const std::size_t all = report.result.run_gains.size();
+  const std::size_t drawn = std::min(all, most_runs);
+  const bool extended = !report.result.causes.empty();
+  std::string caption = simulated_label(report) +
+                        (extended ? "From the model as it stands to the extended one. " : "") +
+                        "Grey ticks: what noise alone leaves on average.";
+  if (all > drawn) {
+    caption +=
+        fmt::format(" Drawn are the first {} of {} runs; diagnosis.json has all.", drawn, all);
+  }
+  chart::Chart chart;
+  chart.alt = fmt::format("Root mean square residuals of {} held-out runs{}, and of noise alone.",
+                          all, extended ? ", before and after" : "");
+  chart.width = 480;
+  chart.height = row_px * static_cast<double>(drawn);
+  chart.panels.push_back(panel(report, drawn, extended));
+  return {"held-out-runs", "Each held-out run by itself.", caption, chart_svg(chart)};
+}
+
+Figure parameters_figure(const DiagnosisReport& report) {
+  chart::Chart chart;
+  chart.alt = "Estimates with 95 % intervals:";
+  for (const NamedCause& cause : report.result.causes) {
+    for (const EstimatedParameter& parameter : cause.parameters) {
+      chart.panels.push_back(panel(cause, parameter));
+      chart.alt += fmt::format(" {} of {} {};", parameter.name, cause.name, interval(parameter));
+    }
+  }
+  chart.width = 250;
+  chart.height = 3 * row_px;
+  chart.columns = 2;
+  return {"parameters", "Sizes of the causes.",
+          simulated_label(report) +
+              "Diamond with bar: estimate and its 95 % interval. Circle: the nominal value, at "
+              "which nothing would be wrong. Grey: the literature's range.",
+          chart_svg(chart)};
 }
 
 }  // namespace reeve::pages

@@ -1,10 +1,11 @@
-// The charts of a ranking.
+// The parts of a ranking's page: its figures, and what it says in sentences.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "pages/shell/page.hpp"
+#include "reports/output/json.hpp"
 #include "reports/rank_report.hpp"
 
 namespace reeve::pages {
@@ -22,5 +23,8 @@ Figure rank_figure(const RankReport& report, const Labels& labels);
 // Strand tensions of these designs in their g-th grasp.
 Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& labels,
                        std::size_t grasp, std::size_t most);
+
+// For the template ranking_answer.mustache. The report has details.
+Json ranking_answer(const RankReport& report, const Labels& labels);
 
 }  // namespace reeve::pages

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "drawing/chart/chart.hpp"
-#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_figures.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"
-#include "pages/diagnosis/diagnosis_charts.hpp"
+#include "pages/diagnosis/diagnosis_figures.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 
 namespace reeve::pages {

@@ -1,11 +1,12 @@
-#include "pages/band_spans.hpp"
+#include "pages/objective_plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
-#include "pages/exploration/objective_title.hpp"
+#include "pages/page_words.hpp"
 #include "reports/exploration/band_report.hpp"
 
 namespace reeve::pages {
@@ -37,6 +38,19 @@ bool add_span(const BandedSpot& spot, Objective objective, double at, const char
 }
 
 }  // namespace
+
+chart::Axis objective_axis(Objective objective, const std::string& cost_unit) {
+  const ObjectiveRow& about = row(objective);
+  std::string unit = about.unit == std::string_view("1") ? "" : fmt::format(", {}", about.unit);
+  if (objective == Objective::cost && !cost_unit.empty()) unit = ", " + cost_unit;
+  chart::Axis axis;
+  axis.title = fmt::format("{}{} ({} is better)", objective_title(about), unit,
+                           about.better == Better::higher ? "higher" : "lower");
+  axis.least = about.least;
+  axis.greatest = about.greatest;
+  axis.whole = about.is_count();
+  return axis;
+}
 
 BandBars band_bars(const std::vector<BandedSpot>& spots, const std::array<Objective, 2>& axes,
                    const PointsSpan& points) {

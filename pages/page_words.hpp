@@ -1,12 +1,27 @@
-// What routings and grasps are called on a page.
+// What objectives, grasps and routings are called on a page, and lists in a sentence.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::pages {
+
+// "uniformity mean"
+std::string objective_title(const ObjectiveRow& row);
+// "uniformity mean, efficiency mean"
+std::string objective_titles(const std::vector<Objective>& objectives);
+
+// "a, b and c"
+std::string enumeration(const std::vector<std::string>& items);
+
+// "0.9958"; "-" of what there is none of, as in the terminal.
+std::string four_digits(double value);
+
+// "uniformity mean and sheaths"
+std::string titles(const std::vector<Objective>& objectives);
 
 // "no finger held", "finger 1 held", "fingers 1, 3 held"
 std::string grasp_words(Grasp grasp);

@@ -1,0 +1,84 @@
+// The figures of an exploration as they stand without a script: for readers without JavaScript, for
+// print, and for figures/. The page's script shows the same designs by the same rules, over
+// whatever the reader chooses (assets/exploration_charts.js).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "drawing/chart/chart.hpp"
+#include "drawing/shapes.hpp"
+#include "pages/exploration/exploration_answer.hpp"
+#include "pages/exploration/exploration_designs.hpp"
+#include "pages/shell/page.hpp"
+#include "search/evaluate/objectives.hpp"
+
+namespace reeve::pages {
+
+using TwoObjectives = std::array<Objective, 2>;
+
+// As many cells as the picture is cut into for thinning.
+struct SpotGrid {
+  double columns = 90;
+  double lines = 60;
+};
+
+struct DrawnDesign {
+  std::size_t design = 0;
+  std::size_t count = 1;  // designs that the mark stands for, itself included
+};
+
+// Of designs that lie in one cell of the picture only the first, in their order; those on the front
+// that differ by more than a dot, and the known routings, always.
+std::vector<DrawnDesign> thinned(const std::vector<PageDesign>& designs, const TwoObjectives& axes,
+                                 const SpotGrid& grid = {});
+
+// The edge of what the front attains in two objectives: through the spots that none beats in both,
+// out to the worst of `shown`; each corner first across, then up or down. Empty without spots.
+std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectives& axes,
+                              const std::vector<Point>& shown);
+
+Point spot(const PageDesign& design, const TwoObjectives& axes);
+
+// The designs over two objectives, over `ranking` of which the front is; `advised` are marked.
+LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
+                         const std::vector<Objective>& ranking,
+                         const std::vector<AdvisedDesign>& advised = {});
+
+// Those that the ranking counts first; where it counts one, uniformity or efficiency joins it.
+TwoObjectives first_axes(const std::vector<Objective>& ranking);
+
+// Lines of the best and of the known routings over these objectives, and in grey how many of all
+// designs have a value.
+LiveFigure parallel_figure(const std::vector<PageDesign>& designs,
+                           const std::vector<Objective>& shown);
+
+// What these figures have in common: the order of the kinds of designs, their layers in the legend,
+// and how a design is called.
+
+// The many below the few.
+inline constexpr std::array<Kind, kind_count> drawing_order{Kind::sample, Kind::listed, Kind::front,
+                                                            Kind::known};
+
+inline bool is_empty(const chart::Points& points) { return points.spots.empty(); }
+inline bool is_empty(const chart::Paths& paths) { return paths.paths.empty(); }
+
+// Layers without marks, for the legend: there the few come first, which are drawn last.
+template <typename Marks>
+std::vector<chart::Layer> keys(const std::array<Marks, kind_count>& marks,
+                               chart::Style (*style)(Kind)) {
+  std::vector<chart::Layer> layers;
+  for (auto kind = drawing_order.rbegin(); kind != drawing_order.rend(); ++kind) {
+    if (is_empty(marks[static_cast<std::size_t>(*kind)])) continue;
+    layers.push_back({design_kind_name(*kind), style(*kind), Marks{}});
+  }
+  return layers;
+}
+
+inline std::string label(const PageDesign& design) {
+  return design.name.empty() ? design.word : design.name + ": " + design.word;
+}
+
+}  // namespace reeve::pages

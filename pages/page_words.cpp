@@ -1,0 +1,70 @@
+#include "pages/page_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace reeve::pages {
+
+std::string objective_title(const ObjectiveRow& row) {
+  std::string title = row.name;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  return title;
+}
+
+std::string objective_titles(const std::vector<Objective>& objectives) {
+  std::string titles;
+  for (const Objective objective : objectives) {
+    titles += (titles.empty() ? "" : ", ") + objective_title(row(objective));
+  }
+  return titles;
+}
+
+std::string enumeration(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+std::string titles(const std::vector<Objective>& objectives) {
+  std::vector<std::string> names;
+  for (const Objective objective : objectives) names.push_back(objective_title(row(objective)));
+  return enumeration(names);
+}
+
+std::string four_digits(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
+}
+
+std::string grasp_words(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  if (held.empty()) return "no finger held";
+  return fmt::format("finger{} {} held", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
+}
+
+std::string grasp_id(Grasp grasp) {
+  const std::vector<int> held = held_fingers(grasp);
+  return held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
+}
+
+std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {
+  std::map<std::string, int> uses;
+  for (const NamedRouting& routing : routings) ++uses[routing.name];
+  std::vector<std::string> result;
+  for (const auto& [name, word] : routings) {
+    if (name.empty()) {
+      result.push_back(word);
+    } else {
+      result.push_back(uses[name] > 1 ? fmt::format("{}: {}", name, word) : name);
+    }
+  }
+  return result;
+}
+
+}  // namespace reeve::pages

@@ -1,0 +1,23 @@
+// The pages of a routing, a ranking and a sizing: what `show`, `rank` and `size` write with --out.
+// Those of an exploration and of a diagnosis have headers of their own.
+#pragma once
+
+#include <string>
+
+#include "pages/shell/figure_files.hpp"
+#include "reports/rank_report.hpp"
+#include "reports/show_report.hpp"
+#include "studies/sizing_study.hpp"
+
+namespace reeve::pages {
+
+// `command`: that which writes the page.
+PageFiles routing_page(const ShownRouting& report, const std::string& command);
+
+// The report has details.
+PageFiles ranking_page(const RankReport& report, const std::string& command);
+
+// The report has details.
+PageFiles sizing_page(const SizingReport& report, const std::string& command);
+
+}  // namespace reeve::pages
