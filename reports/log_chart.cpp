@@ -12,7 +12,7 @@
 namespace reeve::reports {
 namespace {
 
-// Of the picture, in time: finer than a reader can see.
+// Of the chart, in time: finer than a reader can see.
 constexpr std::size_t most_steps = 600;
 
 class LogChart {

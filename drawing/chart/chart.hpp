@@ -199,7 +199,7 @@ struct Panel {
 
 // Panels of one size, in rows.
 struct Chart {
-  std::string alt;  // what the picture shows, in words
+  std::string alt;  // what it shows, in words
   std::vector<Panel> panels;
   std::size_t columns = 1;
   double width = 600;  // of each panel's frame, px

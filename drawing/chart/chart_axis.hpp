@@ -87,7 +87,7 @@ struct Inset {
   double high = 0;
 };
 
-// A stretch of the picture: the low end of the axis lies at `from`, but for what stays free.
+// A stretch of the chart: the low end of the axis lies at `from`, but for what stays free.
 struct Stretch {
   double from = 0;
   double to = 0;

@@ -1,5 +1,5 @@
 // The geometry of a chart: where everything lies, in pixels, y downward. No text overlaps another,
-// and all lies within the picture.
+// and all lies within the chart.
 #pragma once
 
 #include <vector>
@@ -49,7 +49,7 @@ ChartLayout layout(const Chart& chart);
 // Where a spot of this panel lies.
 Point place(const LaidPanel& panel, double x, double y);
 
-// Of the panels alone, before anybody knows where in the picture they lie (chart_panel.cpp):
+// Of the panels alone, before anybody knows where in the chart they lie (chart_panel.cpp):
 
 // Over all marks of the panel that can be drawn, and the axis' own `reaches`; over both axes where
 // they have one scale. Categories are wide: half of one on both sides of its place.

@@ -19,7 +19,7 @@ std::string colour_class(Colour colour) {
   return std::string(" reeve-") + colours[static_cast<std::size_t>(colour)].name;
 }
 
-// " color="#0072b2"", which `currentColor` then means; ink is what the picture has.
+// " color="#0072b2"", which `currentColor` then means; ink is what the chart has.
 std::string colour_attribute(Colour colour) {
   if (colour == Colour::ink) return "";
   return attribute("color", colours[static_cast<std::size_t>(colour)].on_white);

@@ -1,7 +1,7 @@
 "use strict";
 
 // The charts of an exploration: from its designs to the data of its Vega-Lite specifications
-// (pages/charts). No document is needed here. The static pictures are drawn by the program itself,
+// (pages/charts). No document is needed here. The still figures are drawn by the program itself,
 // from the same designs by the same rules.
 //
 // `designs` has columns, all of one length: word, name, rank (0: none), kind, and values, a column
@@ -52,7 +52,7 @@ const explorationCharts = (() => {
 
   const place = (value, [low, high]) => (high > low ? (value - low) / (high - low) : 0.5);
 
-  // Of designs that lie in one cell of the picture only the first is drawn; those on the front that
+  // Of designs that lie in one cell of the figure only the first is drawn; those on the front that
   // differ by more than a dot, and the known routings, always are.
   function thinned(designs, rows, [xs, ys], { columns, lines }) {
     const ranges = [range(xs, rows), range(ys, rows)];

@@ -1,7 +1,7 @@
 "use strict";
 
 // Parallel coordinates: lines of the best and of the known routings, and behind them in grey how
-// many of all designs have a value. The static picture shows the same designs by the same rules.
+// many of all designs have a value. The still figure shows the same designs by the same rules.
 const explorationParallel = (() => {
   const { number, range, place, label, kinds, layers, specification, present } = explorationCharts;
   const mostLines = 30; // of the best; more cannot be told apart

@@ -9,7 +9,7 @@ const liveCharts = (() => {
   const parsed = (spec, theme) =>
     vega.parse(vegaLite.compile({ ...spec, config: theme, background: "transparent" }).spec);
 
-  // Draws, or draws anew with another specification; the figure keeps its static picture for print.
+  // Draws, or draws anew with another specification; the figure keeps its still for print.
   // `onView` is called for each new view, so that it can listen to it.
   async function draw(figure, spec, onView = charts.get(figure)?.onView) {
     charts.get(figure)?.view.finalize();

@@ -45,10 +45,10 @@ const reeve = (() => {
 
   // As it stands in the page, where styles that are none of its own follow the reader's scheme: a
   // saved figure has its own colours, on white, for papers.
-  const pictureSvg = (figure) => new XMLSerializer().serializeToString(figure.querySelector("svg"));
+  const stillSvg = (figure) => new XMLSerializer().serializeToString(figure.querySelector("svg"));
 
   // Of a figure that was put into the page later, too. What `svgText` gives, or promises, is saved.
-  function savable(figure, name = figure.dataset.file || figure.id, svgText = () => pictureSvg(figure)) {
+  function savable(figure, name = figure.dataset.file || figure.id, svgText = () => stillSvg(figure)) {
     addSaving(figure, name, svgText);
   }
 

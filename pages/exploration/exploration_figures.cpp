@@ -129,13 +129,7 @@ std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
     points[static_cast<std::size_t>(design.kind)].spots.push_back(
         {at.x, at.y, title(design, axes, each->count), labels[each->design]});
   }
-  std::vector<chart::Layer> layers = keys<chart::Points>(points, design_style);
-  for (const Kind kind : drawing_order) {
-    chart::Points& some = points[static_cast<std::size_t>(kind)];
-    if (!some.spots.empty())
-      layers.push_back({design_kind_name(kind), design_style(kind), std::move(some)});
-  }
-  return layers;
+  return kind_layers(points, design_style);
 }
 
 // Of known routings and of the front, whose values one chooses by.

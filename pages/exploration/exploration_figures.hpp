@@ -19,7 +19,7 @@ namespace reeve::pages {
 
 using TwoObjectives = std::array<Objective, 2>;
 
-// As many cells as the picture is cut into for thinning.
+// As many cells as the figure is cut into for thinning.
 struct SpotGrid {
   double columns = 90;
   double lines = 60;
@@ -30,7 +30,7 @@ struct DrawnDesign {
   std::size_t count = 1;  // designs that the mark stands for, itself included
 };
 
-// Of designs that lie in one cell of the picture only the first, in their order; those on the front
+// Of designs that lie in one cell of the figure only the first, in their order; those on the front
 // that differ by more than a dot, and the known routings, always.
 std::vector<DrawnDesign> thinned(const std::vector<PageDesign>& designs, const TwoObjectives& axes,
                                  const SpotGrid& grid = {});
@@ -55,28 +55,26 @@ TwoObjectives first_axes(const std::vector<Objective>& ranking);
 LiveFigure parallel_figure(const std::vector<PageDesign>& designs,
                            const std::vector<Objective>& shown);
 
-// What these figures have in common: the order of the kinds of designs, their layers in the legend,
-// and how a design is called.
-
-// The many below the few.
-inline constexpr std::array<Kind, kind_count> drawing_order{Kind::sample, Kind::listed, Kind::front,
-                                                            Kind::known};
-
 inline bool is_empty(const chart::Points& points) { return points.spots.empty(); }
 inline bool is_empty(const chart::Paths& paths) { return paths.paths.empty(); }
 
-// Layers without marks, for the legend: there the few come first, which are drawn last.
+// A layer for each kind of designs, the many below the few. In the legend the few come first:
+// layers without marks stand there for them.
 template <typename Marks>
-std::vector<chart::Layer> keys(const std::array<Marks, kind_count>& marks,
-                               chart::Style (*style)(Kind)) {
+std::vector<chart::Layer> kind_layers(const std::array<Marks, kind_count>& marks,
+                                      chart::Style (*style)(Kind)) {
+  constexpr std::array order{Kind::sample, Kind::listed, Kind::front, Kind::known};
   std::vector<chart::Layer> layers;
-  for (auto kind = drawing_order.rbegin(); kind != drawing_order.rend(); ++kind) {
-    if (is_empty(marks[static_cast<std::size_t>(*kind)])) continue;
-    layers.push_back({design_kind_name(*kind), style(*kind), Marks{}});
+  for (const Kind kind : order) {
+    const Marks& some = marks[static_cast<std::size_t>(kind)];
+    if (is_empty(some)) continue;
+    layers.insert(layers.begin(), {design_kind_name(kind), style(kind), Marks{}});
+    layers.push_back({design_kind_name(kind), style(kind), some});
   }
   return layers;
 }
 
+// How figures call a design.
 inline std::string label(const PageDesign& design) {
   return design.name.empty() ? design.word : design.name + ": " + design.word;
 }

@@ -125,13 +125,8 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
     }
     paths[static_cast<std::size_t>(design.kind)].paths.push_back(std::move(line));
   }
-  for (chart::Layer& key : keys<chart::Paths>(paths, line_style)) {
-    panel.layers.push_back(std::move(key));
-  }
-  for (const Kind kind : drawing_order) {
-    chart::Paths& some = paths[static_cast<std::size_t>(kind)];
-    if (!some.paths.empty())
-      panel.layers.push_back({design_kind_name(kind), line_style(kind), some});
+  for (chart::Layer& layer : kind_layers(paths, line_style)) {
+    panel.layers.push_back(std::move(layer));
   }
   chart::Style ink;
   ink.colour = chart::Colour::ink;

@@ -1,6 +1,6 @@
 // What the script of an exploration makes of designs before Vega draws it (exploration_charts.js
-// needs no page, so none is opened). The program draws the static pictures by the same rules, which
-// tests/pages/exploration_pictures_test.cpp holds to the same cases.
+// needs no page, so none is opened). The program draws the still figures by the same rules, which
+// tests/pages/exploration_figures_test.cpp holds to the same cases.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";

@@ -17,7 +17,7 @@ import {
 } from "./harness.mjs";
 import { pages } from "./pages.mjs";
 import { pageFile } from "./places.mjs";
-import { outlineFaults, pictureFaults, staticFaults, textFaults } from "./structure.mjs";
+import { outlineFaults, figureFaults, staticFaults, textFaults } from "./structure.mjs";
 
 async function fitsThePhone(page) {
   const width = await scrollWidth(page);
@@ -40,7 +40,7 @@ describe("every page", { concurrency: 2 }, () => {
       await screenshot(page, name, "desktop");
       await unfold(page);
       assert.deepEqual(await outlineFaults(page), []);
-      assert.deepEqual(await pictureFaults(page), []);
+      assert.deepEqual(await figureFaults(page), []);
       assert.deepEqual(await textFaults(page), []);
       assert.deepEqual(await accessibilityFaults(page), []);
       await page.emulateMedia({ colorScheme: "dark" });

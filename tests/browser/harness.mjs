@@ -140,7 +140,7 @@ export const tooWide = (page, width) =>
       .map((element) => `<${element.tagName.toLowerCase()} id="${element.id}">`);
   }, width);
 
-// Thousands of elements that are parts of one picture and have no text of their own.
+// Thousands of elements that are parts of one figure and have no text of their own.
 const marks = ".reeve-points, .reeve-bars, .reeve-spans, .reeve-paths, .live .mark-symbol, .live .mark-line";
 
 // axe's serious and critical violations, a line for each; of all its rules, or of those named.

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { accessibilityFaults, open, phone, scrollWidth, startBrowser, tooWide } from "./harness.mjs";
 import { pageFile, written } from "./places.mjs";
-import { outlineFaults, pictureFaults, staticFaults, textFaults } from "./structure.mjs";
+import { outlineFaults, figureFaults, staticFaults, textFaults } from "./structure.mjs";
 
 const folder = join(written, "spoilt");
 
@@ -83,26 +83,26 @@ describe("the checks", () => {
   });
 
   test("see a chart that is not drawn, and one that is there twice", async () => {
-    const hidden = "<style>.picture svg { display: none !important }</style>";
-    const gone = await pictureFaults((await opened(inserted("pictures", hidden))).page);
+    const hidden = "<style>.still svg { display: none !important }</style>";
+    const gone = await figureFaults((await opened(inserted("figures", hidden))).page);
     some(gone, /points is not drawn/);
     const svg = '<svg role="img" aria-label="again" width="300" height="200"></svg>';
-    const again = `<div class="picture">${svg}</div><figcaption>`;
+    const again = `<div class="still">${svg}</div><figcaption>`;
     const twice = spoilt("twice", "<figcaption>", again);
-    some(await pictureFaults((await opened(twice)).page), /points is there twice/);
+    some(await figureFaults((await opened(twice)).page), /points is there twice/);
   });
 
   test("see a chart that says nothing to who cannot see it", async () => {
     const file = spoilt("mute", 'role="img" aria-label="Twelve', 'role="img" data-label="Twelve');
     const { page } = await opened(file);
-    some(await pictureFaults(page), /points has no text/);
+    some(await figureFaults(page), /points has no text/);
     some(await staticFaults(page), /points has no text/);
   });
 
-  test("see a static picture that is missing without JavaScript", async () => {
-    const file = inserted("static", "<style>.picture svg { display: none !important }</style>");
+  test("see a still figure that is missing without JavaScript", async () => {
+    const file = inserted("static", "<style>.still svg { display: none !important }</style>");
     const { page } = await opened(file, { javaScriptEnabled: false });
-    some(await staticFaults(page), /points: no picture/);
+    some(await staticFaults(page), /points: no figure/);
   });
 
   test("see values that are none, and a text that was run", async () => {

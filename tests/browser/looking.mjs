@@ -5,14 +5,14 @@ import { readFileSync } from "node:fs";
 // Symbols and bars of a chart's data; those of its legend are no marks.
 export const pointMarks = ".reeve-points > *";
 export const barMarks = ".reeve-bars > *";
-export const marks = (figure) => figure.locator(`.picture ${pointMarks}`);
-export const bars = (figure) => figure.locator(`.picture ${barMarks}`);
+export const marks = (figure) => figure.locator(`.still ${pointMarks}`);
+export const bars = (figure) => figure.locator(`.still ${barMarks}`);
 
 // What a chart shows who reads it with a ruler: for each panel its marks of that kind, with the values
 // that they have by the numbers at the two outermost ticks of each axis. A panel without numbers at
 // its y axis has those of the panel before it. An axis without numbers gives none.
 export const readMarks = (figure, selector = pointMarks) =>
-  figure.locator(".picture svg").evaluate((svg, wanted) => {
+  figure.locator(".still svg").evaluate((svg, wanted) => {
     const number = (text) => {
       const plain = text.replace("−", "-").replace("+", "");
       return plain.endsWith("%") ? parseFloat(plain) / 100 : Number(plain);

@@ -108,7 +108,7 @@ describe("what pages share", () => {
     assert.match(text, /class="reeve-paper" fill="#ffffff"/);
   });
 
-  test("Save PNG gives three pixels for each of the picture's", async () => {
+  test("Save PNG gives three pixels for each of the figure's", async () => {
     const { bytes: svg } = await saved(page, saveButton(page.locator("#points"), "SVG"));
     const width = Number(/<svg[^>]* width="(\d+)/.exec(svg.toString("utf8"))[1]);
     const { name, bytes } = await saved(page, saveButton(page.locator("#points"), "PNG"));

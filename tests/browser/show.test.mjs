@@ -91,8 +91,8 @@ describe("show", () => {
     const { name, bytes } = await saved(page, saveButton(schematic, "SVG"));
     assert.equal(name, "TR5-held-1.svg");
     assert.equal(await countInSvg(page, bytes.toString("utf8"), "svg > desc"), 1);
-    const picture = await saved(page, saveButton(schematic, "PNG"));
-    assert.ok(pngSize(picture.bytes).height > 1000);
+    const file = await saved(page, saveButton(schematic, "PNG"));
+    assert.ok(pngSize(file.bytes).height > 1000);
   });
 
   test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));

@@ -1,4 +1,4 @@
-// What a page is made of: headings, tables, pictures. Each function returns what is wrong.
+// What a page is made of: headings, tables, figures. Each function returns what is wrong.
 
 // Headings in order, one of the first level, ids that are unique, tables that say what they show.
 export const outlineFaults = (page) =>
@@ -25,7 +25,7 @@ export const outlineFaults = (page) =>
   });
 
 // With JavaScript: every chart is drawn once, says in words what it shows, and can be saved.
-export const pictureFaults = (page) =>
+export const figureFaults = (page) =>
   page.evaluate(() => {
     const faults = [];
     // Live charts have their text on what holds them.
@@ -34,7 +34,7 @@ export const pictureFaults = (page) =>
     const size = (element) => element?.getBoundingClientRect() ?? { width: 0, height: 0 };
     const visible = (figure) => figure.getClientRects().length > 0;
     for (const figure of [...document.querySelectorAll("figure.chart")].filter(visible)) {
-      const drawn = [...figure.querySelectorAll(".picture svg, .live svg")]
+      const drawn = [...figure.querySelectorAll(".still svg, .live svg")]
         .filter((svg) => size(svg).width > 100 && size(svg).height > 40);
       if (drawn.length === 0) faults.push(`${figure.id} is not drawn`);
       if (drawn.length > 1) faults.push(`${figure.id} is there twice`);
@@ -48,7 +48,7 @@ export const pictureFaults = (page) =>
     return faults;
   });
 
-// Printed, or without JavaScript: the static picture of every chart, and that alone. A chart that
+// Printed, or without JavaScript: the still figure of every chart, and that alone. A chart that
 // only a choice of the reader brings up has none: it shows as it is, or not at all.
 export const staticFaults = (page) =>
   page.evaluate(() => {
@@ -58,9 +58,9 @@ export const staticFaults = (page) =>
     const wide = (element) => element?.getBoundingClientRect().width > 100;
     const visible = (figure) => figure.getClientRects().length > 0;
     for (const figure of [...document.querySelectorAll("figure.chart")].filter(visible)) {
-      const still = figure.querySelector(".picture");
+      const still = figure.querySelector(".still");
       const svg = (still ?? figure.querySelector(".live")).querySelector("svg");
-      if (!wide(svg)) faults.push(`${figure.id}: no picture`);
+      if (!wide(svg)) faults.push(`${figure.id}: no figure`);
       if (still && wide(figure.querySelector(".live"))) faults.push(`${figure.id} is there twice`);
       if (svg && !alt(svg)) faults.push(`${figure.id} has no text`);
     }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t hues = 6;  // before ink and grey
 
-TEST(ChartColours, AreTheSameInPicturesAndLiveCharts) {
+TEST(ChartColours, AreTheSameInFiguresAndLiveCharts) {
   const Json theme = Json::parse(asset("theme.json"));
   const std::string style(asset("page.css"));
   for (std::size_t i = 0; i < hues; ++i) {

@@ -138,7 +138,7 @@ TEST(ExplorationPage, AsksForNoMoreDetailsThanItHasRoomFor) {
   EXPECT_EQ(html.find("with --details 54"), std::string::npos);
 }
 
-TEST(ExplorationPage, WritesItsPicturesAsFiles) {
+TEST(ExplorationPage, WritesItsFiguresAsFiles) {
   const PageFiles page = exploration_page(testing::view(explored(small_options())));
   std::set<std::string> ids;
   for (const FigureFile& file : page.figures) {

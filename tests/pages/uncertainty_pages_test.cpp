@@ -84,7 +84,7 @@ TEST(BandBars, LeaveThePointsApart) {
   EXPECT_EQ(band_caption(whole).find("end where the plot does"), std::string::npos);
 }
 
-TEST(ExplorationPicture, HasBarsOfTheFrontAndKnownRoutingsOnly) {
+TEST(ExplorationFigure, HasBarsOfTheFrontAndKnownRoutingsOnly) {
   ExploreReport report = explored(small_options());
   std::size_t with_bars = 0;
   const auto bars = [&] {

@@ -70,7 +70,7 @@ TEST(FrontEdge, GoesThroughWhatNoneBeatsWhicheverWayIsBetter) {
   EXPECT_EQ(edge(lower, higher), (Corners{{1, 0}, {1, 3}, {4, 3}}));
 }
 
-TEST(ParetoPicture, PutsEveryMarkWhereItsDesignIs) {
+TEST(ParetoFigure, PutsEveryMarkWhereItsDesignIs) {
   const ExploreReport report = explored(small_options());
   const std::vector<PageDesign> all = designs(report);
   std::map<std::string, const PageDesign*> by_label;
@@ -89,7 +89,7 @@ TEST(ParetoPicture, PutsEveryMarkWhereItsDesignIs) {
   }
 }
 
-TEST(ParetoPicture, NamesTheKnownRoutingsOnce) {
+TEST(ParetoFigure, NamesTheKnownRoutingsOnce) {
   const ExploreReport report = explored(small_options());
   std::vector<PageDesign> all = designs(report);
   std::vector<PageDesign> twice;
@@ -107,7 +107,7 @@ TEST(ParetoPicture, NamesTheKnownRoutingsOnce) {
   }
 }
 
-TEST(ParetoPicture, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
+TEST(ParetoFigure, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
   const ExploreReport report = explored(small_options());
   const auto edges = [&](const std::vector<Objective>& ranking) {
     return read_chart(pareto_figure(designs(report), ranking).figure.svg)
@@ -119,7 +119,7 @@ TEST(ParetoPicture, DrawsTheEdgeOnlyWhereTheRankingCountsBothAxes) {
   EXPECT_EQ(edges({Objective::sheaths}), 0U);  // over uniformity, which does not count
 }
 
-TEST(ParetoPicture, EndsWhereUniformityDoes) {
+TEST(ParetoFigure, EndsWhereUniformityDoes) {
   const ExploreReport report = explored(small_options());
   const ReadPanel panel =
       read_chart(pareto_figure(designs(report), report.options.order.objectives).figure.svg)
@@ -127,7 +127,7 @@ TEST(ParetoPicture, EndsWhereUniformityDoes) {
   EXPECT_EQ(panel.x.back().text, "1.0");
 }
 
-TEST(ParallelPicture, HasLinesOfTheBestAndTheKnown) {
+TEST(ParallelFigure, HasLinesOfTheBestAndTheKnown) {
   const auto lines = [](const ExploreReport& report) {
     const ReadPanel panel =
         read_chart(
@@ -158,7 +158,7 @@ TEST(ParallelPicture, HasLinesOfTheBestAndTheKnown) {
   EXPECT_EQ(lines(testing::large(20'000)).size(), 30U);
 }
 
-TEST(ParallelPicture, CountsEveryDesignOnEveryAxis) {
+TEST(ParallelFigure, CountsEveryDesignOnEveryAxis) {
   const std::vector<PageDesign> all = designs(explored(small_options()));
   const std::vector<Objective> shown = shown_objectives({}, authors_score());
   const ReadPanel panel = read_chart(parallel_figure(all, shown).figure.svg).front();
@@ -170,7 +170,7 @@ TEST(ParallelPicture, CountsEveryDesignOnEveryAxis) {
 }
 
 // Colours and symbols mean the same wherever designs are drawn.
-TEST(ParetoPicture, MarksWhatIsAdvised) {
+TEST(ParetoFigure, MarksWhatIsAdvised) {
   const ExploreReport report = explored(small_options());
   const std::vector<AdvisedDesign> advised = advised_designs(report);
   ASSERT_EQ(advised.size(), 2U);
@@ -189,7 +189,7 @@ TEST(ParetoPicture, MarksWhatIsAdvised) {
               1e-4);
 }
 
-TEST(ParallelPicture, SaysWhichAxesAreTurnedRound) {
+TEST(ParallelFigure, SaysWhichAxesAreTurnedRound) {
   const ReadPanel panel = read_chart(parallel_figure(designs(explored(small_options())),
                                                      shown_objectives({}, authors_score()))
                                          .figure.svg)
@@ -199,7 +199,7 @@ TEST(ParallelPicture, SaysWhichAxesAreTurnedRound) {
   EXPECT_EQ(std::count(texts.begin(), texts.end(), "uniformity mean"), 1);
 }
 
-TEST(Pictures, AreMadeEvenIfNothingIsLeft) {
+TEST(ExplorationFigures, AreMadeEvenIfNothingIsLeft) {
   for (const std::string& svg :
        {pareto_figure({}, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg,
         parallel_figure({}, shown_objectives({}, authors_score())).figure.svg}) {
