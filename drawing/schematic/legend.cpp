@@ -1,8 +1,9 @@
-// What the symbols of a schematic mean: the texts and their places.
+// What the symbols of a schematic mean: the texts, their places and the drawing.
 #include <array>
 
 #include "core/performance.hpp"
-#include "drawing/schematic/schematic_layout.hpp"
+#include "drawing/schematic/schematic_symbols.hpp"
+#include "drawing/svg.hpp"
 
 namespace reeve::drawing {
 namespace {
@@ -63,6 +64,51 @@ void add_note(const Box& room, Legend& legend) {
   }
 }
 
+std::string legend_symbol(const LegendItem& item) {
+  const Point centre{(item.box.left + item.box.right) / 2, (item.box.top + item.box.bottom) / 2};
+  const DrawnContact small{ContactKind::tube, ContactPlace::tip, {centre.x, centre.y + 3}, 7, -1};
+  DrawnContact sheath = small;
+  sheath.centre = centre;
+  sheath.length = 18;
+  switch (item.symbol) {
+    case LegendSymbol::tube:
+      return symbols::tube(small, 3);
+    case LegendSymbol::bearing:
+      return symbols::wheel(centre, 8);
+    case LegendSymbol::sheath:
+      return symbols::sheath(sheath, 4.5);
+    case LegendSymbol::fixed:
+      return symbols::fixation({EndHold::fixed, {centre.x, centre.y - 3}, 1}, 18, 10);
+    case LegendSymbol::tied:
+      return symbols::knot(centre, 10);
+    case LegendSymbol::anchored:
+      return symbols::anchor(centre, 5);
+    case LegendSymbol::block: {
+      DrawnBlock block;
+      block.axles = {{centre.x, centre.y - 3}};
+      block.sheave = 6;
+      block.tails = {{centre.x, centre.y + 8}};
+      block.beam = centre.y + 7;
+      return symbols::shell(block) + symbols::wheel(block.axles.front(), 6.5);
+    }
+    case LegendSymbol::bar: {
+      DrawnBlock bar;
+      bar.is_bar = true;
+      bar.eyes = {{centre.x - 7, centre.y}, {centre.x + 7, centre.y}};
+      bar.tails = {centre};
+      bar.beam = centre.y;
+      return symbols::shell(bar) + symbols::eyes(bar);
+    }
+    case LegendSymbol::slides:
+      return symbols::straight_arrow({item.box.left + 2, centre.y}, {item.box.right - 2, centre.y});
+    case LegendSymbol::slack:
+      return svg::path(
+          svg::move_to({item.box.left, centre.y}) + svg::line_to({item.box.right, centre.y}),
+          " stroke-dasharray=\"5 4\"");
+  }
+  return "";
+}
+
 }  // namespace
 
 DrawnParts& DrawnParts::operator|=(const DrawnParts& other) {
@@ -111,6 +157,14 @@ Legend legend(const Box& room, bool with_tension, const DrawnParts& parts) {
   legend.bottom = y + high + 2;
   if (with_tension) add_note(room, legend);
   return legend;
+}
+
+std::string symbols::legend(const Legend& legend) {
+  std::string items;
+  std::string texts;
+  for (const LegendItem& item : legend.items) items += legend_symbol(item);
+  for (const DrawnText& text : legend.texts) texts += svg::text(text);
+  return svg::group(strokes, items) + texts;
 }
 
 }  // namespace reeve::drawing

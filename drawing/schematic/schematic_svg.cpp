@@ -15,8 +15,6 @@ namespace {
 
 using namespace measures;
 
-const char* const strokes = " stroke=\"currentColor\" stroke-width=\"1.5\"";
-
 // Okabe and Ito's colours, which people with any colour vision tell apart; the darker ones first.
 constexpr std::array<const char*, 6> tendon_colours{"#0072b2", "#d55e00", "#009e73",
                                                     "#cc79a7", "#56b4e9", "#e69f00"};
@@ -172,7 +170,7 @@ std::string carriage(const Schematic& schematic) {
   text.text = "motor";
   if (schematic.state != nullptr) text.text += " 1.00";
   return svg::group(
-             strokes,
+             symbols::strokes,
              svg::rectangle(layout.carriage, 6, " class=\"reeve-carriage\" fill=\"#e2e6ea\"") +
                  svg::group(" stroke-width=\"3\"", symbols::straight_arrow(from, to))) +
          svg::text(text);
@@ -190,68 +188,16 @@ std::string tendons(const Schematic& schematic) {
   return svg::group(" fill=\"none\"", lines) + labels;
 }
 
-std::string legend_symbol(const LegendItem& item) {
-  const Point centre{(item.box.left + item.box.right) / 2, (item.box.top + item.box.bottom) / 2};
-  const DrawnContact small{ContactKind::tube, ContactPlace::tip, {centre.x, centre.y + 3}, 7, -1};
-  DrawnContact sheath = small;
-  sheath.centre = centre;
-  sheath.length = 18;
-  switch (item.symbol) {
-    case LegendSymbol::tube:
-      return symbols::tube(small, 3);
-    case LegendSymbol::bearing:
-      return symbols::wheel(centre, 8);
-    case LegendSymbol::sheath:
-      return symbols::sheath(sheath, 4.5);
-    case LegendSymbol::fixed:
-      return symbols::fixation({EndHold::fixed, {centre.x, centre.y - 3}, 1}, 18, 10);
-    case LegendSymbol::tied:
-      return symbols::knot(centre, 10);
-    case LegendSymbol::anchored:
-      return symbols::anchor(centre, 5);
-    case LegendSymbol::block: {
-      DrawnBlock block;
-      block.axles = {{centre.x, centre.y - 3}};
-      block.sheave = 6;
-      block.tails = {{centre.x, centre.y + 8}};
-      block.beam = centre.y + 7;
-      return symbols::shell(block) + symbols::wheel(block.axles.front(), 6.5);
-    }
-    case LegendSymbol::bar: {
-      DrawnBlock bar;
-      bar.is_bar = true;
-      bar.eyes = {{centre.x - 7, centre.y}, {centre.x + 7, centre.y}};
-      bar.tails = {centre};
-      bar.beam = centre.y;
-      return symbols::shell(bar) + symbols::eyes(bar);
-    }
-    case LegendSymbol::slides:
-      return symbols::straight_arrow({item.box.left + 2, centre.y}, {item.box.right - 2, centre.y});
-    case LegendSymbol::slack:
-      return svg::path(
-          svg::move_to({item.box.left, centre.y}) + svg::line_to({item.box.right, centre.y}),
-          " stroke-dasharray=\"5 4\"");
-  }
-  return "";
-}
-
-std::string draw(const Legend& legend) {
-  std::string symbols;
-  std::string texts;
-  for (const LegendItem& item : legend.items) symbols += legend_symbol(item);
-  for (const DrawnText& text : legend.texts) texts += svg::text(text);
-  return svg::group(strokes, symbols) + texts;
-}
-
 std::string draw(const Schematic& schematic) {
   const SchematicLayout& layout = schematic.layout;
   std::string texts;
   for (const DrawnText& text : layout.texts) texts += svg::text(text);
-  return svg::group(strokes, symbols::hand(layout) + held_fingers(layout)) + carriage(schematic) +
-         svg::group(strokes, shells(layout) + turns(layout)) + tendons(schematic) +
-         svg::group(strokes, sheaths(layout) + eyes(layout) + ends(layout) + arrows(schematic) +
-                                 motions(schematic)) +
-         texts + draw(layout.legend);
+  return svg::group(symbols::strokes, symbols::hand(layout) + held_fingers(layout)) +
+         carriage(schematic) + svg::group(symbols::strokes, shells(layout) + turns(layout)) +
+         tendons(schematic) +
+         svg::group(symbols::strokes, sheaths(layout) + eyes(layout) + ends(layout) +
+                                          arrows(schematic) + motions(schematic)) +
+         texts + symbols::legend(layout.legend);
 }
 
 std::string description(const Schematic& schematic) {
@@ -325,7 +271,7 @@ std::string schematic_svg(const Schematic& schematic, const std::string& ids) {
 std::string schematic_legend(double width, const std::string& ids, const DrawnParts& parts) {
   const Legend key = legend({margin, 0, width - margin, 0}, true, parts);
   return file({0, 0, width, key.bottom + margin / 2}, "img", ids, "Symbols",
-              "What the symbols of the schematics mean.", draw(key));
+              "What the symbols of the schematics mean.", symbols::legend(key));
 }
 
 std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_t columns,
@@ -354,7 +300,8 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
     parts.slack = parts.slack || (schematic.state != nullptr && has_slack(*schematic.state));
   }
   const Legend key = legend({margin, bottom, right - margin, 0}, with_tension, parts);
-  return file({0, 0, right, key.bottom + margin / 2}, "group", ids, title, "", content + draw(key));
+  return file({0, 0, right, key.bottom + margin / 2}, "group", ids, title, "",
+              content + symbols::legend(key));
 }
 
 }  // namespace reeve::drawing

@@ -11,6 +11,9 @@
 
 namespace reeve::drawing::symbols {
 
+// The ink of all that is not filled.
+inline const char* const strokes = " stroke=\"currentColor\" stroke-width=\"1.5\"";
+
 // How what hides the tendons behind it is filled.
 inline const char* const paper = " class=\"reeve-paper\" fill=\"#ffffff\"";
 
@@ -37,5 +40,8 @@ std::string straight_arrow(Point from, Point to);
 
 // The outlines of the palm and all fingers as one.
 std::string hand(const SchematicLayout& layout);
+
+// What they mean.
+std::string legend(const Legend& legend);
 
 }  // namespace reeve::drawing::symbols

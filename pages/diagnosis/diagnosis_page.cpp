@@ -7,7 +7,6 @@
 #include "drawing/schematic/schematic_svg.hpp"
 #include "pages/diagnosis/diagnosis_figures.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "pages/diagnosis/diagnosis_tables.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/distribution_figure.hpp"
 #include "pages/shell/html_table.hpp"

@@ -1,5 +1,3 @@
-#include "pages/diagnosis/diagnosis_tables.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
+#include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/shell/html_table.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"

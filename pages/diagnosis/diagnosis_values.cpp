@@ -7,7 +7,6 @@
 #include "core/notation.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
-#include "pages/diagnosis/diagnosis_tables.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/output/csv_field.hpp"

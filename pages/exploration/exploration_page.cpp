@@ -44,7 +44,7 @@ Json design_row(const ListedDesign& design, const std::vector<Objective>& shown)
            {"front", design.ranked.front},
            {"name", design.name.empty() ? "–" : design.name},
            {"word", design.ranked.design.word},
-           {"alike", design.alike.empty() ? "" : fmt::format("+{}", design.alike.size())},
+           {"alike", design.equivalent.empty() ? "" : fmt::format("+{}", design.equivalent.size())},
            {"cells", Json::array()}};
   for (const Objective objective : shown) {
     row["cells"].push_back(cell(search::row(objective), design));

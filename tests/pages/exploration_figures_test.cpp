@@ -1,4 +1,6 @@
 // The plots of an exploration without its script: which designs they show, and where.
+#include "pages/exploration/exploration_figures.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "pages/exploration/exploration_figures.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 #include "tests/support/read_chart.hpp"

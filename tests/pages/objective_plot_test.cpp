@@ -1,8 +1,9 @@
+#include "pages/objective_plot.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/objective_plot.hpp"
 #include "search/evaluate/evaluation.hpp"
 
 namespace reeve {
