@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace reeve::drawing::svg {
 namespace {
@@ -26,26 +28,16 @@ std::string command(char letter, Point at) {
 }  // namespace
 
 std::string escape(const std::string& text) {
+  static constexpr std::array<std::pair<char, const char*>, 5> entities{
+      {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string escaped;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    const auto* const found = std::find_if(entities.begin(), entities.end(),
+                                           [&](const auto& entity) { return entity.first == c; });
+    if (found != entities.end()) {
+      escaped += found->second;
+    } else {
+      escaped += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
   }
   return escaped;
@@ -113,27 +105,13 @@ std::string text(const DrawnText& text) {
 }
 
 double anchor(const Box& box, Align align) {
-  switch (align) {
-    case Align::start:
-      return box.left;
-    case Align::middle:
-      return (box.left + box.right) / 2;
-    case Align::end:
-      return box.right;
-  }
-  return box.left;
+  if (align == Align::middle) return (box.left + box.right) / 2;
+  return align == Align::start ? box.left : box.right;
 }
 
 const char* anchor(Align align) {
-  switch (align) {
-    case Align::start:
-      return "";
-    case Align::middle:
-      return " text-anchor=\"middle\"";
-    case Align::end:
-      return " text-anchor=\"end\"";
-  }
-  return "";
+  if (align == Align::middle) return " text-anchor=\"middle\"";
+  return align == Align::start ? "" : " text-anchor=\"end\"";
 }
 
 std::string rounded(const std::vector<Corner>& path) {

@@ -366,40 +366,34 @@ std::string draw(const LegendEntry& entry) {
   return symbols + draw(entry.text);
 }
 
-const std::string grid_style = " class=\"reeve-grid\" fill=\"none\" stroke=\"#dddddd\"";
+// The grid, and short lines outside the frame, at the ticks of the axes that show any.
+struct AxisLines {
+  std::string grid;
+  std::string ticks;
+};
 
-std::string grid(const LaidPanel& laid) {
-  std::string lines;
-  if (laid.panel->x.grid && !laid.panel->x.hidden) {
-    for (const Tick& tick : laid.x.ticks) {
-      lines += svg::move_to({tick.at, laid.frame.top}) + svg::line_to({tick.at, laid.frame.bottom});
-    }
+AxisLines axis_lines(const LaidPanel& laid) {
+  constexpr double length = 4;
+  const auto [left, top, right, bottom] = laid.frame;
+  AxisLines lines;
+  for (const Tick& tick : laid.x.ticks) {
+    if (laid.panel->x.hidden) continue;
+    const Point at{tick.at, bottom};
+    if (laid.panel->x.grid) lines.grid += svg::move_to({tick.at, top}) + svg::line_to(at);
+    lines.ticks += svg::move_to(at) + svg::line_to({tick.at, bottom + length});
   }
-  if (laid.panel->y.grid && !laid.panel->y.hidden) {
-    for (const Tick& tick : laid.y.ticks) {
-      lines += svg::move_to({laid.frame.left, tick.at}) + svg::line_to({laid.frame.right, tick.at});
-    }
+  for (const Tick& tick : laid.y.ticks) {
+    if (laid.panel->y.hidden) continue;
+    const Point at{left, tick.at};
+    if (laid.panel->y.grid) lines.grid += svg::move_to(at) + svg::line_to({right, tick.at});
+    if (!laid.numbers_at_y) continue;
+    lines.ticks += svg::move_to({left - length, tick.at}) + svg::line_to(at);
   }
-  return lines.empty() ? "" : svg::path(lines, grid_style);
+  return lines;
 }
 
-// Short lines outside the frame.
-std::string ticks(const LaidPanel& laid) {
-  constexpr double length = 4;
-  std::string lines;
-  if (!laid.panel->x.hidden) {
-    for (const Tick& tick : laid.x.ticks) {
-      lines += svg::move_to({tick.at, laid.frame.bottom}) +
-               svg::line_to({tick.at, laid.frame.bottom + length});
-    }
-  }
-  if (!laid.panel->y.hidden && laid.numbers_at_y) {
-    for (const Tick& tick : laid.y.ticks) {
-      lines += svg::move_to({laid.frame.left - length, tick.at}) +
-               svg::line_to({laid.frame.left, tick.at});
-    }
-  }
-  return lines.empty() ? "" : svg::path(lines, " fill=\"none\" stroke=\"#808080\"");
+std::string lines_path(const std::string& lines, const char* attributes) {
+  return lines.empty() ? "" : svg::path(lines, attributes);
 }
 
 std::string texts(const std::vector<ChartText>& texts) {
@@ -409,13 +403,17 @@ std::string texts(const std::vector<ChartText>& texts) {
 }
 
 std::string panel(const LaidPanel& laid, const std::vector<LaidLabel>& labels) {
-  std::string content = grid(laid);
+  const AxisLines lines = axis_lines(laid);
+  std::string content =
+      lines_path(lines.grid, " class=\"reeve-grid\" fill=\"none\" stroke=\"#dddddd\"");
   content += svg::rectangle(laid.frame, 0, " fill=\"none\" stroke=\"#a0a0a0\"");
   for (const Layer& layer : laid.panel->layers) content += draw(layer, laid);
   std::string names;
   for (const LaidLabel& label : labels) names += draw(label);
   content += svg::group(" class=\"reeve-labels\"", names);
-  content += svg::group(" class=\"reeve-axes\"", ticks(laid) + texts(laid.texts));
+  content +=
+      svg::group(" class=\"reeve-axes\"",
+                 lines_path(lines.ticks, " fill=\"none\" stroke=\"#808080\"") + texts(laid.texts));
   return svg::group(" class=\"reeve-panel\"", content);
 }
 

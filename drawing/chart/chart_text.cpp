@@ -19,15 +19,8 @@ void shorten(std::string& text) {
 
 // Where a stretch of this length begins that is aligned to `at`.
 double begin(double at, double length, Align align) {
-  switch (align) {
-    case Align::start:
-      return at;
-    case Align::middle:
-      return at - length / 2;
-    case Align::end:
-      return at - length;
-  }
-  return at;
+  if (align == Align::middle) return at - length / 2;
+  return align == Align::start ? at : at - length;
 }
 
 constexpr double gap = 3;  // between a mark and its text, and between two texts

@@ -175,21 +175,8 @@ Heights heights(const Network& network, const Fittings& all, const Lanes& lanes)
 double height(const Fittings& all, const Heights& heights, std::size_t port) {
   const Fitting& fitting = all.of(port);
   const double middle = heights.level[fitting.level];
-  switch (all.ports[port].role) {
-    case PortRole::tail:
-      return middle + (fitting.inverted ? -1 : 1) * tail_eye;
-    case PortRole::hand_side:
-    case PortRole::motor_side:
-    case PortRole::strand:
-    case PortRole::turn:
-    case PortRole::arm:
-    case PortRole::becket:
-    case PortRole::pivot:
-    case PortRole::clamp:
-    case PortRole::bend:
-      return middle;
-  }
-  return middle;
+  const bool eye = all.ports[port].role == PortRole::tail;
+  return eye ? middle + (fitting.inverted ? -1 : 1) * tail_eye : middle;
 }
 
 double height(const Heights& heights, const Stretch& stretch) {

@@ -13,45 +13,22 @@ using namespace measures;
 struct SymbolMeaning {
   LegendSymbol symbol;
   const char* text;
+  bool DrawnParts::*part;  // shown where there are such; none: always
+  bool of_tension = false;
 };
 
 constexpr double legend_size = 12;
-constexpr std::array<SymbolMeaning, 10> legend_entries{{{LegendSymbol::tube, "tube"},
-                                                        {LegendSymbol::bearing, "bearing"},
-                                                        {LegendSymbol::sheath, "sheath"},
-                                                        {LegendSymbol::fixed, "fixed (F)"},
-                                                        {LegendSymbol::tied, "tied (M)"},
-                                                        {LegendSymbol::anchored, "tied (1x)"},
-                                                        {LegendSymbol::block, "block (Y)"},
-                                                        {LegendSymbol::bar, "bar (W)"},
-                                                        {LegendSymbol::slides, "slides"},
-                                                        {LegendSymbol::slack, "slack"}}};
-
-bool is_shown(LegendSymbol symbol, bool with_tension, const DrawnParts& parts) {
-  switch (symbol) {
-    case LegendSymbol::slides:
-      return with_tension;
-    case LegendSymbol::slack:
-      return with_tension && parts.slack;
-    case LegendSymbol::anchored:
-      return parts.anchors;
-    case LegendSymbol::block:
-      return parts.blocks;
-    case LegendSymbol::bar:
-      return parts.bars;
-    case LegendSymbol::tube:
-      return parts.tubes;
-    case LegendSymbol::bearing:
-      return parts.bearings;
-    case LegendSymbol::sheath:
-      return parts.sheaths;
-    case LegendSymbol::fixed:
-      return parts.fixed;
-    case LegendSymbol::tied:
-      return parts.tied;
-  }
-  return true;
-}
+constexpr std::array<SymbolMeaning, 10> legend_entries{
+    {{LegendSymbol::tube, "tube", &DrawnParts::tubes},
+     {LegendSymbol::bearing, "bearing", &DrawnParts::bearings},
+     {LegendSymbol::sheath, "sheath", &DrawnParts::sheaths},
+     {LegendSymbol::fixed, "fixed (F)", &DrawnParts::fixed},
+     {LegendSymbol::tied, "tied (M)", &DrawnParts::tied},
+     {LegendSymbol::anchored, "tied (1x)", &DrawnParts::anchors},
+     {LegendSymbol::block, "block (Y)", &DrawnParts::blocks},
+     {LegendSymbol::bar, "bar (W)", &DrawnParts::bars},
+     {LegendSymbol::slides, "slides", nullptr, true},
+     {LegendSymbol::slack, "slack", &DrawnParts::slack, true}}};
 
 void add_note(const Box& room, Legend& legend) {
   const std::string note = "line width and number: tension at motor tension 1";
@@ -112,10 +89,8 @@ std::string legend_symbol(const LegendItem& item) {
 }  // namespace
 
 DrawnParts& DrawnParts::operator|=(const DrawnParts& other) {
-  for (const auto part : {&DrawnParts::tubes, &DrawnParts::bearings, &DrawnParts::sheaths,
-                          &DrawnParts::fixed, &DrawnParts::tied, &DrawnParts::anchors,
-                          &DrawnParts::blocks, &DrawnParts::bars, &DrawnParts::slack}) {
-    this->*part = this->*part || other.*part;
+  for (const SymbolMeaning& entry : legend_entries) {
+    if (entry.part != nullptr) this->*entry.part = this->*entry.part || other.*entry.part;
   }
   return *this;
 }
@@ -142,7 +117,8 @@ Legend legend(const Box& room, bool with_tension, const DrawnParts& parts) {
   double x = room.left;
   double y = room.top;
   for (const SymbolMeaning& entry : legend_entries) {
-    if (!is_shown(entry.symbol, with_tension, parts)) continue;
+    if (entry.part != nullptr && !(parts.*entry.part)) continue;
+    if (entry.of_tension && !with_tension) continue;
     if (x + cell > room.right + 1) {
       x = room.left;
       y += high;
