@@ -9,6 +9,7 @@
 #include "core/notation.hpp"
 #include "drawing/schematic/schematic_measures.hpp"
 #include "tests/support/drawn_geometry.hpp"
+#include "tests/support/drawn_lines.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {
@@ -63,6 +64,24 @@ TEST(SchematicLayout, LeavesRoomForEveryNameAndTension) {
                 segment.label.right - segment.label.left)
           << shown;
     }
+  }
+}
+
+// Beside the line below a sheath the label has one side, and above it the arrow has the same.
+TEST(SchematicLayout, HasTheArrowOfASheathOnTheSideOfTheLabelBelow) {
+  for (const char* word : {"M-1-P-2-M", "M-Y1+F-1-Y1-2-F"}) {
+    const SchematicLayout drawn = layout(expand(parse_routing(word)), {});
+    std::size_t looked_at = 0;
+    for (const DrawnContact& sheath : drawn.contacts) {
+      if (sheath.place != ContactPlace::sheath) continue;
+      for (const DrawnSegment& segment : drawn.segments) {
+        const Point end = (sheath.forward ? segment.path.front() : segment.path.back()).at;
+        if (!testing::same(end, sheath.centre)) continue;
+        EXPECT_EQ(sheath.arrow_side > 0, segment.label.left > end.x) << word << segment.name;
+        ++looked_at;
+      }
+    }
+    EXPECT_GT(looked_at, 0U);
   }
 }
 
