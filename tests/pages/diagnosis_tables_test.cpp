@@ -1,6 +1,4 @@
 // The cells of a diagnosis' tables, of results made by hand.
-#include "pages/diagnosis/diagnosis_tables.hpp"
-
 #include <gtest/gtest.h>
 
 #include "pages/diagnosis/diagnosis_marks.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "pages/distribution_figure.hpp"
-#include "pages/distribution_notes.hpp"
 #include "tests/pages/ranked.hpp"
 #include "tests/support/svg.hpp"
 

@@ -1,10 +1,8 @@
 // What the page of a ranking says and draws, of reports made by hand.
-#include "pages/ranking_answer.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/notation.hpp"
-#include "pages/ranking_charts.hpp"
+#include "pages/ranking_parts.hpp"
 #include "tests/support/read_chart.hpp"
 
 namespace reeve::testing {
