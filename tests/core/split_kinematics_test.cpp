@@ -11,6 +11,7 @@
 
 #include "core/notation.hpp"
 #include "core/tension/seizure.hpp"
+#include "core/tension/tied_split_kinematics.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {
@@ -44,6 +45,15 @@ TEST(SplitClosing, SharesByWeightAndStrands) {
     EXPECT_NEAR(s.closing[1], given * 1 / 13, 1e-9);
     EXPECT_EQ(s.slack, slack);
   }
+}
+
+// A block gives up two for one of the carriage, and each strand that passes it is served once.
+TEST(TiedSplitClosing, MovesABlockByWhatItsTailGivesUp) {
+  const Network network = expand(parse_routing("M-Y1+F-1-Y1-2-F"));
+  const SplitClosing s = tied_split_closing(network, mechanics(network, Hardware{}), Grasp{});
+  EXPECT_NEAR(s.block_travel[0], 1, 1e-9);
+  EXPECT_NEAR(s.closing[0], 0.5, 1e-9);
+  EXPECT_NEAR(s.closing[1], 0.5, 1e-9);
 }
 
 TEST(SplitClosing, HoldsForExtremeWeights) {
