@@ -2,7 +2,6 @@
 
 #include "core/grasp.hpp"
 #include "fuzz/fuzzed.hpp"
-#include "readings/known_noise.hpp"
 #include "readings/reading_options.hpp"
 #include "search/enumerate/parts.hpp"
 #include "search/evaluate/objectives.hpp"

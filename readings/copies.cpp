@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "numerics/robust.hpp"
-#include "readings/levels.hpp"
+#include "readings/polished_levels.hpp"
 
 namespace reeve::readings {
 namespace {

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "numerics/floors.hpp"
 
 namespace reeve::readings {
 
@@ -105,5 +106,28 @@ std::string for_message(std::string_view text);
 // What is wrong with a cell, behind its place, its column and its text; on one line.
 InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
                       std::string_view column, std::string_view text);
+
+// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no
+// comma. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
+
+// NaN, NA, n/a, - and what else stands for a number that is not there, or nothing at all.
+bool is_missing(std::string_view text);
+
+class CsvNumberReader {
+ public:
+  explicit CsvNumberReader(char separator) : with_commas_(separator != ',') {}
+
+  // A finite number from low to high. Throws InputError that says what was expected, and whether
+  // the cell might be empty instead; the place is the caller's to name.
+  double read(std::string_view text, std::size_t line, double low, double high,
+              bool may_be_empty = true);
+
+ private:
+  void require_one_mark(std::string_view text, std::size_t line);
+
+  bool with_commas_;
+  std::size_t comma_line_ = 0;  // first line with a decimal comma
+  std::size_t point_line_ = 0;
+};
 
 }  // namespace reeve::readings

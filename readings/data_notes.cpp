@@ -4,18 +4,109 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "core/motor_sides.hpp"
 #include "numerics/robust.hpp"
-#include "readings/below_zero.hpp"
 #include "readings/column_name.hpp"
 #include "readings/copies.hpp"
 #include "readings/directions.hpp"
 #include "readings/inverted.hpp"
-#include "readings/log/recognise_series.hpp"
-#include "readings/taken_order.hpp"
+#include "readings/recognise_series.hpp"
+#include "readings/row_order.hpp"
 
 namespace reeve::readings {
+
+std::vector<DataNote> leave_out_negative_motor_tensions(MeasuredData& data) {
+  const auto is_negative = [](const Reading& reading) {
+    return reading.motor_tension_N.value_or(0) < 0;
+  };
+  DataNote note{NoteKind::not_compared,
+                "motor_tension_N is below zero, which is no scale for the model's tensions: these "
+                "rows are left out. If the sensor's zero has drifted, a tare row takes it off",
+                {}};
+  for (const Reading& reading : data.readings) {
+    if (is_negative(reading)) note.lines.push_back(reading.line);
+  }
+  if (note.lines.empty()) return {};
+  std::erase_if(data.readings, is_negative);
+  return {std::move(note)};
+}
+
+std::vector<DataNote> notes_below_zero(const MeasuredData& data) {
+  DataNote note{NoteKind::below_zero, "", {}};
+  std::string counts;
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    std::size_t below = 0;
+    std::size_t given = 0;
+    for (const Reading& reading : data.readings) {
+      if (!reading.tension_N[c]) continue;
+      ++given;
+      if (*reading.tension_N[c] >= 0) continue;
+      ++below;
+      note.lines.push_back(reading.line);
+    }
+    if (below == 0) continue;
+    counts += fmt::format("{}{} of {} of {}", counts.empty() ? "" : ", ", below, given,
+                          data.channels[c].name);
+  }
+  if (note.lines.empty()) return {};
+  std::sort(note.lines.begin(), note.lines.end());
+  note.lines.erase(std::unique(note.lines.begin(), note.lines.end()), note.lines.end());
+  note.text = "readings below zero (" + counts +
+              ") are used as they are: a zero that drifts gives them. A tare row takes it off";
+  return {std::move(note)};
+}
+
+namespace {
+
+// By channel, whether a reading of that routing has it.
+std::vector<bool> measured_channels(const MeasuredData& data, std::size_t routing) {
+  std::vector<bool> measured(data.channels.size());
+  for (const Reading& reading : data.readings) {
+    if (reading.routing != routing) continue;
+    for (std::size_t c = 0; c < measured.size(); ++c) {
+      measured[c] = measured[c] || reading.tension_N[c].has_value();
+    }
+  }
+  return measured;
+}
+
+// "a is beside T4", of the letters that are measured.
+std::string key_of(const MeasuredData& data, std::size_t index) {
+  const MeasuredRouting& routing = data.routings[index];
+  const std::vector<bool> measured = measured_channels(data, index);
+  std::string key;
+  for (const MotorSide& side : motor_sides(routing.network)) {
+    for (std::size_t c = 0; c < measured.size(); ++c) {
+      if (!measured[c] || routing.segments[c] != side.motor_side) continue;
+      key += fmt::format("{}{} is beside {}", key.empty() ? "" : ", ", data.channels[c].name,
+                         segment_name(routing.network.segments[side.hand]));
+    }
+  }
+  return key;
+}
+
+}  // namespace
+
+std::vector<DataNote> notes_on_letters(const MeasuredData& data, bool lettered) {
+  std::vector<DataNote> notes;
+  if (!lettered) return notes;
+  for (std::size_t i = 0; i < data.routings.size(); ++i) {
+    const MeasuredRouting& routing = data.routings[i];
+    if (letters_match_strands(routing.network)) continue;
+    const std::string key = key_of(data, i);
+    if (key.empty()) continue;
+    notes.push_back({NoteKind::letters,
+                     fmt::format("letters run in walk order: in {} {}. Where a, b, c, d were meant "
+                                 "beside T1, T2, T3, T4, name the columns at_T1_N and so on",
+                                 routing.word, key),
+                     {}});
+  }
+  return notes;
+}
+
 namespace {
 
 void add_motor_side(const MeasuredData& data, std::vector<DataNote>& notes) {

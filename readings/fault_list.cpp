@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace reeve::readings {
+
 namespace {
 
 constexpr std::size_t most_kinds = 8;

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "numerics/robust.hpp"
-#include "readings/levels.hpp"
+#include "readings/polished_levels.hpp"
 
 namespace reeve::readings {
 namespace {

@@ -8,6 +8,8 @@
 // another question (taken_order.hpp).
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "readings/measured_data.hpp"
@@ -18,5 +20,14 @@ MeasuredData in_order_of_contents(MeasuredData data);
 
 // Whether a comes before b, digits in a row being one number.
 bool natural_less(std::string_view a, std::string_view b);
+
+// In what order readings were taken: by the clock where every row has one, else as the file has
+// them. A clock may begin again with each run; runs then follow one another as in the file.
+
+// The covariate that is a clock, which every row has.
+std::optional<std::size_t> clock_of(const MeasuredData& data);
+
+// Reading::taken of each.
+void set_taken(MeasuredData& data);
 
 }  // namespace reeve::readings

@@ -6,11 +6,99 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.hpp"
+#include "core/graph.hpp"
+#include "core/motor_sides.hpp"
+#include "core/notation.hpp"
 #include "core/text.hpp"
-#include "readings/text_cells.hpp"
-#include "readings/words.hpp"
+#include "readings/column_name.hpp"
+#include "readings/csv.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
+
+ChannelTable::ChannelTable(const std::vector<DataColumn>& columns) {
+  for (const DataColumn& column : columns) {
+    places_.push_back(column.place);
+    measured_.push_back(column.role == DataRole::tension || column.role == DataRole::deviation);
+    if (column.role == DataRole::tension && !column.place.beside) channel_of(column.place.segment);
+  }
+}
+
+void ChannelTable::add_routing(const Network& network) {
+  std::vector<std::optional<std::size_t>> channels(places_.size());
+  for (std::size_t column = 0; column < places_.size(); ++column) {
+    if (!measured_[column]) continue;
+    const MeasuredPlace& place = places_[column];
+    const auto segment = place.beside ? motor_side_at(network, place.segment) : place.segment;
+    if (segment && find_segment(network, *segment)) channels[column] = channel_of(*segment);
+  }
+  of_routing_.push_back(std::move(channels));
+}
+
+std::size_t ChannelTable::channel_of(const Segment& segment) {
+  const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const Channel& channel) {
+    return channel.segment == segment;
+  });
+  if (found != channels_.end()) return static_cast<std::size_t>(found - channels_.begin());
+  channels_.push_back({segment_name(segment), segment});
+  return channels_.size() - 1;
+}
+
+std::size_t RoutingTable::index(std::string_view text) {
+  const auto found = by_text_.find(text);
+  if (found != by_text_.end()) return found->second;
+  if (text.empty()) throw InputError({.expected = "a routing such as M-1-T-2-F"});
+  const std::size_t index = add(resolve_(std::string(text)));
+  by_text_.emplace(text, index);
+  return index;
+}
+
+// A name and its word are one routing.
+std::size_t RoutingTable::add(const Routing& routing) {
+  for (std::size_t i = 0; i < routings_.size(); ++i) {
+    if (routings_[i].routing == routing) return i;
+  }
+  MeasuredRouting measured{to_word(routing), routing, expand(routing), {}};
+  require_actuated(graph(measured.network), measured.word);
+  channels_.add_routing(measured.network);
+  routings_.push_back(std::move(measured));
+  return routings_.size() - 1;
+}
+
+std::vector<MeasuredRouting> RoutingTable::with_segments() const {
+  std::vector<MeasuredRouting> result = routings_;
+  for (MeasuredRouting& routing : result) {
+    for (const Channel& channel : channels_.channels()) {
+      routing.segments.push_back(find_segment(routing.network, channel.segment));
+    }
+  }
+  return result;
+}
+
+void Covariates::finish(MeasuredData& data, FaultList& faults) const {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (is_of_words(i)) {
+      data.notes.push_back(
+          {NoteKind::passed_over,
+           fmt::format("column '{}' has words and is none that is known: it is not read",
+                       for_message(names_[i])),
+           {}});
+      continue;
+    }
+    faults.add(columns_[i].faults);
+    kept.push_back(i);
+    data.covariates.push_back(names_[i]);
+  }
+  if (kept.size() == names_.size()) return;
+  for (Reading& reading : data.readings) {
+    std::vector<std::optional<double>> values;
+    for (const std::size_t i : kept) values.push_back(reading.covariates[i]);
+    reading.covariates = std::move(values);
+  }
+}
+
 namespace {
 
 std::vector<std::string> covariate_names(const std::vector<DataColumn>& columns) {

@@ -7,16 +7,99 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "readings/covariates.hpp"
-#include "readings/data_columns.hpp"
+#include "readings/columns.hpp"
+#include "readings/fault_list.hpp"
 #include "readings/measured_data.hpp"
-#include "readings/routing_table.hpp"
-#include "readings/row_cells.hpp"
-#include "readings/tare.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
+
+// Which columns are channels. A column of a strand or of a lettered segment is one. A column at_T1
+// is of the motor-side segment that is beside T1, so its letter, and with it its channel, is a
+// matter of each routing.
+
+class ChannelTable {
+ public:
+  explicit ChannelTable(const std::vector<DataColumn>& columns);
+
+  // Adds the channels that columns beside strands are for this routing, the next one.
+  void add_routing(const Network& network);
+
+  // Of a column of tensions or of deviations; nothing if the routing has no such segment.
+  std::optional<std::size_t> channel(std::size_t routing, std::size_t column) const {
+    return of_routing_[routing][column];
+  }
+  const std::vector<Channel>& channels() const { return channels_; }
+
+ private:
+  std::size_t channel_of(const Segment& segment);
+
+  std::vector<MeasuredPlace> places_;  // by column
+  std::vector<bool> measured_;         // whether it is such a column
+  std::vector<Channel> channels_;
+  std::vector<std::vector<std::optional<std::size_t>>> of_routing_;
+};
+
+// The routings of a file by the texts of its cells, each with the columns that are its segments.
+
+class RoutingTable {
+ public:
+  // `resolve` must outlive the table.
+  RoutingTable(const std::vector<DataColumn>& columns, const RoutingResolver& resolve)
+      : channels_(columns), resolve_(resolve) {}
+
+  // Throws InputError of a text that is no routing, or of one that the motor cannot pull.
+  std::size_t index(std::string_view text);
+  std::size_t count() const { return routings_.size(); }
+  const MeasuredRouting& operator[](std::size_t index) const { return routings_[index]; }
+  const ChannelTable& channels() const { return channels_; }
+  // Once all are known, since each may add channels.
+  std::vector<MeasuredRouting> with_segments() const;
+
+ private:
+  std::size_t add(const Routing& routing);
+
+  ChannelTable channels_;
+  const RoutingResolver& resolve_;
+  std::vector<MeasuredRouting> routings_;
+  std::map<std::string, std::size_t, std::less<>> by_text_;
+};
+
+// Columns that no model knows: numbers, or words. A column most of whose cells are words is passed
+// over; in another one, words are faults.
+
+class Covariates {
+ public:
+  explicit Covariates(std::vector<std::string> names)
+      : names_(std::move(names)), columns_(names_.size()) {}
+
+  std::size_t count() const { return names_.size(); }
+  void add_number(std::size_t covariate) { ++columns_[covariate].numbers; }
+  void add_fault(std::size_t covariate, std::size_t line, const std::string& kind,
+                 const InputFault& fault) {
+    columns_[covariate].faults.add(line, kind, fault);
+  }
+
+  // Once all rows are read: the names go into the data, columns of words leave the readings with a
+  // note, and the faults of the others join the list.
+  void finish(MeasuredData& data, FaultList& faults) const;
+
+ private:
+  struct Column {
+    std::size_t numbers = 0;
+    FaultList faults;
+  };
+
+  bool is_of_words(std::size_t covariate) const {
+    return columns_[covariate].faults.count() > columns_[covariate].numbers;
+  }
+
+  std::vector<std::string> names_;
+  std::vector<Column> columns_;
+};
 
 class RowReader {
  public:

@@ -4,7 +4,7 @@
 #include <array>
 #include <numbers>
 
-#include "readings/words.hpp"
+#include "readings/column_name.hpp"
 
 namespace reeve::readings {
 namespace {

@@ -12,7 +12,7 @@
 #include "readings/column_name.hpp"
 #include "readings/csv.hpp"
 #include "readings/fault_list.hpp"
-#include "readings/text_cells.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::studies {
 namespace {

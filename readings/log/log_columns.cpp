@@ -8,11 +8,63 @@
 #include <utility>
 #include <vector>
 
-#include "readings/header_columns.hpp"
-#include "readings/log/motion_names.hpp"
-#include "readings/log/tension_names.hpp"
+#include "readings/column_name.hpp"
+#include "readings/columns.hpp"
+#include "readings/units.hpp"
 
 namespace reeve::readings {
+
+namespace {
+
+constexpr std::array words_of_motion{"position", "pos",          "speed", "velocity",
+                                     "vel",      "displacement", "travel"};
+
+bool is_one(std::string_view text, Dimension dimension) {
+  return find_unit(text, dimension).has_value();
+}
+
+}  // namespace
+
+bool says_motion(std::string_view name) {
+  const NameWords words = words_of(name);
+  return std::any_of(words.words.begin(), words.words.end(), [](const std::string& word) {
+    return std::find(words_of_motion.begin(), words_of_motion.end(), word) != words_of_motion.end();
+  });
+}
+
+bool has_unit_of_motion(std::string_view name) {
+  const NameWords words = words_of(name);
+  if (words.bracketed) {
+    return is_one(*words.bracketed, Dimension::length) ||
+           is_one(*words.bracketed, Dimension::speed);
+  }
+  const std::size_t count = words.words.size();
+  if (count < 2) return false;
+  const std::string& last = words.words[count - 1];
+  // A lone m or in may be another word.
+  const bool is_length = last == "mm" || last == "cm";
+  return is_length || (count > 2 && is_one(words.words[count - 2] + "/" + last, Dimension::speed));
+}
+
+namespace {
+
+bool is_known_unit(std::string_view text) {
+  constexpr std::array dimensions{Dimension::force,  Dimension::speed, Dimension::temperature,
+                                  Dimension::length, Dimension::angle, Dimension::time};
+  return std::any_of(dimensions.begin(), dimensions.end(),
+                     [&](Dimension dimension) { return find_unit(text, dimension).has_value(); });
+}
+
+}  // namespace
+
+std::optional<ColumnName> tension_in_no_unit_of_force(std::string_view name) {
+  const NameWords words = words_of(name);
+  if (!words.bracketed || is_known_unit(*words.bracketed)) return std::nullopt;
+  const std::string before(name.substr(0, name.find_last_of("[(")));
+  const auto named = try_column_named(before + "[N]");
+  return named && is_of_sensor(named->role) ? named : std::nullopt;
+}
+
 namespace {
 
 using Columns = std::vector<DataColumn>;

@@ -13,9 +13,24 @@
 #include <optional>
 #include <string_view>
 
-#include "readings/data_columns.hpp"
+#include "numerics/floors.hpp"
+#include "readings/column_name.hpp"
+#include "readings/columns.hpp"
 
 namespace reeve::readings {
+
+// Names of columns that are not read as the position or the speed of the carriage, and may be one.
+
+// It has the word: "position_rev", "Carriage speed".
+bool says_motion(std::string_view name);
+// "x_mm", "Weg [mm]".
+bool has_unit_of_motion(std::string_view name);
+
+// Names of columns that are not read as a tension, and would be one in another unit.
+
+// Which one: "T3 [V]", "Motor Tension (Nm)". Nothing of a name whose unit tells another quantity,
+// such as the temperature "T3 [°C]".
+std::optional<ColumnName> tension_in_no_unit_of_force(std::string_view name);
 
 // In seconds per unit; nothing if it is no name of a clock.
 std::optional<double> clock_unit(std::string_view column);

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "numerics/robust.hpp"
 #include "readings/csv.hpp"
 
 namespace reeve::readings {
+
 namespace {
 
 constexpr std::size_t samples_per_set_back = 20;
@@ -72,6 +75,60 @@ std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::
     text += fmt::format(", and {} '{}=time_ms' says so", map_option, for_message(clock));
   }
   return DataNote{NoteKind::clock, text, {}};
+}
+
+namespace {
+
+double median_within(const LoggedSignal& signal, std::size_t begin, std::size_t end) {
+  if (!signal.is_logged()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at = signal.values.begin();
+  return median({at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)});
+}
+
+SeriesBlock block_of(const LoggedSeries& series, std::size_t begin, std::size_t end) {
+  SeriesBlock block;
+  block.begin = begin;
+  block.end = end;
+  for (std::size_t i = begin; i < end; ++i) {
+    block.time_s += series.time_s[i] / static_cast<double>(end - begin);
+  }
+  block.position_mm = median_within(series.position_mm, begin, end);
+  block.speed_mm_s = median_within(series.speed_mm_s, begin, end);
+  double sum_N = 0;
+  for (const LoggedSignal& tension : series.tensions_N) {
+    block.tensions_N.push_back(median_within(tension, begin, end));
+    if (!std::isnan(block.tensions_N.back())) sum_N += block.tensions_N.back();
+  }
+  block.load_N = series.motor_tension_N.is_logged()
+                     ? median_within(series.motor_tension_N, begin, end)
+                     : sum_N;
+  return block;
+}
+
+}  // namespace
+
+double block_width(double least_time_s, double usual_step_s) {
+  constexpr double samples = 3;  // of which one may be wild
+  return std::max(least_time_s / blocks_per_least_time, samples * usual_step_s);
+}
+
+std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,
+                                       double width_s) {
+  std::vector<SeriesBlock> blocks;
+  const double start = series.time_s[part.begin];
+  const auto number = [&](std::size_t i) {
+    return std::floor((series.time_s[i] - start) / width_s);
+  };
+  for (std::size_t begin = part.begin, end = begin; begin < part.end; begin = end) {
+    while (end < part.end && number(end) == number(begin)) ++end;
+    blocks.push_back(block_of(series, begin, end));
+  }
+  return blocks;
+}
+
+bool is_gap(const SeriesBlock& block, const SeriesBlock& next, double width_s) {
+  constexpr double widths = 3;  // two blocks with one missing between them are 2 apart
+  return next.time_s - block.time_s >= widths * width_s;
 }
 
 }  // namespace reeve::readings

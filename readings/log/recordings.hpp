@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/grasp.hpp"
 #include "readings/log/logged_series.hpp"
 
 namespace reeve::readings {
@@ -37,5 +38,39 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
 // ReadingOptions.
 std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
                                          const std::string& map_option);
+
+// A recording in short blocks, in which every signal is its median: what looks for steady
+// stretches looks at these, so that single wild samples do not matter, and its time is linear in
+// the size of the log.
+//
+// A block lasts a fifth of the least time that a reading shall last, and at least three steps of
+// the clock. Blocks without a sample are left out: neighbours in the list need not be so in time.
+
+inline constexpr std::size_t blocks_per_least_time = 5;
+
+struct SeriesBlock {
+  std::size_t begin = 0;  // samples [begin, end)
+  std::size_t end = 0;
+  double time_s = 0;       // mean
+  double position_mm = 0;  // NaN: not logged, as for the others
+  double speed_mm_s = 0;
+  double load_N = 0;               // motor tension, or the sum of the tensions
+  std::vector<double> tensions_N;  // as those of the series
+};
+
+// Successive blocks of a recording that may give readings.
+struct BlockStretch {
+  std::size_t begin = 0;  // blocks [begin, end)
+  std::size_t end = 0;
+  std::optional<Direction> direction;  // nothing if the log does not say
+};
+
+double block_width(double least_time_s, double usual_step_s);
+
+std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,
+                                       double width_s);
+
+// Whether samples are missing between a block and the next: more than two widths.
+bool is_gap(const SeriesBlock& block, const SeriesBlock& next, double width_s);
 
 }  // namespace reeve::readings

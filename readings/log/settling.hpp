@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "readings/log/ratio_noise.hpp"
-#include "readings/log/series_blocks.hpp"
+#include "readings/log/recordings.hpp"
 
 namespace reeve::readings {
 

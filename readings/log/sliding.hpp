@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "readings/log/recordings.hpp"
 #include "readings/log/sample_use.hpp"
-#include "readings/log/series_blocks.hpp"
 
 namespace reeve::readings {
 

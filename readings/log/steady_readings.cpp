@@ -7,15 +7,12 @@
 #include <map>
 
 #include "numerics/robust.hpp"
-#include "readings/log/inverted_signals.hpp"
-#include "readings/log/levels.hpp"
+#include "readings/inverted.hpp"
+#include "readings/log/log_notes.hpp"
 #include "readings/log/recordings.hpp"
-#include "readings/log/reversed_motion.hpp"
-#include "readings/log/said_directions.hpp"
-#include "readings/log/series_blocks.hpp"
 #include "readings/log/settling.hpp"
-#include "readings/log/sparse_channels.hpp"
-#include "readings/text_cells.hpp"
+#include "readings/log/steady_levels.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
 namespace {

@@ -1,11 +1,10 @@
-#include "readings/below_zero.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "readings/data_notes.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve {

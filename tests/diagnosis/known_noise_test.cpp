@@ -1,5 +1,3 @@
-#include "readings/known_noise.hpp"
-
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/null_model.hpp"
 #include "numerics/random.hpp"
+#include "readings/reading_options.hpp"
 #include "tests/diagnosis/gain_bench.hpp"
 
 namespace reeve::testing {

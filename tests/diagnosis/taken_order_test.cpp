@@ -1,9 +1,8 @@
-#include "readings/taken_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "readings/row_order.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {

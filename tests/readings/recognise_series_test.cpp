@@ -1,4 +1,4 @@
-#include "readings/log/recognise_series.hpp"
+#include "readings/recognise_series.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

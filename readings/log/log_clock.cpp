@@ -1,0 +1,133 @@
+#include "readings/log/log_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "numerics/robust.hpp"
+#include "readings/csv.hpp"
+#include "readings/log/recordings.hpp"
+
+namespace reeve::readings {
+
+namespace {
+
+constexpr std::string_view all_digits = "0123456789";
+
+bool is_number_of(std::string_view text, std::size_t most_digits) {
+  return !text.empty() && text.size() <= most_digits &&
+         text.find_first_not_of(all_digits) == std::string_view::npos;
+}
+
+// Three numbers of as many digits as days, months and years have, alike parted.
+bool is_date(std::string_view text, char parting) {
+  if (std::count(text.begin(), text.end(), parting) != 2) return false;
+  const std::size_t first = text.find(parting);
+  const std::size_t second = text.rfind(parting);
+  return is_number_of(text.substr(0, first), 4) &&
+         is_number_of(text.substr(first + 1, second - first - 1), 2) &&
+         is_number_of(text.substr(second + 1), 4);
+}
+
+}  // namespace
+
+bool is_time_of_day(std::string_view text) {
+  return text.find(':') != std::string_view::npos &&
+         text.find_first_not_of("0123456789:.,-/+ TZ") == std::string_view::npos;
+}
+
+bool is_date_or_time(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon != std::string_view::npos) return text.find_first_of(all_digits) < colon;
+  return is_date(text, '-') || is_date(text, '.') || is_date(text, '/');
+}
+
+namespace {
+
+constexpr std::size_t samples_per_repeat = 20;
+constexpr double gap = 2;  // usual steps
+
+// Samples [begin, end) that show the same time.
+struct Stamp {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  double count() const { return static_cast<double>(end - begin); }
+};
+
+std::vector<Stamp> stamps_of(const std::vector<double>& time_s) {
+  std::vector<Stamp> stamps;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (i == 0 || time_s[i] != time_s[i - 1]) stamps.push_back({i, i});
+    stamps.back().end = i + 1;
+  }
+  return stamps;
+}
+
+// Of a sample, up to the next stamp; not above 0 where the clock is set back.
+std::vector<double> steps_of(const std::vector<Stamp>& stamps, const std::vector<double>& time_s) {
+  std::vector<double> steps;
+  for (std::size_t k = 0; k + 1 < stamps.size(); ++k) {
+    steps.push_back((time_s[stamps[k + 1].begin] - time_s[stamps[k].begin]) / stamps[k].count());
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::optional<DataNote> spread_repeated_times(LoggedSeries& series) {
+  std::vector<double>& time_s = series.time_s;
+  const std::vector<Stamp> stamps = stamps_of(time_s);
+  const std::size_t repeats = time_s.size() - stamps.size();
+  if (repeats * samples_per_repeat < time_s.size() || stamps.size() < 2) return std::nullopt;
+  std::vector<double> steps = steps_of(stamps, time_s);
+  const double usual = median(steps);
+  if (!(usual > 0)) return std::nullopt;
+  steps.push_back(usual);
+  for (std::size_t k = 0; k < stamps.size(); ++k) {
+    const double step = steps[k] > 0 && steps[k] <= gap * usual ? steps[k] : usual;
+    for (std::size_t i = stamps[k].begin + 1; i < stamps[k].end; ++i)
+      time_s[i] = time_s[i - 1] + step;
+  }
+  return DataNote{NoteKind::clock,
+                  fmt::format("{} of {} samples show the time of the one before: the clock is "
+                              "coarser than the samples, which are spread evenly between its steps",
+                              repeats, time_s.size()),
+                  {}};
+}
+
+namespace {
+
+constexpr double short_step_s = 1.0 / 5000;
+
+// By the unit that it was read in.
+std::string advice_on_unit(const DataColumn& clock, const ReadingOptions& options) {
+  if (clock.unit.factor >= 1) {
+    return "If it counts days, as spreadsheets do, multiply it by 86400, which makes seconds";
+  }
+  std::string text = "If it counts seconds, it is time_s";
+  if (!options.unit_option.empty()) {
+    text += fmt::format(", and {} '{}=s' says so", options.unit_option, for_message(clock.name));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<DataNote> doubt_of_fast_clock(const LoggedSeries& series, const DataColumn& clock,
+                                            const ReadingOptions& options) {
+  const double step_s = usual_step(series, {{0, series.size(), 0}});
+  if (!(step_s > 0) || step_s >= short_step_s) return std::nullopt;
+  const auto [first, last] = std::minmax_element(series.time_s.begin(), series.time_s.end());
+  return DataNote{NoteKind::clock,
+                  fmt::format("by the clock '{}', in {}, samples are mostly {:.3g} s apart and the "
+                              "log lasts {:.3g} s, which is fast for a carriage. {}",
+                              for_message(clock.name), clock.unit.name, step_s, *last - *first,
+                              advice_on_unit(clock, options)),
+                  {}};
+}
+
+}  // namespace reeve::readings
