@@ -23,6 +23,9 @@ std::vector<std::string> comma_separated(std::string_view text);
 // Without blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
 
+// Returns the text in small letters; bytes beyond ASCII stay.
+std::string lower(std::string_view text);
+
 // The number that the whole text is, as C writes it: "12.5", "-1e-3". Nothing where anything else
 // stands beside it, a blank or a plus among them, and of what is not finite.
 std::optional<double> number_in(std::string_view text);

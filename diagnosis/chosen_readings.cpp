@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
-#include "readings/data_notes.hpp"
+#include "readings/copies.hpp"
 
 namespace reeve::diagnosis {
 namespace {

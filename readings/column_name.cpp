@@ -5,57 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
 
 namespace reeve::readings {
-
-NameWords words_of(std::string_view name) {
-  NameWords result;
-  name = trimmed(name);
-  if (name.ends_with(']') || name.ends_with(')')) {
-    const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-    if (open != std::string_view::npos) {
-      result.bracketed = trimmed(name.substr(open + 1, name.size() - open - 2));
-      name = name.substr(0, open);
-    }
-  }
-  bool in_word = false;
-  for (const char c : lower(name)) {
-    const bool parts = c == ' ' || c == '_' || c == '-' || c == '.' || c == '\t';
-    if (!parts && !in_word) result.words.emplace_back();
-    if (!parts) result.words.back() += c;
-    in_word = !parts;
-  }
-  return result;
-}
-
-std::string joined(const NameWords& name, std::size_t count) {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += name.words[i];
-  return text;
-}
-
-std::string_view without_brackets(std::string_view text) {
-  text = trimmed(text);
-  const bool bracketed = (text.starts_with('[') && text.ends_with(']')) ||
-                         (text.starts_with('(') && text.ends_with(')'));
-  return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-void require_short_name(std::string_view name) {
-  if (name.size() <= longest_name) return;
-  throw InputError({.expected = fmt::format("a name of at most {} bytes, and it has {}",
-                                            longest_name, name.size())});
-}
 
 namespace {
 
@@ -143,22 +97,56 @@ std::optional<ColumnName> tension_named(std::string_view letters, const std::opt
   return result;
 }
 
-std::optional<ColumnName> named_by(const std::string& letters, const std::optional<Unit>& unit) {
+std::optional<DataRole> known_role(const std::string& letters) {
   for (const KnownName& known : known_names) {
-    if (letters == known.letters) return ColumnName{known.role, {}, unit, false};
+    if (letters == known.letters) return known.role;
   }
+  return std::nullopt;
+}
+
+std::optional<ColumnName> named_by(const std::string& letters, const std::optional<Unit>& unit) {
+  if (const auto role = known_role(letters)) return ColumnName{*role, {}, unit, false};
   return tension_named(letters, unit);
 }
 
-// What the letters mean before they are read as a name with that unit.
-Dimension dimension_of_letters(const std::string& letters) {
-  for (const KnownName& known : known_names) {
-    if (letters == known.letters) return dimension_of(known.role);
-  }
-  return Dimension::force;
+// Returns the unit of what the letters would be.
+std::optional<Unit> unit_after(const std::string& letters, std::string_view unit) {
+  return find_unit(unit, dimension_of(known_role(letters).value_or(DataRole::tension)));
 }
 
 }  // namespace
+
+NameWords words_of(std::string_view name) {
+  NameWords result;
+  name = trimmed(name);
+  if (name.ends_with(']') || name.ends_with(')')) {
+    const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
+    if (open != std::string_view::npos) {
+      result.bracketed = trimmed(name.substr(open + 1, name.size() - open - 2));
+      name = name.substr(0, open);
+    }
+  }
+  bool in_word = false;
+  for (const char c : lower(name)) {
+    const bool parts = c == ' ' || c == '_' || c == '-' || c == '.' || c == '\t';
+    if (!parts && !in_word) result.words.emplace_back();
+    if (!parts) result.words.back() += c;
+    in_word = !parts;
+  }
+  return result;
+}
+
+std::string joined(const NameWords& name, std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += name.words[i];
+  return text;
+}
+
+void require_short_name(std::string_view name) {
+  if (name.size() <= longest_name) return;
+  throw InputError({.expected = fmt::format("a name of at most {} bytes, and it has {}",
+                                            longest_name, name.size())});
+}
 
 std::optional<ColumnName> column_named(std::string_view name) {
   NameWords words = words_of(name);
@@ -168,7 +156,7 @@ std::optional<ColumnName> column_named(std::string_view name) {
   const std::size_t count = words.words.size();
   if (words.bracketed) {
     const std::string letters = joined(words, count);
-    const auto unit = find_unit(*words.bracketed, dimension_of_letters(letters));
+    const auto unit = unit_after(letters, *words.bracketed);
     return unit ? named_by(letters, unit) : std::nullopt;
   }
   // "speed_mm_s": the unit may be two words. First the most: "Ta_N" is no "tan".
@@ -179,8 +167,7 @@ std::optional<ColumnName> column_named(std::string_view name) {
     std::optional<Unit> unit;
     if (of_unit > 0) {
       const std::string& last = words.words[count - 1];
-      unit = find_unit(of_unit == 1 ? last : words.words[count - 2] + "/" + last,
-                       dimension_of_letters(letters));
+      unit = unit_after(letters, of_unit == 1 ? last : words.words[count - 2] + "/" + last);
       if (!unit) continue;
     }
     if (auto found = named_by(letters, unit)) return found;
@@ -194,6 +181,12 @@ std::optional<ColumnName> try_column_named(std::string_view name) {
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+std::optional<double> clock_unit(std::string_view name) {
+  const auto named = try_column_named(name);
+  if (!named || named->role != DataRole::time) return std::nullopt;
+  return named->unit ? named->unit->factor : 1;
 }
 
 Dimension dimension_of(DataRole role) {

@@ -1,4 +1,4 @@
-// What a column's name says that it holds, in whatever spelling (words.hpp).
+// What a column's name says that it holds, in whatever spelling.
 //
 //   run, routing, held, direction     text
 //   motor_tension, speed, cycle, temperature, sheath_angle, readings
@@ -22,17 +22,14 @@
 #include <vector>
 
 #include "core/network.hpp"
-#include "numerics/floors.hpp"
 #include "readings/units.hpp"
 
 namespace reeve::readings {
 
 // The words that people's names of columns are made of.
-//
 // "Motor Tension [lbf]", "motor_tension_lbf" and "MotorTension (lbf)" are the letters
 // "motortension" and the unit lbf: blanks, _, - and . part words, and brackets at the end hold a
 // unit.
-
 struct NameWords {
   std::vector<std::string> words;        // in small letters
   std::optional<std::string> bracketed;  // as written
@@ -41,11 +38,6 @@ struct NameWords {
 NameWords words_of(std::string_view name);
 // The first `count` words as one.
 std::string joined(const NameWords& name, std::size_t count);
-
-// "[N]" → "N"; without blanks at its ends.
-std::string_view without_brackets(std::string_view text);
-
-std::string lower(std::string_view text);
 
 // In bytes, of a run, a group or a column: each stands many times in tables and drawings.
 inline constexpr std::size_t longest_name = 200;
@@ -94,6 +86,9 @@ struct ColumnName {
 std::optional<ColumnName> column_named(std::string_view name);
 // Nothing of one that cannot be read, either.
 std::optional<ColumnName> try_column_named(std::string_view name);
+
+// Returns the seconds in a unit of that clock; nothing if it is no name of a clock.
+std::optional<double> clock_unit(std::string_view name);
 
 Dimension dimension_of(DataRole role);
 // Whether whoever reads a row needs numbers there; covariates may turn out to be words.

@@ -1,350 +1,15 @@
 #include "readings/columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "readings/column_name.hpp"
-#include "readings/csv.hpp"
-#include "readings/recognise_series.hpp"
 
 namespace reeve::readings {
-
-void HeaderFaults::add(InputFault fault) {
-  const std::size_t line = csv_.header().line;
-  if (!fault.where) fault.where = fmt::format("{}:{}", csv_.name(), line);
-  faults_.add(line, "in the header", std::move(fault));
-}
-
-void HeaderFaults::add_column(std::size_t column, std::string expected) {
-  add({.what = fmt::format("column {}", column + 1),
-       .value = for_message(std::string(trimmed(csv_.header().fields[column]))),
-       .expected = std::move(expected)});
-}
-
-namespace {
-
-using Columns = std::vector<DataColumn>;
-
-// The greatest numbers are far above any rig: they catch a slipped decimal mark, and keep sums of
-// squares finite. An angle of 100 rad is sixteen turns of a sheath; more is likely in degrees.
-CellRange range_of(DataRole role) {
-  switch (role) {
-    case DataRole::motor_tension:
-    case DataRole::tension:
-      return {-1e9, 1e9};
-    case DataRole::deviation:
-    case DataRole::motor_deviation:
-    case DataRole::speed:
-      return {0, 1e9};
-    case DataRole::cycle:
-      return {0, 1e15};
-    case DataRole::readings:
-      return {1, 1e15};
-    case DataRole::temperature:
-      return {-273.15, 1e4};
-    case DataRole::sheath_angle:
-      return {0, 100};
-    default:
-      return {};
-  }
-}
-
-// When and where the carriage was is a covariate of a reading.
-bool is_of_readings(DataRole role) { return role != DataRole::time && role != DataRole::position; }
-
-constexpr FileKind file_of_readings{is_of_readings, range_of};
-
-// Nobody may think that something was done with what the file does not have.
-void require_noise(const Columns& columns, const ReadingOptions& options, HeaderFaults& faults) {
-  for (const ColumnNoise& given : options.noise) {
-    const bool is_there =
-        std::any_of(columns.begin(), columns.end(),
-                    [&](const DataColumn& column) { return is_noise_of(given, column); });
-    if (is_there) continue;
-    faults.add({.what = "the header has no column of tensions",
-                .value = for_message(given.column),
-                .expected = "the column whose noise is given"});
-  }
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto given =
-        std::count_if(options.noise.begin(), options.noise.end(),
-                      [&](const ColumnNoise& noise) { return is_noise_of(noise, columns[i]); });
-    if (given > 1) faults.add_column(i, fmt::format("one noise, and {} are given", given));
-  }
-}
-
-void require(const Columns& columns, DataRole role, const std::string& column,
-             const std::string& expected, HeaderFaults& faults) {
-  if (find_column(columns, role)) return;
-  faults.add({.what = "the header has no column " + column, .expected = expected});
-}
-
-void require_columns(const HeaderColumns& header, HeaderFaults& faults) {
-  require(header.columns, DataRole::run, "'run'", "a name or number for each run", faults);
-  require(header.columns, DataRole::routing, "'routing'", "a routing in each row", faults);
-  // It may be the one that cannot be read.
-  if (header.has_bad_column) return;
-  require(header.columns, DataRole::tension, "of tensions",
-          "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
-          "the hand)",
-          faults);
-}
-
-void require_tensions_of_deviations(const Columns& columns, HeaderFaults& faults) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const DataColumn& column = columns[i];
-    if (column.role == DataRole::motor_deviation &&
-        !find_column(columns, DataRole::motor_tension)) {
-      faults.add_column(i, "the column motor_tension_N beside it");
-    }
-    if (column.role != DataRole::deviation) continue;
-    const bool has_tension =
-        std::any_of(columns.begin(), columns.end(), [&](const DataColumn& other) {
-          return other.role == DataRole::tension && other.place == column.place;
-        });
-    if (has_tension) continue;
-    faults.add_column(i, fmt::format("the column {} beside it",
-                                     plain_name({DataRole::tension, column.place, {}, false})));
-  }
-}
-
-}  // namespace
-
-DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
-                         const ReadingOptions& options, FaultList& faults) {
-  HeaderFaults at_header(csv, faults);
-  HeaderColumns header = read_header(csv, units, options, file_of_readings, at_header);
-  require_noise(header.columns, options, at_header);
-  require_no_log(csv, header.columns);
-  require_columns(header, at_header);
-  require_tensions_of_deviations(header.columns, at_header);
-  return {std::move(header.columns), header_notes(header, units)};
-}
-
-bool is_noise_of(const ColumnNoise& given, const DataColumn& column) {
-  if (!is_of_sensor(column.role)) return false;
-  if (column.role == DataRole::motor_tension && given.column == "motor") return true;
-  return means(given.column, column.name, column.role, column.place);
-}
-
-std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].role == role) return i;
-  }
-  return std::nullopt;
-}
-
-namespace {
-
-class HeaderReader {
- public:
-  HeaderReader(const CsvReader& csv, const std::optional<CsvRow>& units,
-               const ReadingOptions& options, const FileKind& kind, HeaderFaults& faults)
-      : csv_(csv),
-        units_(units),
-        options_(options),
-        kind_(kind),
-        faults_(faults),
-        group_(options.group ? header_of(*options.group) : std::nullopt) {}
-
-  HeaderColumns read() {
-    for (std::size_t i = 0; i < csv_.header().fields.size(); ++i) add_column(i);
-    require_options();
-    return std::move(result_);
-  }
-
- private:
-  // As it is written in the file, where capitals need not be as in the option.
-  std::optional<std::string> header_of(const std::string& wanted) const {
-    std::vector<std::string> alike;
-    for (const std::string_view field : csv_.header().fields) {
-      const std::string name(trimmed(field));
-      if (name == wanted) return name;
-      if (lower(name) == lower(wanted)) alike.push_back(name);
-    }
-    return alike.size() == 1 ? std::optional(alike.front()) : std::nullopt;
-  }
-
-  void add_column(std::size_t index) {
-    const std::string name(trimmed(csv_.header().fields[index]));
-    DataColumn column{DataRole::no_name, name, 0, 0, {}, {}, name};
-    result_.read_as.emplace_back();
-    if (!name.empty()) {
-      try {
-        column = read(name, index);
-      } catch (const InputError& error) {
-        faults_.add_column(index, error.fault().expected);
-        result_.has_bad_column = true;
-      }
-    }
-    if (const auto first = same_as(column)) {
-      fail_same(index, *first);
-      column.role = DataRole::no_name;
-      result_.has_bad_column = true;
-    }
-    result_.columns.push_back(std::move(column));
-  }
-
-  DataColumn read(const std::string& name, std::size_t index) {
-    if (group_ == name && !has_other_meaning(name, index)) {
-      return {DataRole::group, name, 0, 0, {}, {}, name};
-    }
-    require_short_name(name);
-    const CellRange any = kind_.range(DataRole::covariate);
-    DataColumn covariate{DataRole::covariate, name, any.low, any.high, {}, {}, name};
-    const std::string& meaning = meaning_of(name, options_);
-    const auto named = column_named(meaning);
-    if (!named) return covariate;
-    if (!kind_.has(named->role)) {
-      if (meaning == name) return covariate;
-      throw InputError({.expected = fmt::format("a meaning that columns of readings have, and "
-                                                "{} is of the log of a rig",
-                                                plain_name(*named))});
-    }
-    const std::optional<Unit> unit = unit_of(*named, name, units_, index, options_);
-    if (named->needs_unit && !unit) return covariate;
-    const CellRange range = kind_.range(named->role);
-    DataColumn column{named->role,  name, range.low,         range.high,
-                      named->place, {},   plain_name(*named)};
-    column.unit = unit.value_or(own_unit(dimension_of(named->role)));
-    column.unit_is_assumed = dimension_of(named->role) != Dimension::none && !unit;
-    note_name(*named, name, unit);
-    return column;
-  }
-
-  // The runs of a file, or its tensions, cannot be given away.
-  bool has_other_meaning(const std::string& name, std::size_t index) {
-    const auto named = column_named(name);
-    if (!named || !kind_.has(named->role) || (named->needs_unit && !named->unit)) return false;
-    faults_.add_column(index,
-                       fmt::format("a column without another meaning to group rows by, and this "
-                                   "is read as {}",
-                                   plain_name(*named)));
-    return true;
-  }
-
-  std::optional<std::size_t> same_as(const DataColumn& column) const {
-    if (column.role == DataRole::no_name) return std::nullopt;
-    for (std::size_t i = 0; i < result_.columns.size(); ++i) {
-      const DataColumn& other = result_.columns[i];
-      // Of several clocks a log has one that goes before.
-      const bool has_own_name = column.role == DataRole::covariate || column.role == DataRole::time;
-      const bool by_name = has_own_name ? other.name == column.name : other.place == column.place;
-      if (other.role == column.role && by_name) return i;
-    }
-    return std::nullopt;
-  }
-
-  void fail_same(std::size_t index, std::size_t first) {
-    const std::string& name = result_.columns[first].name;
-    if (name != trimmed(csv_.header().fields[index])) {
-      return faults_.add_column(
-          index, fmt::format("one column of its meaning, and column {} '{}' has it", first + 1,
-                             for_message(name)));
-    }
-    faults_.add({.where = {},
-                 .what = fmt::format("column {} '{}': column {} has that name already", index + 1,
-                                     for_message(name), first + 1)});
-  }
-
-  // Nobody may think that something was done with what the file does not have.
-  void require_options() {
-    const auto is_there = [&](const auto& is) {
-      return std::any_of(result_.columns.begin(), result_.columns.end(), is);
-    };
-    const auto require_name = [&](const std::string& name, const std::string& what) {
-      if (is_there([&](const DataColumn& column) { return column.name == name; })) return;
-      faults_.add(
-          {.what = "the header has no column", .value = for_message(name), .expected = what});
-    };
-    for (const ColumnMeaning& mapped : options_.map) {
-      require_name(mapped.column, fmt::format("the column that means {}", mapped.meaning));
-    }
-    if (options_.group) require_name(group_.value_or(*options_.group), "the column of groups");
-    for (const ColumnUnit& given : options_.units) {
-      if (!given.column || is_there([&](const DataColumn& column) {
-            return means(*given.column, column.name, column.role, column.place);
-          })) {
-        continue;
-      }
-      require_name(*given.column, fmt::format("the column that is in {}", given.unit));
-    }
-  }
-
-  void note_name(const ColumnName& named, const std::string& name,
-                 const std::optional<Unit>& unit) {
-    const Dimension dimension = dimension_of(named.role);
-    const bool assumed = dimension != Dimension::none && !unit;
-    const auto in_name = unit_of_name(named, name, options_);
-    const bool against_name = unit && in_name && !(*unit == *in_name);
-    const bool in_plain_unit =
-        named.role != DataRole::time || named.unit || (unit && unit->is_own());
-    const bool as_docs_say = !assumed && in_plain_unit;
-    if (is_plain(name, named) && as_docs_say && !against_name) return;
-    std::string text = fmt::format("'{}' as {}", for_message(name), plain_name(named));
-    if (assumed) {
-      text += fmt::format(" (no unit is said: {} is assumed)", own_unit(dimension).name);
-    }
-    if (unit && !unit->is_own()) text += fmt::format(" (from {})", unit->name);
-    if (against_name) text += fmt::format(", though its name says {}", in_name->name);
-    result_.read_as.back() = std::move(text);
-  }
-
-  const CsvReader& csv_;
-  const std::optional<CsvRow>& units_;
-  const ReadingOptions& options_;
-  const FileKind& kind_;
-  HeaderFaults& faults_;
-  std::optional<std::string> group_;  // the header of the column of groups
-  HeaderColumns result_;
-};
-
-std::string list_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 30;
-  std::string list;
-  std::size_t count = 0;
-  for (const std::string& name : names) {
-    if (name.empty() || ++count > most) continue;
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  if (count > most) list += fmt::format(", and {} more", count - most);
-  return list;
-}
-
-}  // namespace
-
-HeaderColumns read_header(const CsvReader& csv, const std::optional<CsvRow>& units,
-                          const ReadingOptions& options, const FileKind& kind,
-                          HeaderFaults& faults) {
-  return HeaderReader(csv, units, options, kind, faults).read();
-}
-
-void make_covariate(HeaderColumns& header, std::size_t column) {
-  DataColumn& at = header.columns[column];
-  const CellRange any;
-  at = {DataRole::covariate, at.name, any.low, any.high, {}, {}, at.name};
-  header.read_as[column].clear();
-}
-
-std::vector<DataNote> header_notes(const HeaderColumns& header,
-                                   const std::optional<CsvRow>& units) {
-  std::vector<DataNote> notes = header.notes;
-  const std::string list = list_of(header.read_as);
-  if (!list.empty()) {
-    notes.push_back({NoteKind::column_names, "columns are read so: " + list, {}});
-  }
-  if (units) {
-    notes.push_back({NoteKind::passed_over,
-                     "the row below the header has the columns' units, and no reading",
-                     {units->line}});
-  }
-  return notes;
-}
-
 namespace {
 
 bool is_number(std::string_view text) {
@@ -398,43 +63,88 @@ std::optional<Unit> unit_at_the_end(std::string_view name, Dimension dimension) 
   return may_be_unit(last) ? find_unit(last, dimension) : std::nullopt;
 }
 
-// Of a name that is reeve's only by what it is said to mean.
-std::optional<Unit> unit_in_foreign_name(std::string_view name, Dimension dimension) {
-  const auto unit = unit_in_brackets(name, dimension);
-  return unit ? unit : unit_at_the_end(name, dimension);
+// Returns what the column's name says, or else the meaning that it is given.
+std::optional<Unit> unit_of_name(const ColumnName& named, const std::string& name,
+                                 const ReadingOptions& options) {
+  if (meaning_of(name, options) == name) return named.unit;
+  const Dimension dimension = dimension_of(named.role);
+  auto in_name = unit_in_brackets(name, dimension);
+  if (!in_name) in_name = unit_at_the_end(name, dimension);
+  return in_name ? in_name : named.unit;
 }
 
-// The two may name one unit, and either may name none.
-void require_one_unit(const std::optional<Unit>& in_name, const std::optional<Unit>& in_meaning) {
-  if (!in_name || !in_meaning || *in_name == *in_meaning) return;
-  throw InputError(
-      {.expected = fmt::format("one unit: the name says {}, and the meaning that it is given {}",
-                               in_name->name, in_meaning->name)});
+// The two may be one unit, and either may be missing.
+void require_one_unit(const std::optional<Unit>& in_name, const std::optional<Unit>& other,
+                      const std::string& other_says) {
+  if (!in_name || !other || *in_name == *other) return;
+  throw InputError({.expected = fmt::format("one unit: the name says {}, and {} {}", in_name->name,
+                                            other_says, other->name)});
 }
 
-struct GivenUnits {
-  std::optional<Unit> all;  // of the whole file
-  std::optional<Unit> own;  // of this column
-};
-
-GivenUnits given_units(const ColumnName& named, const std::string& name, Dimension dimension,
-                       const ReadingOptions& options) {
-  GivenUnits result;
+// Returns the unit that the user gives to this column alone.
+std::optional<Unit> own_given_unit(const DataColumn& column, const ReadingOptions& options) {
+  const Dimension dimension = dimension_of(column.role);
+  std::optional<Unit> own;
   for (const ColumnUnit& given : options.units) {
-    if (!given.column) {
-      result.all = find_unit(given.unit, dimension);
-    } else if (means(*given.column, name, named.role, named.place)) {
-      result.own = find_unit(given.unit, dimension);
-      if (result.own) continue;
-      throw InputError(
-          {.expected = fmt::format("a unit of {} ({}), and '{}' is given",
-                                   dimension_name(dimension), unit_names(dimension), given.unit)});
-    }
+    if (!given.column || !means(*given.column, column)) continue;
+    own = find_unit(given.unit, dimension);
+    if (own) continue;
+    throw InputError(
+        {.expected = fmt::format("a unit of {} ({}), and '{}' is given", dimension_name(dimension),
+                                 unit_names(dimension), given.unit)});
   }
-  return result;
+  return own;
+}
+
+// … and to the whole file.
+std::optional<Unit> given_unit_of_all(Dimension dimension, const ReadingOptions& options) {
+  std::optional<Unit> all;
+  for (const ColumnUnit& given : options.units) {
+    if (!given.column) all = find_unit(given.unit, dimension);
+  }
+  return all;
+}
+
+// Nothing where nobody says it. Throws InputError that says what was expected.
+std::optional<Unit> unit_of(const DataColumn& column, const ColumnName& named,
+                            const std::optional<Unit>& in_name, const std::optional<CsvRow>& units,
+                            std::size_t index, const ReadingOptions& options) {
+  const Dimension dimension = dimension_of(named.role);
+  if (dimension == Dimension::none) return std::nullopt;
+  if (const auto own = own_given_unit(column, options)) return own;
+  const auto in_row = unit_in_row(dimension, units, index);
+  require_one_unit(in_name, named.unit, "the meaning that it is given");
+  if (in_row) require_one_unit(in_name, in_row, fmt::format("line {} says", units->line));
+  const auto said = in_name ? in_name : in_row;
+  const auto all = given_unit_of_all(dimension, options);
+  return all && (said || !named.needs_unit) ? all : said;
+}
+
+// Returns the name as it is written in the file, where capitals need not be as in the option.
+std::optional<std::string> header_of(const std::string& wanted, const CsvRow& header) {
+  std::vector<std::string> alike;
+  for (const std::string_view field : header.fields) {
+    const std::string name(trimmed(field));
+    if (name == wanted) return name;
+    if (lower(name) == lower(wanted)) alike.push_back(name);
+  }
+  return alike.size() == 1 ? std::optional(alike.front()) : std::nullopt;
 }
 
 }  // namespace
+
+std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].role == role) return i;
+  }
+  return std::nullopt;
+}
+
+bool means(const std::string& text, const DataColumn& column) {
+  if (text == column.name) return true;
+  const auto other = try_column_named(text);
+  return other && other->role == column.role && other->place == column.place;
+}
 
 const std::string& meaning_of(const std::string& name, const ReadingOptions& options) {
   for (const ColumnMeaning& mapped : options.map) {
@@ -459,36 +169,170 @@ bool is_units_row(const CsvRow& header, const CsvRow& row, const ReadingOptions&
   return has_unit;
 }
 
-bool means(const std::string& text, const std::string& name, DataRole role,
-           const MeasuredPlace& place) {
-  if (text == name) return true;
-  const auto other = try_column_named(text);
-  return other && other->role == role && other->place == place;
+Header::Header(const CsvReader& csv, const std::optional<CsvRow>& units,
+               const ReadingOptions& options, const FileKind& kind, FaultList& faults)
+    : csv_(csv), units_(units), options_(options), kind_(kind), faults_(faults) {
+  if (options.group) group_ = header_of(*options.group, csv.header());
+  for (std::size_t i = 0; i < csv.header().fields.size(); ++i) add_column(i);
+  require_options();
 }
 
-std::optional<Unit> unit_of_name(const ColumnName& named, const std::string& name,
-                                 const ReadingOptions& options) {
-  if (meaning_of(name, options) == name) return named.unit;
-  const auto in_name = unit_in_foreign_name(name, dimension_of(named.role));
-  return in_name ? in_name : named.unit;
+void Header::fail(InputFault fault) {
+  const std::size_t line = csv_.header().line;
+  if (!fault.where) fault.where = fmt::format("{}:{}", csv_.name(), line);
+  faults_.add(line, "in the header", std::move(fault));
 }
 
-std::optional<Unit> unit_of(const ColumnName& named, const std::string& name,
-                            const std::optional<CsvRow>& units, std::size_t index,
-                            const ReadingOptions& options) {
-  const Dimension dimension = dimension_of(named.role);
-  if (dimension == Dimension::none) return std::nullopt;
-  const GivenUnits given = given_units(named, name, dimension, options);
-  if (given.own) return given.own;
-  const auto in_row = unit_in_row(dimension, units, index);
-  const auto in_name = unit_of_name(named, name, options);
-  require_one_unit(in_name, named.unit);
-  if (in_row && in_name && !(*in_row == *in_name)) {
-    throw InputError({.expected = fmt::format("one unit: the name says {}, and line {} says {}",
-                                              in_name->name, units->line, in_row->name)});
+void Header::fail_column(std::size_t column, std::string expected) {
+  fail({.what = fmt::format("column {}", column + 1),
+        .value = for_message(trimmed(csv_.header().fields[column])),
+        .expected = std::move(expected)});
+}
+
+void Header::note_covariate(std::string text) {
+  notes_.push_back({NoteKind::covariate, std::move(text), {}});
+}
+
+void Header::make_covariate(std::size_t column) {
+  const std::string name = columns_[column].name;
+  columns_[column] = {DataRole::covariate, name, name};
+  read_as_[column].clear();
+}
+
+DataColumns Header::finish() {
+  constexpr std::size_t most = 30;
+  std::erase(read_as_, "");
+  if (!read_as_.empty()) {
+    const std::size_t more = read_as_.size() - std::min(read_as_.size(), most);
+    read_as_.resize(read_as_.size() - more);
+    notes_.push_back({NoteKind::column_names,
+                      fmt::format("columns are read so: {}", fmt::join(read_as_, ", "))});
+    if (more > 0) notes_.back().text += fmt::format(", and {} more", more);
   }
-  const auto said = in_name ? in_name : in_row;
-  return given.all && (said || !named.needs_unit) ? given.all : said;
+  if (units_) {
+    notes_.push_back({NoteKind::passed_over,
+                      "the row below the header has the columns' units, and no reading",
+                      {units_->line}});
+  }
+  return {std::move(columns_), std::move(notes_)};
+}
+
+void Header::add_column(std::size_t index) {
+  const std::string name(trimmed(csv_.header().fields[index]));
+  DataColumn column{DataRole::no_name, name, name};
+  read_as_.emplace_back();
+  if (!name.empty()) {
+    try {
+      column = read(name, index);
+    } catch (const InputError& error) {
+      fail_column(index, error.fault().expected);
+      has_bad_column_ = true;
+    }
+  }
+  if (const auto first = same_as(column)) {
+    fail_same(index, *first);
+    column.role = DataRole::no_name;
+    has_bad_column_ = true;
+  }
+  columns_.push_back(std::move(column));
+}
+
+DataColumn Header::read(const std::string& name, std::size_t index) {
+  if (group_ == name && !has_other_meaning(name, index)) return {DataRole::group, name, name};
+  require_short_name(name);
+  const DataColumn covariate{DataRole::covariate, name, name};
+  const std::string& meaning = meaning_of(name, options_);
+  const auto named = column_named(meaning);
+  if (!named) return covariate;
+  if (!kind_.has(named->role)) {
+    if (meaning == name) return covariate;
+    throw InputError({.expected = fmt::format("a meaning that columns of readings have, and "
+                                              "{} is of the log of a rig",
+                                              plain_name(*named))});
+  }
+  DataColumn column{named->role, name, plain_name(*named), kind_.range(named->role), named->place};
+  const auto in_name = unit_of_name(*named, name, options_);
+  const auto unit = unit_of(column, *named, in_name, units_, index, options_);
+  if (named->needs_unit && !unit) return covariate;
+  const Dimension dimension = dimension_of(named->role);
+  column.unit = unit.value_or(own_unit(dimension));
+  column.unit_is_assumed = dimension != Dimension::none && !unit;
+  read_as_.back() = told(column, *named, in_name);
+  return column;
+}
+
+// The runs of a file, or its tensions, cannot be given away.
+bool Header::has_other_meaning(const std::string& name, std::size_t index) {
+  const auto named = column_named(name);
+  if (!named || !kind_.has(named->role) || (named->needs_unit && !named->unit)) return false;
+  fail_column(index, fmt::format("a column without another meaning to group rows by, and this "
+                                 "is read as {}",
+                                 plain_name(*named)));
+  return true;
+}
+
+std::optional<std::size_t> Header::same_as(const DataColumn& column) const {
+  if (column.role == DataRole::no_name) return std::nullopt;
+  // Of several clocks a log has one that goes before.
+  const bool by_name = column.role == DataRole::covariate || column.role == DataRole::time;
+  const auto same = std::find_if(columns_.begin(), columns_.end(), [&](const DataColumn& other) {
+    return other.role == column.role &&
+           (by_name ? other.name == column.name : other.place == column.place);
+  });
+  if (same == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(same - columns_.begin());
+}
+
+void Header::fail_same(std::size_t index, std::size_t first) {
+  const std::string& name = columns_[first].name;
+  if (name != trimmed(csv_.header().fields[index])) {
+    return fail_column(index, fmt::format("one column of its meaning, and column {} '{}' has it",
+                                          first + 1, for_message(name)));
+  }
+  fail({.what = fmt::format("column {} '{}': column {} has that name already", index + 1,
+                            for_message(name), first + 1)});
+}
+
+// Nobody may think that something was done with what the file does not have.
+void Header::require_options() {
+  const auto require_one = [&](const std::string& name, bool is_there, const std::string& what) {
+    if (is_there) return;
+    fail({.what = "the header has no column", .value = for_message(name), .expected = what});
+  };
+  const auto is_there = [&](const std::string& name) {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const DataColumn& column) { return column.name == name; });
+  };
+  for (const auto& [column, meaning] : options_.map) {
+    require_one(column, is_there(column), fmt::format("the column that means {}", meaning));
+  }
+  if (options_.group) {
+    const std::string& group = group_ ? *group_ : *options_.group;
+    require_one(group, is_there(group), "the column of groups");
+  }
+  for (const ColumnUnit& given : options_.units) {
+    if (!given.column) continue;
+    const bool is_meant =
+        std::any_of(columns_.begin(), columns_.end(),
+                    [&](const DataColumn& column) { return means(*given.column, column); });
+    require_one(*given.column, is_meant, fmt::format("the column that is in {}", given.unit));
+  }
+}
+
+// "" if the column is read as docs say.
+std::string Header::told(const DataColumn& column, const ColumnName& named,
+                         const std::optional<Unit>& in_name) const {
+  const bool is_said = !column.unit_is_assumed;
+  const bool against_name = is_said && in_name && !(column.unit == *in_name);
+  // A clock may be in several units there, but says it.
+  const bool in_plain_unit =
+      named.role != DataRole::time || named.unit || (is_said && column.unit.is_own());
+  if (is_plain(column.name, named) && is_said && in_plain_unit && !against_name) return "";
+  std::string text = fmt::format("'{}' as {}", for_message(column.name), column.meaning);
+  if (!is_said) text += fmt::format(" (no unit is said: {} is assumed)", column.unit.name);
+  if (!column.unit.is_own()) text += fmt::format(" (from {})", column.unit.name);
+  if (against_name) text += fmt::format(", though its name says {}", in_name->name);
+  return text;
 }
 
 }  // namespace reeve::readings

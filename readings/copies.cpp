@@ -190,26 +190,34 @@ EqualRows equal_rows(const MeasuredData& data) {
   return result;
 }
 
-std::vector<DataNote> notes_on_equal_rows(const MeasuredData& data) {
+std::vector<std::size_t> repeated_readings(const MeasuredData& data) {
   const EqualRows equal = equal_rows(data);
-  std::vector<DataNote> notes;
-  const auto add = [&](NoteKind kind, const std::vector<std::size_t>& readings, const char* text) {
+  std::vector<std::size_t> repeated = equal.copies;
+  repeated.insert(repeated.end(), equal.copies_across.begin(), equal.copies_across.end());
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
+void note_equal_rows(MeasuredData& data) {
+  const EqualRows equal = equal_rows(data);
+  const auto note = [&](NoteKind kind, const std::vector<std::size_t>& readings, const char* text) {
     if (readings.empty()) return;
-    DataNote note{kind, "", {}};
-    for (const std::size_t i : readings) note.lines.push_back(data.readings[i].line);
-    note.text = fmt::format("{} {} {}", readings.size(),
-                            readings.size() == 1 ? "row repeats" : "rows repeat", text);
-    notes.push_back(std::move(note));
+    std::vector<std::size_t> lines;
+    for (const std::size_t i : readings) lines.push_back(data.readings[i].line);
+    const char* repeat = readings.size() == 1 ? "row repeats" : "rows repeat";
+    data.notes.push_back(
+        {kind, fmt::format("{} {} {}", readings.size(), repeat, text), std::move(lines)});
   };
-  add(NoteKind::duplicate, equal.copies,
+  note(
+      NoteKind::duplicate, equal.copies,
       "an earlier row of the same run in every tension, which readings so fine do not do by chance: "
       "copies, or a logger that repeats its last value. A diagnosis leaves them out");
-  add(NoteKind::duplicate_across_runs, equal.copies_across,
+  note(
+      NoteKind::duplicate_across_runs, equal.copies_across,
       "an earlier row of another run in every tension, which readings so fine do not do by chance. A "
       "diagnosis leaves them out: runs that share readings cannot test each other");
-  add(NoteKind::equal_by_chance, equal.by_chance,
-      "an earlier row in every tension, as readings so coarse do by chance. They are kept");
-  return notes;
+  note(NoteKind::equal_by_chance, equal.by_chance,
+       "an earlier row in every tension, as readings so coarse do by chance. They are kept");
 }
 
 }  // namespace reeve::readings

@@ -2,10 +2,9 @@
 // row number, a time). They are copies, or coarse sensors that read the same twice.
 //
 // Chance: two rows at the same load agree in channel c with p_c ≈ min(1, q/(2√π σ)), where q is the
-// step of the sensor and σ the scatter of its readings about their levels (levels.hpp), taken as a
-// share of the level, 0.3 % at least where the data are not simulated; of readings of 0, the share
-// of all that are 0. So among the rows of one
-// routing, grasp and direction
+// step of the sensor and σ the scatter of its readings about their levels (polished_levels.hpp),
+// taken as a share of the level, 0.3 % at least where the data are not simulated; of readings of 0,
+// the share of all that are 0. So among the rows of one routing, grasp and direction
 //
 //   E = Σ Π p_c  over pairs of rows at the same load
 //
@@ -34,7 +33,10 @@ struct EqualRows {
 // Each list ascending.
 EqualRows equal_rows(const MeasuredData& data);
 
-// Empty if no rows are equal.
-std::vector<DataNote> notes_on_equal_rows(const MeasuredData& data);
+// Readings that are copies of an earlier one, of any run; ascending.
+std::vector<std::size_t> repeated_readings(const MeasuredData& data);
+
+// Adds a note on each of these lists that is not empty.
+void note_equal_rows(MeasuredData& data);
 
 }  // namespace reeve::readings

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <system_error>
@@ -13,10 +12,8 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/text.hpp"
-#include "readings/column_name.hpp"
 
 namespace reeve::readings {
-
 namespace {
 
 [[noreturn]] void fail_too_large(const std::string& name) {
@@ -68,6 +65,10 @@ std::string for_message(std::string_view text) {
   while (end < text.size() && end > 0 && (text[end] & '\xC0') == '\x80') --end;
   const std::string shown = one_line(std::string(text.substr(0, end)));
   return end < text.size() ? shown + "…" : shown;
+}
+
+std::string in_column(std::string_view column) {
+  return fmt::format("in column '{}'", for_message(column));
 }
 
 InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
@@ -291,19 +292,15 @@ bool is_missing(std::string_view text) {
 
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high,
                              bool may_be_empty) {
-  std::string number(text);
+  std::string written(text);
   // Words may have both marks, and say nothing of either.
   if (with_commas_ && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) {
     require_one_mark(text, line);
-    std::replace(number.begin(), number.end(), ',', '.');
+    std::replace(written.begin(), written.end(), ',', '.');
   }
-  const char* begin = number.data() + (number.starts_with('+') ? 1 : 0);
-  const char* end = number.data() + number.size();
-  double value = 0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  const bool is_number = error == std::errc{} && stop == end && std::isfinite(value) &&
-                         !(*begin == '-' && begin != number.data());
-  if (is_number && value >= low && value <= high) return value;
+  if (written.starts_with('+') && !written.starts_with("+-")) written.erase(0, 1);
+  const std::optional<double> number = number_in(written);
+  if (number && *number >= low && *number <= high) return *number;
   if (std::isinf(high) && std::isinf(low)) {
     throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
   }

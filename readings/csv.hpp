@@ -103,16 +103,17 @@ bool says_simulated(std::string_view text);
 std::string one_line(std::string text);
 // The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);
+// "in column 'T1_N'": what faults of one column are counted by.
+std::string in_column(std::string_view column);
 // What is wrong with a cell, behind its place, its column and its text; on one line.
 InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
                       std::string_view column, std::string_view text);
 
-// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no
-// comma. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
-
-// NaN, NA, n/a, - and what else stands for a number that is not there, or nothing at all.
+// True of NaN, NA, n/a, - and what else stands for a number that is not there, or nothing at all.
 bool is_missing(std::string_view text);
 
+// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no
+// comma. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
 class CsvNumberReader {
  public:
   explicit CsvNumberReader(char separator) : with_commas_(separator != ',') {}

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -138,19 +137,18 @@ std::vector<std::string> remedies(const MeasuredData& data, const std::vector<Pu
 
 }  // namespace
 
-std::vector<DataNote> notes_on_directions(const MeasuredData& data) {
-  std::vector<DataNote> notes;
+void note_directions(MeasuredData& data) {
   const auto assumed = std::count_if(data.readings.begin(), data.readings.end(),
                                      [](const Reading& r) { return r.direction_assumed; });
   if (assumed > 0) {
-    notes.push_back({NoteKind::assumed,
-                     fmt::format("the direction is not given in {} of {} rows: pull is assumed",
-                                 assumed, data.readings.size()),
-                     {}});
+    data.notes.push_back(
+        {NoteKind::assumed,
+         fmt::format("the direction is not given in {} of {} rows: pull is assumed", assumed,
+                     data.readings.size())});
   }
   const std::vector<PulledRow> rows = pulled_rows(data);
-  if (rows.empty() || share(rows, breaks_pull) <= most_broken_rows) return notes;
-  DataNote note{NoteKind::not_as_pulled, "", {}};
+  if (rows.empty() || share(rows, breaks_pull) <= most_broken_rows) return;
+  DataNote note{NoteKind::not_as_pulled, ""};
   for (const PulledRow& row : rows) {
     if (breaks_pull(row)) note.lines.push_back(row.line);
   }
@@ -162,8 +160,7 @@ std::vector<DataNote> notes_on_directions(const MeasuredData& data) {
   note.text += mending.empty() ? "Neither the other direction nor another column or unit of the "
                                  "motor tension mends that"
                                : fmt::format("This would mend it: {}", fmt::join(mending, "; or "));
-  notes.push_back(std::move(note));
-  return notes;
+  data.notes.push_back(std::move(note));
 }
 
 }  // namespace reeve::readings

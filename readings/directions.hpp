@@ -13,8 +13,6 @@
 // is held it may; hence the fifth.
 #pragma once
 
-#include <vector>
-
 #include "readings/measured_data.hpp"
 
 namespace reeve::readings {
@@ -23,7 +21,7 @@ inline constexpr double direction_tolerance = 0.05;  // of the motor tension
 inline constexpr double most_broken_rows = 0.2;      // before it is noted
 inline constexpr double most_broken_if_mended = 0.05;
 
-// How many rows have no direction, and whether pulling fits.
-std::vector<DataNote> notes_on_directions(const MeasuredData& data);
+// Notes how many rows have no direction, and whether pulling fits.
+void note_directions(MeasuredData& data);
 
 }  // namespace reeve::readings

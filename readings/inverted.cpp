@@ -4,20 +4,77 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "numerics/robust.hpp"
+#include "readings/polished_levels.hpp"
 
 namespace reeve::readings {
-
 namespace {
 
-// What pulls: the motor, or all that is read beside the channel.
-double load_N(const Reading& reading, std::size_t channel) {
+class SignCount {
+ public:
+  void add(double tension_N) {
+    ++given_;
+    below_ += tension_N < 0 ? 1 : 0;
+  }
+  // Four of five, and enough to tell.
+  bool nearly_all_below() const {
+    return given_ >= 5 && static_cast<double>(below_) >= 0.8 * static_cast<double>(given_);
+  }
+
+ private:
+  std::size_t given_ = 0;
+  std::size_t below_ = 0;
+};
+
+// Of rows alike but for the load, about their own means: what arrives of a load depends on all
+// else.
+struct LoadedRows {
+  double rows = 0;
+  double mean_load = 0, mean_reading = 0;
+  double square_load = 0, square_reading = 0;
+  double product = 0;
+
+  void add(double load, double reading) {
+    ++rows;
+    const double load_off = load - mean_load;
+    const double reading_off = reading - mean_reading;
+    mean_load += load_off / rows;
+    mean_reading += reading_off / rows;
+    square_load += load_off * (load - mean_load);
+    square_reading += reading_off * (reading - mean_reading);
+    product += load_off * (reading - mean_reading);
+  }
+};
+
+// By the mean correlation over the groups, of which each has a size of its own; of two rows it
+// would be ±1. Noise and friction leave far more than -0.5 of it, a drifting zero far less.
+bool falls_with_load(const std::vector<LoadedRows>& groups) {
+  double sum = 0;
+  double weights = 0;
+  for (const LoadedRows& alike : groups) {
+    const double scale = std::sqrt(alike.square_load * alike.square_reading);
+    if (alike.rows < 3 || !(scale > 0)) continue;
+    sum += (alike.rows - 1) * alike.product / scale;
+    weights += alike.rows - 1;
+  }
+  return weights > 0 && sum / weights < -0.5;
+}
+
+std::optional<DataNote> note_on(const std::vector<std::string>& inverted) {
+  if (inverted.empty()) return std::nullopt;
+  const bool one = inverted.size() == 1;
+  return DataNote{
+      NoteKind::inverted,
+      fmt::format("{} {} below zero, the more so the more is pulled, which no tendon does: "
+                  "exchange the sign in the file if {} mounted or wired the other way round",
+                  fmt::join(inverted, ", "), one ? "reads" : "read",
+                  one ? "the sensor is" : "the sensors are")};
+}
+
+double what_pulls(const Reading& reading, std::size_t channel) {
   if (reading.motor_tension_N) return *reading.motor_tension_N;
   double sum = 0;
   for (std::size_t c = 0; c < reading.tension_N.size(); ++c) {
@@ -26,99 +83,70 @@ double load_N(const Reading& reading, std::size_t channel) {
   return sum;
 }
 
-// By routing, grasp and direction.
-using RowsAlike = std::tuple<std::size_t, std::uint64_t, Direction>;
-
-bool is_inverted(const MeasuredData& data, std::size_t channel) {
-  std::map<RowsAlike, LoadedRows> rows;
-  SignCount signs;
-  for (const Reading& reading : data.readings) {
-    const auto& tension = reading.tension_N[channel];
-    if (!tension) continue;
-    signs.add(*tension);
-    rows[{reading.routing, reading.grasp.held, reading.direction}].add(load_N(reading, channel),
-                                                                       *tension);
-  }
-  if (!signs.nearly_all_below()) return false;
+bool is_inverted(const MeasuredData& data, const std::vector<KindCells>& kinds,
+                 std::size_t channel) {
   std::vector<LoadedRows> groups;
-  for (const auto& [alike, group] : rows) groups.push_back(group);
-  return falls_with_load(groups);
-}
-
-}  // namespace
-
-std::optional<DataNote> note_on_inverted(const std::vector<std::string>& channels) {
-  if (channels.empty()) return std::nullopt;
-  const bool one = channels.size() == 1;
-  return DataNote{
-      NoteKind::inverted,
-      fmt::format("{} {} below zero, the more so the more is pulled, which no tendon does: "
-                  "exchange the sign in the file if {} mounted or wired the other way round",
-                  fmt::join(channels, ", "), one ? "reads" : "read",
-                  one ? "the sensor is" : "the sensors are"),
-      {}};
-}
-
-std::optional<DataNote> note_inverted(const MeasuredData& data) {
-  std::vector<std::string> names;
-  for (std::size_t c = 0; c < data.channels.size(); ++c) {
-    if (is_inverted(data, c)) names.push_back(data.channels[c].name);
+  SignCount signs;
+  for (const KindCells& cells : kinds) {
+    LoadedRows& rows = groups.emplace_back();
+    for (const KindCell& cell : cells) {
+      if (cell.channel != channel) continue;
+      signs.add(cell.value_N);
+      rows.add(what_pulls(data.readings[cell.reading], channel), cell.value_N);
+    }
   }
-  return note_on_inverted(names);
+  return signs.nearly_all_below() && falls_with_load(groups);
 }
-
-namespace {
 
 double size_of(double tension_N) { return std::isnan(tension_N) ? 0 : std::abs(tension_N); }
 
-// Of each sample, over the tensions but the one that is left out.
-std::vector<double> sums_without(const LoggedSeries& series, const LoggedSignal& left_out) {
-  std::vector<double> sums_N(series.size(), 0);
-  for (const LoggedSignal& tension : series.tensions_N) {
-    if (&tension == &left_out) continue;
-    for (std::size_t i = 0; i < sums_N.size(); ++i) sums_N[i] += size_of(tension.values[i]);
-  }
-  return sums_N;
-}
-
+// Of each sample.
 std::vector<double> what_pulls(const LoggedSeries& series, const LoggedSignal& signal) {
   const LoggedSignal& motor = series.motor_tension_N;
-  if (!motor.is_logged() || &signal == &motor) return sums_without(series, signal);
-  std::vector<double> sizes_N;
-  for (const double tension_N : motor.values) sizes_N.push_back(size_of(tension_N));
-  return sizes_N;
+  std::vector<double> loads_N(series.size(), 0);
+  const auto add = [&](const LoggedSignal& other) {
+    for (std::size_t i = 0; i < loads_N.size(); ++i) loads_N[i] += size_of(other.values[i]);
+  };
+  if (motor.is_logged() && &signal != &motor) {
+    add(motor);
+    return loads_N;
+  }
+  for (const LoggedSignal& tension : series.tensions_N) {
+    if (&tension != &signal) add(tension);
+  }
+  return loads_N;
 }
 
-bool is_below_zero_under_load(const LoggedSignal& signal, const std::vector<double>& loads_N) {
+bool is_inverted(const LoggedSeries& series, const LoggedSignal& signal) {
+  const std::vector<double> loads_N = what_pulls(series, signal);
   const double half_N = median(loads_N);
   SignCount signs;
-  for (std::size_t i = 0; i < loads_N.size(); ++i) {
-    if (loads_N[i] >= half_N && !std::isnan(signal.values[i])) signs.add(signal.values[i]);
-  }
-  return signs.nearly_all_below();
-}
-
-bool is_inverted_signal(const LoggedSeries& series, const LoggedSignal& signal) {
-  if (!signal.is_logged()) return false;
-  const std::vector<double> loads_N = what_pulls(series, signal);
-  if (!is_below_zero_under_load(signal, loads_N)) return false;
   std::vector<LoadedRows> by_label(series.labels.size());
   for (std::size_t i = 0; i < loads_N.size(); ++i) {
-    if (!std::isnan(signal.values[i])) by_label[series.label[i]].add(loads_N[i], signal.values[i]);
+    if (std::isnan(signal.values[i])) continue;
+    if (loads_N[i] >= half_N) signs.add(signal.values[i]);
+    by_label[series.label[i]].add(loads_N[i], signal.values[i]);
   }
-  return falls_with_load(by_label);
+  return signs.nearly_all_below() && falls_with_load(by_label);
 }
 
 }  // namespace
 
+std::optional<DataNote> inverted_channels(const MeasuredData& data) {
+  const std::vector<KindCells> kinds = cells_by_kind(data);
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    if (is_inverted(data, kinds, c)) names.push_back(data.channels[c].name);
+  }
+  return note_on(names);
+}
+
 std::optional<DataNote> inverted_signals(const LoggedSeries& series) {
   std::vector<std::string> names;
-  if (is_inverted_signal(series, series.motor_tension_N))
-    names.push_back(series.motor_tension_N.name);
-  for (const LoggedSignal& tension : series.tensions_N) {
-    if (is_inverted_signal(series, tension)) names.push_back(tension.name);
+  for (const LoggedSignal* sensor : series.sensors()) {
+    if (is_inverted(series, *sensor)) names.push_back(sensor->name);
   }
-  return note_on_inverted(names);
+  return note_on(names);
 }
 
 }  // namespace reeve::readings

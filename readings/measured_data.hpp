@@ -84,6 +84,16 @@ std::vector<bool> reads_below_zero(const MeasuredData& data);
 // off there, and tells of none.
 std::vector<bool> reads_zero_alone(const MeasuredData& data);
 
+// Returns the lines of the readings of which that is true.
+template <typename Is>
+std::vector<std::size_t> lines_where(const MeasuredData& data, Is is) {
+  std::vector<std::size_t> lines;
+  for (const Reading& reading : data.readings) {
+    if (is(reading)) lines.push_back(reading.line);
+  }
+  return lines;
+}
+
 // A routing for the text of a cell: a word, or a name where the caller knows names. Throws
 // InputError.
 using RoutingResolver = std::function<Routing(const std::string&)>;
@@ -94,15 +104,5 @@ MeasuredData read_measured_data(const std::filesystem::path& path, const Routing
 MeasuredData parse_measured_data(std::string text, const std::string& name,
                                  const RoutingResolver& resolve,
                                  const ReadingOptions& options = {});
-
-// A run is one mounting of one rig: rows of one run name that lie in several groups, as when the
-// files of two rigs are put together, are so many runs.
-
-// Where a column of groups was asked for: too few groups, rows without one.
-std::vector<DataNote> notes_on_groups(const MeasuredData& data);
-
-// Their names get the group's behind them: "1 (left)". Rows without a group are one of
-// their own where there are two groups or more; beside one group they belong to it.
-std::vector<DataNote> part_runs_by_group(MeasuredData& data);
 
 }  // namespace reeve::readings

@@ -78,8 +78,7 @@ SharesOfData measured_shares(const MeasuredData& data) {
   DataNote released{NoteKind::not_compared, "readings of releasing are left out", {}};
   DataNote without{NoteKind::not_compared,
                    "a share needs the tensions of all strands, not all of them slack: these "
-                   "readings are left out",
-                   {}};
+                   "readings are left out"};
   std::vector<ShareGroup> groups;
   for (const Reading& reading : data.readings) {
     std::vector<double> strands = shares(data, reading);

@@ -1,6 +1,7 @@
 // What whoever reads the results should know about the data: noted, never mended silently.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -44,12 +45,48 @@ enum class NoteKind : std::uint8_t {
   against_motion,          // of a time series: its column direction says otherwise than it moves
   sparse,                  // of a time series: tensions that too few samples have
 };
-const char* note_kind_name(NoteKind kind);
+
+inline const char* note_kind_name(NoteKind kind) {
+  constexpr std::array names{"time_series",
+                             "duplicate",
+                             "duplicate_across_runs",
+                             "equal_by_chance",
+                             "motor_side_above_motor",
+                             "units",
+                             "covariate",
+                             "comment",
+                             "column_names",
+                             "passed_over",
+                             "tare",
+                             "known_noise",
+                             "assumed",
+                             "not_as_pulled",
+                             "letters",
+                             "outlier",
+                             "below_zero",
+                             "inverted",
+                             "jams",
+                             "not_compared",
+                             "clock",
+                             "no_direction",
+                             "no_motion",
+                             "groups_differ",
+                             "runs_of_groups",
+                             "far_forecast",
+                             "other_direction",
+                             "far_together",
+                             "not_following",
+                             "reversed",
+                             "against_motion",
+                             "sparse"};
+  static_assert(names.size() == static_cast<std::size_t>(NoteKind::sparse) + 1);
+  return names[static_cast<std::size_t>(kind)];
+}
 
 struct DataNote {
   NoteKind kind = NoteKind::duplicate;
   std::string text;
-  std::vector<std::size_t> lines;  // ascending; empty if it is about the whole file
+  std::vector<std::size_t> lines = {};  // ascending; empty if it is about the whole file
 };
 
 }  // namespace reeve::readings

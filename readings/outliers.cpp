@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -132,7 +131,7 @@ DataNote note_on(const MeasuredData& data, const std::vector<FarCell>& far, bool
 
 }  // namespace
 
-std::vector<DataNote> set_outliers_aside(MeasuredData& data) {
+void set_outliers_aside(MeasuredData& data) {
   const std::vector<KindCells> all = cells_by_kind(data);
   std::size_t count = 0;
   std::vector<FarCell> far;
@@ -142,20 +141,19 @@ std::vector<DataNote> set_outliers_aside(MeasuredData& data) {
   }
   const Patterns patterns(data, all, far);
   std::erase_if(far, [&](const FarCell& cell) { return patterns.has(cell.cell); });
-  if (far.empty()) return {};
+  if (far.empty()) return;
   std::sort(far.begin(), far.end(), [](const FarCell& a, const FarCell& b) {
     return std::tie(a.cell.reading, a.cell.channel) < std::tie(b.cell.reading, b.cell.channel);
   });
   const bool kept = static_cast<double>(far.size()) >
                     std::max(1.0, std::floor(most_outliers * static_cast<double>(count)));
-  DataNote note = note_on(data, far, kept);
-  if (kept) return {std::move(note)};
+  data.notes.push_back(note_on(data, far, kept));
+  if (kept) return;
   for (const FarCell& cell : far) value(data, cell.cell).reset();
   std::erase_if(data.readings, [](const Reading& reading) {
     return std::none_of(reading.tension_N.begin(), reading.tension_N.end(),
                         [](const auto& tension) { return tension.has_value(); });
   });
-  return {std::move(note)};
 }
 
 }  // namespace reeve::readings

@@ -1,7 +1,7 @@
 // Readings far from all others of their kind: a slipped decimal point, a spike of the logger. They
 // are set aside, cell by cell, before anything is concluded from the data.
 //
-// What a cell should read is its level among the others (levels.hpp).
+// What a cell should read is its level among the others (polished_levels.hpp).
 //
 // A cell is far if it is off by more than a factor of five, by more than 20 median absolute
 // deviations in logarithms, by more than 20 in newton, and by more than ten steps of its sensor.
@@ -10,8 +10,6 @@
 // than half of its cells are far (of one cell: none of the rest of its row), and nothing at all if
 // more than 2 % of all cells are. Kinds of fewer than five rows have no "others".
 #pragma once
-
-#include <vector>
 
 #include "readings/measured_data.hpp"
 
@@ -22,8 +20,8 @@ inline constexpr double outlier_deviations = 20;
 inline constexpr double outlier_steps = 10;
 inline constexpr double most_outliers = 0.02;  // of all cells; one in any case
 
-// Makes far cells missing, and takes out rows that have no tension left. The notes name lines,
-// channels, values and what the others read; empty if nothing is far.
-std::vector<DataNote> set_outliers_aside(MeasuredData& data);
+// Makes far cells missing, and takes out rows that have no tension left. A note names lines,
+// channels, values and what the others read.
+void set_outliers_aside(MeasuredData& data);
 
 }  // namespace reeve::readings

@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "readings/measured_data.hpp"

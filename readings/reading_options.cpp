@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -11,8 +10,20 @@
 #include "readings/column_name.hpp"
 
 namespace reeve::readings {
-
 namespace {
+
+struct ColumnAndValue {
+  std::string column;
+  std::string value;
+};
+
+// A unit has no '=', and no name that reeve knows has one; a name in a file may.
+std::optional<ColumnAndValue> split_at_last_equals(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string_view::npos) return std::nullopt;
+  return ColumnAndValue{std::string(trimmed(text.substr(0, equals))),
+                        std::string(trimmed(text.substr(equals + 1)))};
+}
 
 // Beyond this a share says nothing of the tension.
 constexpr double most_percent = 100;
@@ -64,67 +75,44 @@ std::string noise_text(const KnownNoise& noise) {
   return noise.absolute_N == 0 ? relative : relative + " and " + absolute;
 }
 
+ColumnMeaning parse_column_meaning(const std::string& text) {
+  const auto parts = split_at_last_equals(text);
+  if (!parts || parts->column.empty() || !column_named(parts->value)) {
+    throw InputError({.value = text,
+                      .expected = "a column of the file, '=', and a name that reeve knows, such as "
+                                  "'Kraft Motor=motor_tension_N'"});
+  }
+  return {parts->column, parts->value};
+}
+
+ColumnUnit parse_column_unit(const std::string& text) {
+  const auto parts = split_at_last_equals(text);
+  if (parts && !parts->column.empty() && is_unit(parts->value)) {
+    return {parts->column, parts->value};
+  }
+  if (!parts && find_unit(text, Dimension::force)) return {{}, text};
+  throw InputError({.value = text,
+                    .expected = "a unit of force (" + unit_names(Dimension::force) +
+                                "), or a column, '=' and its unit, such as T1=kgf"});
+}
+
 ColumnNoise parse_column_noise(const std::string& text) {
-  const std::size_t equals = text.rfind('=');
-  ColumnNoise result;
-  if (equals != std::string::npos)
-    result.column = trimmed(std::string_view(text).substr(0, equals));
+  const auto parts = split_at_last_equals(text);
+  KnownNoise noise;
   const auto is_read = [&] {
     try {
-      return read_parts(std::string_view(text).substr(equals + 1), result.noise);
+      return read_parts(parts->value, noise);
     } catch (const InputError& error) {
       throw error.at(fmt::format("'{}'", text));
     }
   };
-  if (result.column.empty() || !is_read()) {
+  if (!parts || parts->column.empty() || !is_read()) {
     throw InputError({.value = text,
                       .expected =
                           "a column of tensions or 'motor', '=', and the standard deviation "
                           "of a reading, such as T1=2%, motor=0.5N or T1=2%+0.3N"});
   }
-  return result;
-}
-
-namespace {
-
-// A unit has no '=', and no name that reeve knows has one; a name in a file may.
-std::optional<ColumnMeaning> split_at_last_equals(const std::string& text) {
-  const std::size_t equals = text.rfind('=');
-  if (equals == std::string::npos) return std::nullopt;
-  const std::string_view all = text;
-  return ColumnMeaning{std::string(trimmed(all.substr(0, equals))),
-                       std::string(trimmed(all.substr(equals + 1)))};
-}
-
-}  // namespace
-
-ColumnMeaning parse_column_meaning(const std::string& text) {
-  auto parts = split_at_last_equals(text);
-  if (!parts || parts->column.empty() || !column_named(parts->meaning)) {
-    throw InputError({.value = text,
-                      .expected = "a column of the file, '=', and a name that reeve knows, such as "
-                                  "'Kraft Motor=motor_tension_N'"});
-  }
-  return *parts;
-}
-
-ColumnUnit parse_column_unit(const std::string& text) {
-  const auto parts = split_at_last_equals(text);
-  ColumnUnit result{{}, text};
-  if (parts) result = {parts->column, parts->meaning};
-  const auto is_of = [&](Dimension dimension) {
-    return find_unit(result.unit, dimension).has_value();
-  };
-  const bool is_unit =
-      is_of(Dimension::force) ||
-      (parts && (is_of(Dimension::speed) || is_of(Dimension::temperature) ||
-                 is_of(Dimension::angle) || is_of(Dimension::length) || is_of(Dimension::time)));
-  if (!is_unit || (parts && parts->column.empty())) {
-    throw InputError({.value = text,
-                      .expected = "a unit of force (" + unit_names(Dimension::force) +
-                                  "), or a column, '=' and its unit, such as T1=kgf"});
-  }
-  return result;
+  return {parts->column, noise};
 }
 
 }  // namespace reeve::readings

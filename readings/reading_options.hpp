@@ -16,7 +16,6 @@ namespace reeve::readings {
 //
 // of a tension T that the sensor should read. Both are 0 of what is exact, such as the force of a
 // weight that hangs at the far end of a bench.
-
 struct KnownNoise {
   double relative = 0;
   double absolute_N = 0;
@@ -27,7 +26,7 @@ struct KnownNoise {
 // "2 % and 0.3 N", "exact".
 std::string noise_text(const KnownNoise& noise);
 
-// Of one column of tensions, in any name that it may have (intake/column_name.hpp), or of the
+// Of one column of tensions, in any name that it may have (column_name.hpp), or of the
 // motor tension: "motor", "T1", "Ta", "at_T1".
 struct ColumnNoise {
   std::string column;

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "numerics/robust.hpp"
-#include "readings/log/log_columns.hpp"
+#include "readings/column_name.hpp"
 
 namespace reeve::readings {
-
 namespace {
 
 constexpr std::size_t least_rows_by_clock = 200;
@@ -69,8 +67,7 @@ std::optional<DataNote> by_clock(const MeasuredData& data, std::size_t clock) {
       fmt::format("{} rows with a clock (column '{}', every {:.3g} s) are a logger's time series, "
                   "whose neighbouring rows are no readings of their own: make readings of it "
                   "(reeve import)",
-                  data.readings.size(), data.covariates[clock], usual),
-      {}};
+                  data.readings.size(), data.covariates[clock], usual)};
 }
 
 // Of the motor tension, or of all tensions of the row.
@@ -126,8 +123,7 @@ std::optional<DataNote> by_noise(const MeasuredData& data) {
                   fmt::format("{} rows whose tensions go on from row to row are a logger's time "
                               "series, no readings: add its clock, and make readings of it (reeve "
                               "import)",
-                              data.readings.size()),
-                  {}};
+                              data.readings.size())};
 }
 
 }  // namespace
@@ -135,18 +131,6 @@ std::optional<DataNote> by_noise(const MeasuredData& data) {
 std::optional<DataNote> recognise_series(const MeasuredData& data) {
   if (const auto clock = clock_covariate(data)) return by_clock(data, *clock);
   return by_noise(data);
-}
-
-void require_no_log(const CsvReader& csv, const std::vector<DataColumn>& columns) {
-  if (find_column(columns, DataRole::run) || find_column(columns, DataRole::routing)) return;
-  for (const DataColumn& column : columns) {
-    if (!clock_unit(column.name)) continue;
-    throw InputError(
-        {.where = fmt::format("{}:{}", csv.name(), csv.header().line),
-         .what = fmt::format("the header has a clock ('{}'), and neither 'run' nor 'routing'",
-                             column.name),
-         .expected = "steady readings; of a logger's time series, reeve import makes them"});
-  }
 }
 
 }  // namespace reeve::readings

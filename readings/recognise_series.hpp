@@ -2,7 +2,7 @@
 // goes on from row to row, so that thousands of them say no more than some tens of readings.
 //
 // It is one if
-//   - it has a clock (log_columns.hpp) and 200 rows or more, and within the runs 97 % of the
+//   - it has a clock (column_name.hpp) and 200 rows or more, and within the runs 97 % of the
 //     steps of the clock are within a fifth of their median; or 100 rows or more, every 0.05 s or
 //     faster;
 //   - or it has no clock and 1000 rows or more, and of half of its channels or more the share of
@@ -13,15 +13,10 @@
 
 #include <optional>
 
-#include "readings/columns.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::readings {
 
 std::optional<DataNote> recognise_series(const MeasuredData& data);
-
-// A header that has a clock and neither run nor routing is a logger's: throws InputError that says
-// so.
-void require_no_log(const CsvReader& csv, const std::vector<DataColumn>& columns);
 
 }  // namespace reeve::readings

@@ -5,7 +5,7 @@
 // its columns exchanged. So runs come by their names (numbers in them as numbers: 2 before 10), the
 // readings of a run by cycle, routing, grasp, direction, conditions and tensions, routings and
 // groups as these readings first have them, and channels by their segment. When a row was taken is
-// another question (taken_order.hpp).
+// another question (set_taken).
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,12 @@ MeasuredData in_order_of_contents(MeasuredData data);
 // Whether a comes before b, digits in a row being one number.
 bool natural_less(std::string_view a, std::string_view b);
 
-// In what order readings were taken: by the clock where every row has one, else as the file has
-// them. A clock may begin again with each run; runs then follow one another as in the file.
-
 // The covariate that is a clock, which every row has.
 std::optional<std::size_t> clock_of(const MeasuredData& data);
 
-// Reading::taken of each.
+// Sets the order in which readings were taken, Reading::taken: by the clock where every row has
+// one, else as the file has them. A clock may begin again with each run; runs then follow one
+// another as in the file.
 void set_taken(MeasuredData& data);
 
 }  // namespace reeve::readings

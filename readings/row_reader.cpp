@@ -4,110 +4,119 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
-#include "core/text.hpp"
-#include "readings/column_name.hpp"
-#include "readings/csv.hpp"
-#include "readings/rows.hpp"
+#include "readings/data_columns.hpp"
 
 namespace reeve::readings {
-
-ChannelTable::ChannelTable(const std::vector<DataColumn>& columns) {
-  for (const DataColumn& column : columns) {
-    places_.push_back(column.place);
-    measured_.push_back(column.role == DataRole::tension || column.role == DataRole::deviation);
-    if (column.role == DataRole::tension && !column.place.beside) channel_of(column.place.segment);
-  }
-}
-
-void ChannelTable::add_routing(const Network& network) {
-  std::vector<std::optional<std::size_t>> channels(places_.size());
-  for (std::size_t column = 0; column < places_.size(); ++column) {
-    if (!measured_[column]) continue;
-    const MeasuredPlace& place = places_[column];
-    const auto segment = place.beside ? motor_side_at(network, place.segment) : place.segment;
-    if (segment && find_segment(network, *segment)) channels[column] = channel_of(*segment);
-  }
-  of_routing_.push_back(std::move(channels));
-}
-
-std::size_t ChannelTable::channel_of(const Segment& segment) {
-  const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const Channel& channel) {
-    return channel.segment == segment;
-  });
-  if (found != channels_.end()) return static_cast<std::size_t>(found - channels_.begin());
-  channels_.push_back({segment_name(segment), segment});
-  return channels_.size() - 1;
-}
-
-std::size_t RoutingTable::index(std::string_view text) {
-  const auto found = by_text_.find(text);
-  if (found != by_text_.end()) return found->second;
-  if (text.empty()) throw InputError({.expected = "a routing such as M-1-T-2-F"});
-  const std::size_t index = add(resolve_(std::string(text)));
-  by_text_.emplace(text, index);
-  return index;
-}
-
-// A name and its word are one routing.
-std::size_t RoutingTable::add(const Routing& routing) {
-  for (std::size_t i = 0; i < routings_.size(); ++i) {
-    if (routings_[i].routing == routing) return i;
-  }
-  MeasuredRouting measured{to_word(routing), routing, expand(routing), {}};
-  require_actuated(graph(measured.network), measured.word);
-  channels_.add_routing(measured.network);
-  routings_.push_back(std::move(measured));
-  return routings_.size() - 1;
-}
-
-std::vector<MeasuredRouting> RoutingTable::with_segments() const {
-  std::vector<MeasuredRouting> result = routings_;
-  for (MeasuredRouting& routing : result) {
-    for (const Channel& channel : channels_.channels()) {
-      routing.segments.push_back(find_segment(routing.network, channel.segment));
-    }
-  }
-  return result;
-}
-
-void Covariates::finish(MeasuredData& data, FaultList& faults) const {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (is_of_words(i)) {
-      data.notes.push_back(
-          {NoteKind::passed_over,
-           fmt::format("column '{}' has words and is none that is known: it is not read",
-                       for_message(names_[i])),
-           {}});
-      continue;
-    }
-    faults.add(columns_[i].faults);
-    kept.push_back(i);
-    data.covariates.push_back(names_[i]);
-  }
-  if (kept.size() == names_.size()) return;
-  for (Reading& reading : data.readings) {
-    std::vector<std::optional<double>> values;
-    for (const std::size_t i : kept) values.push_back(reading.covariates[i]);
-    reading.covariates = std::move(values);
-  }
-}
-
 namespace {
 
-std::vector<std::string> covariate_names(const std::vector<DataColumn>& columns) {
-  std::vector<std::string> names;
-  for (const DataColumn& column : columns) {
-    if (column.role == DataRole::covariate) names.push_back(column.name);
+using Columns = std::vector<DataColumn>;
+
+// Names in the order in which the file has them first.
+class NamesSeen {
+ public:
+  std::size_t place_of(std::string_view name) {
+    const auto [found, is_new] = places_.emplace(name, names_.size());
+    if (is_new) names_.emplace_back(name);
+    return found->second;
   }
-  return names;
-}
+  std::vector<std::string> take() { return std::move(names_); }
+
+ private:
+  std::map<std::string, std::size_t, std::less<>> places_;
+  std::vector<std::string> names_;
+};
+
+// The routings of a file by the texts of its cells, each with the channels that columns are for it.
+// A column of a strand or of a lettered segment is one channel. A column at_T1 is of the motor-side
+// segment that is beside T1, so its letter, and with it its channel, is a matter of each routing.
+class RoutingTable {
+ public:
+  RoutingTable(const Columns& columns, const RoutingResolver& resolve)
+      : columns_(columns), resolve_(resolve) {
+    for (const DataColumn& column : columns) {
+      if (column.role == DataRole::tension && !column.place.beside) {
+        channel_of(column.place.segment);
+      }
+    }
+  }
+
+  // Throws InputError of a text that is no routing, or of one that the motor cannot pull.
+  std::size_t index(std::string_view text) {
+    const auto found = by_text_.find(text);
+    if (found != by_text_.end()) return found->second;
+    if (text.empty()) throw InputError({.expected = "a routing such as M-1-T-2-F"});
+    const std::size_t index = add(resolve_(std::string(text)));
+    by_text_.emplace(text, index);
+    return index;
+  }
+
+  std::size_t count() const { return routings_.size(); }
+  const MeasuredRouting& operator[](std::size_t index) const { return routings_[index]; }
+  const std::vector<Channel>& channels() const { return channels_; }
+  // Of a column of tensions or of deviations; nothing if the routing has no such segment.
+  std::optional<std::size_t> channel(std::size_t routing, std::size_t column) const {
+    return of_columns_[routing][column];
+  }
+
+  // Once all are known, since each may add channels.
+  std::vector<MeasuredRouting> with_segments() const {
+    std::vector<MeasuredRouting> result = routings_;
+    for (MeasuredRouting& routing : result) {
+      for (const Channel& channel : channels_) {
+        routing.segments.push_back(find_segment(routing.network, channel.segment));
+      }
+    }
+    return result;
+  }
+
+ private:
+  // A name and its word are one routing.
+  std::size_t add(const Routing& routing) {
+    for (std::size_t i = 0; i < routings_.size(); ++i) {
+      if (routings_[i].routing == routing) return i;
+    }
+    MeasuredRouting measured{to_word(routing), routing, expand(routing), {}};
+    require_actuated(graph(measured.network), measured.word);
+    of_columns_.push_back(channels_of_columns(measured.network));
+    routings_.push_back(std::move(measured));
+    return routings_.size() - 1;
+  }
+
+  std::vector<std::optional<std::size_t>> channels_of_columns(const Network& network) {
+    std::vector<std::optional<std::size_t>> channels(columns_.size());
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const auto& [segment, beside] = columns_[i].place;
+      if (columns_[i].role != DataRole::tension && columns_[i].role != DataRole::deviation)
+        continue;
+      const auto meant = beside ? motor_side_at(network, segment) : segment;
+      if (meant && find_segment(network, *meant)) channels[i] = channel_of(*meant);
+    }
+    return channels;
+  }
+
+  std::size_t channel_of(const Segment& segment) {
+    const auto found =
+        std::find_if(channels_.begin(), channels_.end(),
+                     [&](const Channel& channel) { return channel.segment == segment; });
+    if (found != channels_.end()) return static_cast<std::size_t>(found - channels_.begin());
+    channels_.push_back({segment_name(segment), segment});
+    return channels_.size() - 1;
+  }
+
+  const Columns& columns_;
+  const RoutingResolver& resolve_;
+  std::vector<MeasuredRouting> routings_;
+  std::map<std::string, std::size_t, std::less<>> by_text_;
+  std::vector<Channel> channels_;
+  std::vector<std::vector<std::optional<std::size_t>>> of_columns_;  // by routing, by column
+};
 
 // The first ones: a message has one line.
 std::string segment_names(const Network& network) {
@@ -119,232 +128,256 @@ std::string segment_names(const Network& network) {
   return network.segments.size() > most ? list + ", …" : list;
 }
 
-// The place of the text among those seen, in the order of the file.
-std::size_t place_of(std::string_view text, std::map<std::string, std::size_t, std::less<>>& seen,
-                     std::vector<std::string>& all) {
-  const auto [found, is_new] = seen.emplace(text, all.size());
-  if (is_new) all.emplace_back(text);
-  return found->second;
-}
+// A column that no model knows: numbers, or words.
+struct CovariateColumn {
+  std::size_t column = 0;
+  std::size_t numbers = 0;
+  FaultList faults;  // what is no number
 
-}  // namespace
+  bool is_of_words() const { return faults.count() > numbers; }
+};
 
-RowReader::RowReader(const CsvReader& csv, const std::vector<DataColumn>& columns,
-                     const RoutingResolver& resolve, const ReadingOptions& options,
-                     FaultList& faults)
-    : csv_(csv),
-      columns_(columns),
-      options_(options),
-      faults_(faults),
-      cells_(csv, columns, faults),
-      routings_(columns, resolve),
-      covariates_(covariate_names(columns)),
-      tare_(columns.size()) {
-  data_.file = csv.name();
-}
-
-void RowReader::read(const CsvRow& row) {
-  if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
-  const std::size_t faults_before = faults_.count();
-  RowCells::Numbers numbers = cells_.numbers(row);
-  if (is_tare(cells_, row)) {
-    if (faults_.count() == faults_before) tare_.add(row.line, numbers);
-    return;
+class RowReader {
+ public:
+  // All must outlive the reader.
+  RowReader(const CsvReader& csv, const Columns& columns, const RoutingResolver& resolve,
+            const ReadingOptions& options, FaultList& faults)
+      : csv_(csv),
+        columns_(columns),
+        options_(options),
+        faults_(faults),
+        cells_(csv, columns, faults),
+        routings_(columns, resolve) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (columns[i].role == DataRole::covariate) covariates_.push_back({i, 0, {}});
+    }
   }
-  tare_.close();
-  take_zeros(tare_, columns_, numbers);
-  Reading reading;
-  reading.line = row.line;
-  read_words(row, reading);
-  set_numbers(row, numbers, reading);
-  read_covariates(row, reading);
-  require_tension(row, numbers);
-  if (faults_.count() == faults_before) data_.readings.push_back(std::move(reading));
-}
 
-MeasuredData RowReader::finish() {
-  data_.channels = routings_.channels().channels();
-  data_.routings = routings_.with_segments();
-  for (Reading& reading : data_.readings) {
-    reading.tension_N.resize(data_.channels.size());
-    reading.error_N.resize(data_.channels.size());
+  void read(const CsvRow& row) {
+    const std::optional<RowCells::Numbers> numbers = cells_.numbers(row);
+    if (!numbers) return;
+    Reading reading;
+    reading.line = row.line;
+    read_words(row, reading);
+    set_conditions(*numbers, reading);
+    if (reading.routing < routings_.count()) {
+      set_tensions(row, *numbers, reading);
+      set_errors(*numbers, reading);
+    }
+    read_covariates(row, reading);
+    require_tension(row, *numbers);
+    data_.readings.push_back(std::move(reading));
   }
-  note_what_is_passed_over();
-  set_known_noise();
-  covariates_.finish(data_, faults_);
-  for (DataNote& note : tare_.notes()) data_.notes.push_back(std::move(note));
-  return std::move(data_);
-}
 
-void RowReader::read_words(const CsvRow& row, Reading& reading) {
-  reading.run = run(row).value_or(0);
-  reading.group = group(row);
-  const auto routing = this->routing(row);
-  reading.routing = routing.value_or(routings_.count());
-  if (const auto held = find_column(columns_, DataRole::held); held && routing) {
-    reading.grasp = cells_
-                        .at(row, *held,
-                            [&](std::string_view text) {
-                              return read_held(text, routings_[*routing].network.fingers);
-                            })
-                        .value_or(Grasp{});
+  // Once all rows are read.
+  MeasuredData finish() {
+    data_.file = csv_.name();
+    data_.runs = runs_.take();
+    data_.groups = groups_.take();
+    data_.channels = routings_.channels();
+    data_.routings = routings_.with_segments();
+    for (Reading& reading : data_.readings) {
+      reading.tension_N.resize(data_.channels.size());
+      reading.error_N.resize(data_.channels.size());
+    }
+    cells_.note_cells_without_name(data_.notes);
+    set_known_noise();
+    set_covariates();
+    cells_.note_zeros(data_.notes);
+    return std::move(data_);
   }
-  std::optional<Direction> said;
-  if (const auto direction = find_column(columns_, DataRole::direction)) {
-    said = cells_.at(row, *direction, read_direction).value_or(std::nullopt);
+
+ private:
+  // Nothing of a column that the file does not have, or of a cell that cannot be read.
+  template <typename Action>
+  auto word(const CsvRow& row, DataRole role, Action action)
+      -> std::optional<decltype(action(std::string_view{}))> {
+    const auto column = find_column(columns_, role);
+    return column ? cells_.at(row, *column, action) : std::nullopt;
   }
-  reading.direction = said.value_or(Direction::pull);
-  reading.direction_assumed = !said;
-}
 
-std::optional<std::size_t> RowReader::run(const CsvRow& row) {
-  const auto column = find_column(columns_, DataRole::run);
-  if (!column) return std::nullopt;
-  return cells_.at(row, *column, [&](std::string_view text) {
-    if (text.empty()) throw InputError({.expected = "a name or number for the run"});
-    require_short_name(text);
-    return place_of(text, runs_, data_.runs);
-  });
-}
+  void read_words(const CsvRow& row, Reading& reading) {
+    const auto run = word(row, DataRole::run, [&](std::string_view text) {
+      if (text.empty()) throw InputError({.expected = "a name or number for the run"});
+      require_short_name(text);
+      return runs_.place_of(text);
+    });
+    reading.run = run.value_or(0);
+    const auto group =
+        word(row, DataRole::group, [&](std::string_view text) -> std::optional<std::size_t> {
+          if (is_missing(text)) return std::nullopt;
+          require_short_name(text);
+          return groups_.place_of(text);
+        });
+    reading.group = group.value_or(std::nullopt);
+    const auto routing =
+        word(row, DataRole::routing, [&](std::string_view text) { return routings_.index(text); });
+    reading.routing = routing.value_or(routings_.count());
+    if (routing) {
+      const int fingers = routings_[*routing].network.fingers;
+      const auto held = word(row, DataRole::held,
+                             [&](std::string_view text) { return read_held(text, fingers); });
+      reading.grasp = held.value_or(Grasp{});
+    }
+    const auto said = word(row, DataRole::direction, read_direction).value_or(std::nullopt);
+    reading.direction = said.value_or(Direction::pull);
+    reading.direction_assumed = !said;
+  }
 
-std::optional<std::size_t> RowReader::group(const CsvRow& row) {
-  const auto column = find_column(columns_, DataRole::group);
-  if (!column || is_missing(cells_.cell(row, DataRole::group))) return std::nullopt;
-  return cells_.at(row, *column, [&](std::string_view text) {
-    require_short_name(text);
-    return place_of(text, groups_, data_.groups);
-  });
-}
+  void set_conditions(const RowCells::Numbers& numbers, Reading& reading) const {
+    const auto set = [&](DataRole role, std::optional<double>& value) {
+      if (const auto column = find_column(columns_, role)) value = numbers[*column];
+    };
+    set(DataRole::motor_tension, reading.motor_tension_N);
+    set(DataRole::speed, reading.speed_mm_s);
+    set(DataRole::cycle, reading.cycle);
+    set(DataRole::temperature, reading.temperature_C);
+    set(DataRole::sheath_angle, reading.sheath_angle_rad);
+  }
 
-std::optional<std::size_t> RowReader::routing(const CsvRow& row) {
-  const auto column = find_column(columns_, DataRole::routing);
-  if (!column) return std::nullopt;
-  return cells_.at(row, *column, [&](std::string_view text) { return routings_.index(text); });
-}
-
-void RowReader::set_numbers(const CsvRow& row, const RowCells::Numbers& numbers, Reading& reading) {
-  set_conditions(numbers, reading);
-  if (reading.routing < routings_.count()) {
-    reading.tension_N.resize(routings_.channels().channels().size());
-    reading.error_N.resize(routings_.channels().channels().size());
+  void set_tensions(const CsvRow& row, const RowCells::Numbers& numbers, Reading& reading) {
+    reading.tension_N.resize(routings_.channels().size());
     for (std::size_t column = 0; column < columns_.size(); ++column) {
       if (columns_[column].role != DataRole::tension || !numbers[column]) continue;
-      set_tension(row, column, *numbers[column], reading);
+      cells_.at(row, column, [&](std::string_view) {
+        const std::size_t channel = free_channel(reading, column);
+        reading.tension_N[channel] = numbers[column];
+        return true;
+      });
     }
-    set_errors(numbers, reading);
   }
-}
 
-void RowReader::read_covariates(const CsvRow& row, Reading& reading) {
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (columns_[column].role != DataRole::covariate) continue;
-    const std::size_t covariate = reading.covariates.size();
-    std::optional<double> value;
-    try {
-      value = cells_.covariate(row, column);
-      if (value) covariates_.add_number(covariate);
-    } catch (const InputError& error) {
-      covariates_.add_fault(covariate, row.line, in_column(columns_[column]),
-                            cells_.fault(row, column, error));
-    }
-    reading.covariates.push_back(value);
-  }
-}
-
-void RowReader::set_conditions(const RowCells::Numbers& numbers, Reading& reading) const {
-  const auto set = [&](DataRole role, std::optional<double>& value) {
-    if (const auto column = find_column(columns_, role)) value = numbers[*column];
-  };
-  set(DataRole::motor_tension, reading.motor_tension_N);
-  set(DataRole::speed, reading.speed_mm_s);
-  set(DataRole::cycle, reading.cycle);
-  set(DataRole::temperature, reading.temperature_C);
-  set(DataRole::sheath_angle, reading.sheath_angle_rad);
-}
-
-void RowReader::set_tension(const CsvRow& row, std::size_t column, double tension_N,
-                            Reading& reading) {
-  cells_.at(row, column, [&](std::string_view) {
+  // Throws InputError if the routing has no such segment, or another column has it.
+  std::size_t free_channel(const Reading& reading, std::size_t column) const {
     const MeasuredRouting& routing = routings_[reading.routing];
     const MeasuredPlace& place = columns_[column].place;
-    const auto channel = routings_.channels().channel(reading.routing, column);
-    const std::string name =
-        (place.beside ? "motor-side segment at " : "segment ") + segment_name(place.segment);
+    const auto channel = routings_.channel(reading.routing, column);
     if (!channel) {
       throw InputError(
-          {.what = fmt::format("the routing '{}' has no {}", for_message(routing.word), name),
+          {.what = fmt::format("the routing '{}' has no {}{}", for_message(routing.word),
+                               place.beside ? "motor-side segment at " : "segment ",
+                               segment_name(place.segment)),
            .expected =
                fmt::format("an empty cell; its segments are {}", segment_names(routing.network))});
     }
     if (reading.tension_N[*channel]) {
-      throw InputError({.what = fmt::format("in the routing '{}' that is segment {}, which another "
-                                            "column has",
-                                            for_message(routing.word),
-                                            routings_.channels().channels()[*channel].name),
-                        .expected = "an empty cell in one of the two"});
+      throw InputError(
+          {.what = fmt::format("in the routing '{}' that is segment {}, which another "
+                               "column has",
+                               for_message(routing.word), routings_.channels()[*channel].name),
+           .expected = "an empty cell in one of the two"});
     }
-    reading.tension_N[*channel] = tension_N;
-    return true;
-  });
-}
-
-// The mean of n samples errs by sd/√n.
-void RowReader::set_errors(const RowCells::Numbers& numbers, Reading& reading) const {
-  const auto readings = find_column(columns_, DataRole::readings);
-  const double count = readings ? numbers[*readings].value_or(1) : 1;
-  if (const auto motor = find_column(columns_, DataRole::motor_deviation)) {
-    if (numbers[*motor]) reading.motor_error_N = *numbers[*motor] / std::sqrt(count);
+    return *channel;
   }
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (columns_[column].role != DataRole::deviation || !numbers[column]) continue;
-    const auto channel = routings_.channels().channel(reading.routing, column);
-    if (channel && reading.tension_N[*channel]) {
-      reading.error_N[*channel] = *numbers[column] / std::sqrt(count);
-    }
-  }
-}
 
-void RowReader::set_known_noise() {
-  data_.known_noise.resize(data_.channels.size());
-  std::string told;
-  for (const ColumnNoise& given : options_.noise) {
+  // The mean of n samples errs by sd/√n.
+  void set_errors(const RowCells::Numbers& numbers, Reading& reading) const {
+    reading.error_N.resize(routings_.channels().size());
+    const auto readings = find_column(columns_, DataRole::readings);
+    const double count = readings ? numbers[*readings].value_or(1) : 1;
     for (std::size_t column = 0; column < columns_.size(); ++column) {
-      if (!is_noise_of(given, columns_[column])) continue;
-      told += fmt::format("{}{} {}", told.empty() ? "" : ", ", for_message(columns_[column].name),
-                          noise_text(given.noise));
-      if (columns_[column].role == DataRole::motor_tension) data_.known_motor_noise = given.noise;
-      for (std::size_t r = 0; r < routings_.count(); ++r) {
-        const auto channel = routings_.channels().channel(r, column);
-        if (channel) data_.known_noise[*channel] = given.noise;
+      if (!numbers[column]) continue;
+      const double error_N = *numbers[column] / std::sqrt(count);
+      if (columns_[column].role == DataRole::motor_deviation) reading.motor_error_N = error_N;
+      if (columns_[column].role != DataRole::deviation) continue;
+      const auto channel = routings_.channel(reading.routing, column);
+      if (channel && reading.tension_N[*channel]) reading.error_N[*channel] = error_N;
+    }
+  }
+
+  void read_covariates(const CsvRow& row, Reading& reading) {
+    for (CovariateColumn& covariate : covariates_) {
+      std::optional<double> value;
+      try {
+        value = cells_.covariate(row, covariate.column);
+        if (value) ++covariate.numbers;
+      } catch (const InputError& error) {
+        cells_.add_fault(row, covariate.column, error, covariate.faults);
+      }
+      reading.covariates.push_back(value);
+    }
+  }
+
+  void require_tension(const CsvRow& row, const RowCells::Numbers& numbers) {
+    const auto first = find_column(columns_, DataRole::tension);
+    if (!first) return;
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
+      // A cell that cannot be read is a fault of its own.
+      if (columns_[column].role != DataRole::tension) continue;
+      if (numbers[column] || !is_missing(trimmed(row.fields[column]))) return;
+    }
+    faults_.add(row.line, "rows without a tension",
+                {.where = fmt::format("{}:{}", csv_.name(), row.line),
+                 .what = "the row has no tension",
+                 .expected = fmt::format("a number in column '{}' or another one of tensions",
+                                         for_message(columns_[*first].name))});
+  }
+
+  void set_known_noise() {
+    data_.known_noise.resize(data_.channels.size());
+    std::string told;
+    for (const ColumnNoise& given : options_.noise) {
+      for (std::size_t column = 0; column < columns_.size(); ++column) {
+        if (!is_noise_of(given, columns_[column])) continue;
+        told += fmt::format("{}{} {}", told.empty() ? "" : ", ", for_message(columns_[column].name),
+                            noise_text(given.noise));
+        if (columns_[column].role == DataRole::motor_tension) data_.known_motor_noise = given.noise;
+        for (std::size_t r = 0; r < routings_.count(); ++r) {
+          const auto channel = routings_.channel(r, column);
+          if (channel) data_.known_noise[*channel] = given.noise;
+        }
       }
     }
+    if (told.empty()) return;
+    data_.notes.push_back(
+        {NoteKind::known_noise,
+         fmt::format("what readings scatter by is taken as told: {} (one standard deviation)",
+                     told)});
   }
-  if (told.empty()) return;
-  data_.notes.push_back(
-      {NoteKind::known_noise,
-       fmt::format("what readings scatter by is taken as told: {} (one standard deviation)", told),
-       {}});
-}
 
-void RowReader::require_tension(const CsvRow& row, const RowCells::Numbers& numbers) {
-  const auto first = find_column(columns_, DataRole::tension);
-  if (!first) return;
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    // A cell that cannot be read is a fault of its own.
-    if (columns_[column].role != DataRole::tension) continue;
-    if (numbers[column] || !is_missing(trimmed(row.fields[column]))) return;
+  // A column most of whose cells are words is passed over; in another one, words are faults.
+  void set_covariates() {
+    for (const CovariateColumn& covariate : covariates_) {
+      const std::string& name = columns_[covariate.column].name;
+      if (covariate.is_of_words()) {
+        data_.notes.push_back(
+            {NoteKind::passed_over,
+             fmt::format("column '{}' has words and is none that is known: it is not read",
+                         for_message(name))});
+      } else {
+        faults_.add(covariate.faults);
+        data_.covariates.push_back(name);
+      }
+    }
+    for (Reading& reading : data_.readings) {
+      std::vector<std::optional<double>> values;
+      for (std::size_t i = 0; i < covariates_.size(); ++i) {
+        if (!covariates_[i].is_of_words()) values.push_back(reading.covariates[i]);
+      }
+      reading.covariates = std::move(values);
+    }
   }
-  faults_.add(row.line, "rows without a tension",
-              {.where = fmt::format("{}:{}", csv_.name(), row.line),
-               .what = "the row has no tension",
-               .expected = fmt::format("a number in column '{}' or another one of tensions",
-                                       for_message(columns_[*first].name))});
-}
 
-void RowReader::note_what_is_passed_over() {
-  if (cells_.lines_without_name().empty()) return;
-  data_.notes.push_back({NoteKind::passed_over, "cells in columns without a name are not read",
-                         cells_.lines_without_name()});
+  const CsvReader& csv_;
+  const Columns& columns_;
+  const ReadingOptions& options_;
+  FaultList& faults_;
+  RowCells cells_;
+  RoutingTable routings_;
+  std::vector<CovariateColumn> covariates_;
+  NamesSeen runs_;
+  NamesSeen groups_;
+  MeasuredData data_;
+};
+
+}  // namespace
+
+MeasuredData read_rows(CsvReader& csv, const Beginning& beginning,
+                       const std::vector<DataColumn>& columns, const RoutingResolver& resolve,
+                       const ReadingOptions& options, FaultList& faults) {
+  RowReader reader(csv, columns, resolve, options, faults);
+  each_row(csv, beginning, faults, [&](const CsvRow& row) { reader.read(row); });
+  return reader.finish();
 }
 
 }  // namespace reeve::readings

@@ -71,7 +71,7 @@ class LabelCheck {
   }
 
   void add(std::size_t line, const std::string& column, InputFault fault) {
-    faults_.add(line, fmt::format("in column '{}'", for_message(column)), std::move(fault));
+    faults_.add(line, in_column(column), std::move(fault));
   }
 
   const LoggedSeries& series_;

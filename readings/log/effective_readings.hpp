@@ -25,7 +25,6 @@
 // that each is ten times as long as τ or more; with shorter ones τ is too small.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "numerics/robust.hpp"
-#include "readings/csv.hpp"
 #include "readings/log/recordings.hpp"
 
 namespace reeve::readings {
-
 namespace {
 
 constexpr std::string_view all_digits = "0123456789";
@@ -31,21 +28,6 @@ bool is_date(std::string_view text, char parting) {
          is_number_of(text.substr(first + 1, second - first - 1), 2) &&
          is_number_of(text.substr(second + 1), 4);
 }
-
-}  // namespace
-
-bool is_time_of_day(std::string_view text) {
-  return text.find(':') != std::string_view::npos &&
-         text.find_first_not_of("0123456789:.,-/+ TZ") == std::string_view::npos;
-}
-
-bool is_date_or_time(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon != std::string_view::npos) return text.find_first_of(all_digits) < colon;
-  return is_date(text, '-') || is_date(text, '.') || is_date(text, '/');
-}
-
-namespace {
 
 constexpr std::size_t samples_per_repeat = 20;
 constexpr double gap = 2;  // usual steps
@@ -76,32 +58,47 @@ std::vector<double> steps_of(const std::vector<Stamp>& stamps, const std::vector
   return steps;
 }
 
-}  // namespace
-
-std::optional<DataNote> spread_repeated_times(LoggedSeries& series) {
+void spread_repeated_times(LoggedSeries& series) {
   std::vector<double>& time_s = series.time_s;
   const std::vector<Stamp> stamps = stamps_of(time_s);
   const std::size_t repeats = time_s.size() - stamps.size();
-  if (repeats * samples_per_repeat < time_s.size() || stamps.size() < 2) return std::nullopt;
+  if (repeats * samples_per_repeat < time_s.size() || stamps.size() < 2) return;
   std::vector<double> steps = steps_of(stamps, time_s);
   const double usual = median(steps);
-  if (!(usual > 0)) return std::nullopt;
+  if (!(usual > 0)) return;
   steps.push_back(usual);
   for (std::size_t k = 0; k < stamps.size(); ++k) {
     const double step = steps[k] > 0 && steps[k] <= gap * usual ? steps[k] : usual;
     for (std::size_t i = stamps[k].begin + 1; i < stamps[k].end; ++i)
       time_s[i] = time_s[i - 1] + step;
   }
-  return DataNote{NoteKind::clock,
-                  fmt::format("{} of {} samples show the time of the one before: the clock is "
-                              "coarser than the samples, which are spread evenly between its steps",
-                              repeats, time_s.size()),
-                  {}};
+  series.notes.push_back(
+      {NoteKind::clock,
+       fmt::format(
+           "{} of {} samples show the time of the one before: the clock is coarser than the "
+           "samples, which are spread evenly between its steps",
+           repeats, time_s.size())});
 }
 
-namespace {
+// Of a clock that counts seconds since 1970, as most do that show a date.
+double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
 
-constexpr double short_step_s = 1.0 / 5000;
+void doubt_of_seconds(LoggedSeries& series, const std::string& clock, double step_s,
+                      const std::string& map_option) {
+  constexpr double long_step_s = 1;  // twice as long as a reading lasts at least
+  constexpr double last_year = 2100;
+  const double year = year_at(*std::max_element(series.time_s.begin(), series.time_s.end()));
+  if (step_s < long_step_s && year <= last_year) return;
+  std::string text =
+      fmt::format("the clock '{}' has no unit: in seconds its samples are mostly {:.3g} s apart",
+                  clock, step_s);
+  if (year > last_year) text += fmt::format(", and it shows the year {:.0f}", year);
+  text += ". If it counts milliseconds, it is time_ms";
+  if (!map_option.empty()) {
+    text += fmt::format(", and {} '{}=time_ms' says so", map_option, clock);
+  }
+  series.notes.push_back({NoteKind::clock, text});
+}
 
 // By the unit that it was read in.
 std::string advice_on_unit(const DataColumn& clock, const ReadingOptions& options) {
@@ -115,19 +112,39 @@ std::string advice_on_unit(const DataColumn& clock, const ReadingOptions& option
   return text;
 }
 
+void doubt_of_fast_clock(LoggedSeries& series, const DataColumn& clock, double step_s,
+                         const ReadingOptions& options) {
+  constexpr double short_step_s = 1.0 / 5000;
+  if (!(step_s > 0) || step_s >= short_step_s) return;
+  const auto [first, last] = std::minmax_element(series.time_s.begin(), series.time_s.end());
+  series.notes.push_back(
+      {NoteKind::clock,
+       fmt::format("by the clock '{}', in {}, samples are mostly {:.3g} s apart and the log lasts "
+                   "{:.3g} s, which is fast for a carriage. {}",
+                   for_message(clock.name), clock.unit.name, step_s, *last - *first,
+                   advice_on_unit(clock, options))});
+}
+
 }  // namespace
 
-std::optional<DataNote> doubt_of_fast_clock(const LoggedSeries& series, const DataColumn& clock,
-                                            const ReadingOptions& options) {
+bool is_time_of_day(std::string_view text) {
+  return text.find(':') != std::string_view::npos &&
+         text.find_first_not_of("0123456789:.,-/+ TZ") == std::string_view::npos;
+}
+
+bool is_date_or_time(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon != std::string_view::npos) return text.find_first_of(all_digits) < colon;
+  return is_date(text, '-') || is_date(text, '.') || is_date(text, '/');
+}
+
+void check_clock(LoggedSeries& series, const DataColumn& clock, const ReadingOptions& options) {
+  spread_repeated_times(series);
   const double step_s = usual_step(series, {{0, series.size(), 0}});
-  if (!(step_s > 0) || step_s >= short_step_s) return std::nullopt;
-  const auto [first, last] = std::minmax_element(series.time_s.begin(), series.time_s.end());
-  return DataNote{NoteKind::clock,
-                  fmt::format("by the clock '{}', in {}, samples are mostly {:.3g} s apart and the "
-                              "log lasts {:.3g} s, which is fast for a carriage. {}",
-                              for_message(clock.name), clock.unit.name, step_s, *last - *first,
-                              advice_on_unit(clock, options)),
-                  {}};
+  if (clock.unit_is_assumed) {
+    doubt_of_seconds(series, for_message(clock.name), step_s, options.map_option);
+  }
+  doubt_of_fast_clock(series, clock, step_s, options);
 }
 
 }  // namespace reeve::readings

@@ -5,66 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
-#include <vector>
-
-#include "readings/column_name.hpp"
-#include "readings/columns.hpp"
-#include "readings/units.hpp"
 
 namespace reeve::readings {
-
-namespace {
-
-constexpr std::array words_of_motion{"position", "pos",          "speed", "velocity",
-                                     "vel",      "displacement", "travel"};
-
-bool is_one(std::string_view text, Dimension dimension) {
-  return find_unit(text, dimension).has_value();
-}
-
-}  // namespace
-
-bool says_motion(std::string_view name) {
-  const NameWords words = words_of(name);
-  return std::any_of(words.words.begin(), words.words.end(), [](const std::string& word) {
-    return std::find(words_of_motion.begin(), words_of_motion.end(), word) != words_of_motion.end();
-  });
-}
-
-bool has_unit_of_motion(std::string_view name) {
-  const NameWords words = words_of(name);
-  if (words.bracketed) {
-    return is_one(*words.bracketed, Dimension::length) ||
-           is_one(*words.bracketed, Dimension::speed);
-  }
-  const std::size_t count = words.words.size();
-  if (count < 2) return false;
-  const std::string& last = words.words[count - 1];
-  // A lone m or in may be another word.
-  const bool is_length = last == "mm" || last == "cm";
-  return is_length || (count > 2 && is_one(words.words[count - 2] + "/" + last, Dimension::speed));
-}
-
-namespace {
-
-bool is_known_unit(std::string_view text) {
-  constexpr std::array dimensions{Dimension::force,  Dimension::speed, Dimension::temperature,
-                                  Dimension::length, Dimension::angle, Dimension::time};
-  return std::any_of(dimensions.begin(), dimensions.end(),
-                     [&](Dimension dimension) { return find_unit(text, dimension).has_value(); });
-}
-
-}  // namespace
-
-std::optional<ColumnName> tension_in_no_unit_of_force(std::string_view name) {
-  const NameWords words = words_of(name);
-  if (!words.bracketed || is_known_unit(*words.bracketed)) return std::nullopt;
-  const std::string before(name.substr(0, name.find_last_of("[(")));
-  const auto named = try_column_named(before + "[N]");
-  return named && is_of_sensor(named->role) ? named : std::nullopt;
-}
-
 namespace {
 
 using Columns = std::vector<DataColumn>;
@@ -85,8 +27,6 @@ CellRange range_in_log(DataRole role) {
 }
 
 constexpr FileKind log_of_a_rig{[](DataRole) { return true; }, range_in_log};
-
-bool has(const Columns& columns, DataRole role) { return find_column(columns, role).has_value(); }
 
 // What samples are averaged to has columns of its own.
 bool is_of_means(DataRole role) {
@@ -140,121 +80,146 @@ std::string clock_or_its_name(const Columns& columns, const std::string& map_opt
                      names, map_option);
 }
 
-void choose_clock(HeaderColumns& header, const std::string& map_option, HeaderFaults& faults) {
-  std::vector<std::size_t> clocks;
+void choose_clock(Header& header, const std::string& map_option) {
+  const Columns& columns = header.columns();
   int highest = 0;
-  for (std::size_t i = 0; i < header.columns.size(); ++i) {
-    if (header.columns[i].role != DataRole::time) continue;
-    const int rank = rank_of_clock(header.columns[i]);
-    if (rank > highest) {
-      for (const std::size_t other : clocks) make_covariate(header, other);
-      clocks.clear();
-    }
-    highest = std::max(highest, rank);
-    if (rank < highest) {
-      make_covariate(header, i);
+  for (const DataColumn& column : columns) {
+    if (column.role == DataRole::time) highest = std::max(highest, rank_of_clock(column));
+  }
+  std::size_t clocks = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].role != DataRole::time) continue;
+    if (rank_of_clock(columns[i]) < highest) {
+      header.make_covariate(i);
     } else {
-      clocks.push_back(i);
+      ++clocks;
     }
   }
-  if (clocks.size() == 1) return;
-  faults.add(
-      {.what =
-           fmt::format("the header has {} column of time", clocks.empty() ? "no" : "more than one"),
-       .expected = clocks.empty() ? clock_or_its_name(header.columns, map_option) : clock_names});
+  if (clocks == 1) return;
+  header.fail({.what = fmt::format("the header has {} column of time",
+                                   clocks == 0 ? "no" : "more than one"),
+               .expected = clocks == 0 ? clock_or_its_name(columns, map_option) : clock_names});
+}
+
+void refuse_columns_of_means(Header& header) {
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    if (!is_of_means(header.columns()[i].role)) continue;
+    header.fail_column(i,
+                       "another name: readings have a column of that name, for what "
+                       "samples are averaged to");
+    header.set_role(i, DataRole::no_name);
+  }
 }
 
 // One tension alone can be compared with nothing.
-void require_comparable(const Columns& columns, HeaderFaults& faults) {
+void require_comparable(Header& header) {
+  if (header.has_bad_column()) return;
+  const Columns& columns = header.columns();
   const auto tensions = std::count_if(columns.begin(), columns.end(), [](const DataColumn& column) {
     return column.role == DataRole::tension;
   });
-  if (tensions >= 2 || (tensions == 1 && has(columns, DataRole::motor_tension))) return;
-  faults.add({.what = tensions == 0 ? "the header has no column of tensions"
-                                    : "the header has one column of tensions",
-              .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
-                          "(motor-side segment) or Th1_N (stretch at the hand), or two "
-                          "without it"});
+  if (tensions >= 2 || (tensions == 1 && header.has(DataRole::motor_tension))) return;
+  header.fail({.what = tensions == 0 ? "the header has no column of tensions"
+                                     : "the header has one column of tensions",
+               .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
+                           "(motor-side segment) or Th1_N (stretch at the hand), or two "
+                           "without it"});
+}
+
+constexpr std::array words_of_motion{"position", "pos",          "speed", "velocity",
+                                     "vel",      "displacement", "travel"};
+
+// True if the name has such a word: "position_rev", "Carriage speed".
+bool says_motion(std::string_view name) {
+  const NameWords words = words_of(name);
+  return std::any_of(words.words.begin(), words.words.end(), [](const std::string& word) {
+    return std::find(words_of_motion.begin(), words_of_motion.end(), word) != words_of_motion.end();
+  });
+}
+
+// True of "x_mm", "Weg [mm]".
+bool has_unit_of_motion(std::string_view name) {
+  const auto is_speed = [](const std::string& text) {
+    return find_unit(text, Dimension::speed).has_value();
+  };
+  const NameWords words = words_of(name);
+  if (words.bracketed) {
+    return is_speed(*words.bracketed) || find_unit(*words.bracketed, Dimension::length);
+  }
+  const std::size_t count = words.words.size();
+  if (count < 2) return false;
+  const std::string& last = words.words[count - 1];
+  // A lone m or in may be another word.
+  const bool is_length = last == "mm" || last == "cm";
+  return is_length || (count > 2 && is_speed(words.words[count - 2] + "/" + last));
 }
 
 // Without a motion other samples are steady than with one, so that none may be missed.
-void require_no_missed_motion(HeaderColumns& header, HeaderFaults& faults) {
-  if (has(header.columns, DataRole::position) || has(header.columns, DataRole::speed)) return;
-  for (std::size_t i = 0; i < header.columns.size(); ++i) {
-    const DataColumn& column = header.columns[i];
+void require_no_missed_motion(Header& header) {
+  if (header.has(DataRole::position) || header.has(DataRole::speed)) return;
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    const DataColumn& column = header.columns()[i];
     if (column.role != DataRole::covariate) continue;
     if (says_motion(column.name)) {
-      faults.add_column(
+      header.fail_column(
           i, fmt::format("the carriage's position with a unit of length ({}), its speed with one "
                          "of speed ({}), or another name if it is neither",
                          unit_names(Dimension::length), unit_names(Dimension::speed)));
     } else if (has_unit_of_motion(column.name)) {
-      header.notes.push_back(
-          {NoteKind::covariate,
-           fmt::format("column '{}' is in a unit of length or speed: it is not read as the "
-                       "carriage's position or speed, which are position_mm and speed_mm_s",
-                       for_message(column.name)),
-           {}});
+      header.note_covariate(
+          fmt::format("column '{}' is in a unit of length or speed: it is not read as the "
+                      "carriage's position or speed, which are position_mm and speed_mm_s",
+                      for_message(column.name)));
     }
   }
+}
+
+// Returns the tension that a column would be in another unit: "T3 [V]", "Motor Tension (Nm)".
+// Nothing of a name whose unit tells another quantity, such as the temperature "T3 [°C]".
+std::optional<ColumnName> tension_in_no_unit_of_force(std::string_view name) {
+  const NameWords words = words_of(name);
+  if (!words.bracketed || is_unit(*words.bracketed)) return std::nullopt;
+  const std::string before(name.substr(0, name.find_last_of("[(")));
+  const auto named = try_column_named(before + "[N]");
+  return named && is_of_sensor(named->role) ? named : std::nullopt;
 }
 
 // Without the motor tension other samples are steady than with it, and what is left are shares. Of
 // another tension it is enough to say that readings will not have it.
-void require_no_missed_tension(HeaderColumns& header, HeaderFaults& faults) {
-  for (std::size_t i = 0; i < header.columns.size(); ++i) {
-    const std::string& name = header.columns[i].name;
-    if (header.columns[i].role != DataRole::covariate) continue;
-    const auto meant = tension_in_no_unit_of_force(name);
+void require_no_missed_tension(Header& header) {
+  const std::string units = unit_names(Dimension::force);
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    const DataColumn& column = header.columns()[i];
+    if (column.role != DataRole::covariate) continue;
+    const auto meant = tension_in_no_unit_of_force(column.name);
     if (!meant) continue;
-    const std::string units = unit_names(Dimension::force);
-    if (meant->role == DataRole::motor_tension && !has(header.columns, DataRole::motor_tension)) {
-      faults.add_column(i, fmt::format("the motor tension with a unit of force ({}), or another "
-                                       "name if it is none",
-                                       units));
+    if (meant->role == DataRole::motor_tension && !header.has(DataRole::motor_tension)) {
+      header.fail_column(i, fmt::format("the motor tension with a unit of force ({}), or another "
+                                        "name if it is none",
+                                        units));
       continue;
     }
-    header.notes.push_back(
-        {NoteKind::covariate,
-         fmt::format("column '{}' has the name of a tension and no unit of force ({}): it is "
-                     "averaged as it is, and readings do not have it as {}",
-                     for_message(name), units, plain_name(*meant)),
-         {}});
-  }
-}
-
-void refuse_columns_of_means(Columns& columns, HeaderFaults& faults) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!is_of_means(columns[i].role)) continue;
-    faults.add_column(i,
-                      "another name: readings have a column of that name, for what "
-                      "samples are averaged to");
-    columns[i].role = DataRole::no_name;
+    header.note_covariate(
+        fmt::format("column '{}' has the name of a tension and no unit of force ({}): it is "
+                    "averaged as it is, and readings do not have it as {}",
+                    for_message(column.name), units, plain_name(*meant)));
   }
 }
 
 }  // namespace
 
-std::optional<double> clock_unit(std::string_view column) {
-  const auto named = try_column_named(column);
-  if (!named || named->role != DataRole::time) return std::nullopt;
-  return named->unit ? named->unit->factor : 1;
-}
-
 DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                              const ReadingOptions& options, FaultList& faults) {
-  HeaderFaults at_header(csv, faults);
-  HeaderColumns header = read_header(csv, units, options, log_of_a_rig, at_header);
-  choose_clock(header, options.map_option, at_header);
-  refuse_columns_of_means(header.columns, at_header);
-  for (DataColumn& column : header.columns) {
-    if (!is_used(column)) column.role = DataRole::covariate;
+  Header header(csv, units, options, log_of_a_rig, faults);
+  choose_clock(header, options.map_option);
+  refuse_columns_of_means(header);
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    if (!is_used(header.columns()[i])) header.set_role(i, DataRole::covariate);
   }
-  // It may be the one that cannot be read.
-  if (!header.has_bad_column) require_comparable(header.columns, at_header);
-  require_no_missed_motion(header, at_header);
-  require_no_missed_tension(header, at_header);
-  return {std::move(header.columns), header_notes(header, units)};
+  require_comparable(header);
+  require_no_missed_motion(header);
+  require_no_missed_tension(header);
+  return header.finish();
 }
 
 }  // namespace reeve::readings

@@ -4,37 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <utility>
 
 #include "numerics/robust.hpp"
 
 namespace reeve::readings {
-
-void SaidDirections::add(const std::string& run, std::optional<Direction> said,
-                         std::optional<Direction> moved, std::size_t line) {
-  if (!said || !moved) return;
-  Lines& lines = lines_[{run, *said}];
-  (*said == *moved ? lines.as_said : lines.otherwise).push_back(line);
-}
-
-std::optional<DataNote> SaidDirections::note() const {
-  DataNote result{NoteKind::against_motion,
-                  "the column 'direction' says one direction while the carriage moves one way and "
-                  "the other, in one run: readings have what the column says, and where it is not "
-                  "the motion it is wrong here, or, if the position counts the other way, "
-                  "everywhere else",
-                  {}};
-  for (const auto& [key, lines] : lines_) {
-    if (lines.as_said.empty()) continue;
-    result.lines.insert(result.lines.end(), lines.otherwise.begin(), lines.otherwise.end());
-  }
-  if (result.lines.empty()) return std::nullopt;
-  std::sort(result.lines.begin(), result.lines.end());
-  return result;
-}
-
 namespace {
 
 constexpr double standard_errors = 3;
@@ -64,7 +37,58 @@ MedianLoad median_load(const std::vector<SteadyReading>& readings, Direction dir
   return result;
 }
 
+// Returns a note on the readings that lack a channel which some of their samples have.
+template <typename HasMean>
+std::optional<DataNote> sparse_channel(const LoggedSeries& series, const LoggedSignal& signal,
+                                       const std::vector<SteadyReading>& readings,
+                                       HasMean has_mean) {
+  DataNote note{NoteKind::sparse, ""};
+  std::size_t samples = 0;
+  std::size_t missing = 0;
+  for (const SteadyReading& reading : readings) {
+    if (has_mean(reading)) continue;
+    const std::size_t all = reading.end - reading.begin;
+    std::size_t none = 0;
+    for (std::size_t i = reading.begin; i < reading.end; ++i) {
+      none += std::isnan(signal.values[i]) ? 1 : 0;
+    }
+    if (none == all) continue;
+    samples += all;
+    missing += none;
+    note.lines.push_back(series.lines[reading.begin]);
+  }
+  if (note.lines.empty()) return std::nullopt;
+  const double share = static_cast<double>(missing) / static_cast<double>(samples);
+  note.text = fmt::format(
+      "{} is missing in {:.0f} % of the samples of {} of the readings, which therefore do not have "
+      "it: of a sensor that is logged more seldom than the others keep the rows that have it",
+      signal.name, 100 * share, note.lines.size());
+  return note;
+}
+
 }  // namespace
+
+void SaidDirections::add(const std::string& run, std::optional<Direction> said,
+                         std::optional<Direction> moved, std::size_t line) {
+  if (!said || !moved) return;
+  Lines& lines = lines_[{run, *said}];
+  (*said == *moved ? lines.as_said : lines.otherwise).push_back(line);
+}
+
+std::optional<DataNote> SaidDirections::note() const {
+  DataNote result{NoteKind::against_motion,
+                  "the column 'direction' says one direction while the carriage moves one way and "
+                  "the other, in one run: readings have what the column says, and where it is not "
+                  "the motion it is wrong here, or, if the position counts the other way, "
+                  "everywhere else"};
+  for (const auto& [key, lines] : lines_) {
+    if (lines.as_said.empty()) continue;
+    result.lines.insert(result.lines.end(), lines.otherwise.begin(), lines.otherwise.end());
+  }
+  if (result.lines.empty()) return std::nullopt;
+  std::sort(result.lines.begin(), result.lines.end());
+  return result;
+}
 
 std::optional<DataNote> reversed_motion(const std::vector<SteadyReading>& readings,
                                         double tolerance) {
@@ -79,62 +103,24 @@ std::optional<DataNote> reversed_motion(const std::vector<SteadyReading>& readin
       fmt::format("the motor tension is less while pulling (median {:.3g} N) than while releasing "
                   "({:.3g} N), and friction makes it more: does the position or speed count the "
                   "other way?",
-                  pull.median_N, release.median_N),
-      {}};
+                  pull.median_N, release.median_N)};
 }
-
-namespace {
-
-// Of the readings that lack a channel which some of their samples have.
-struct Sparse {
-  std::size_t readings = 0;
-  std::size_t samples = 0;
-  std::size_t missing = 0;
-  std::vector<std::size_t> lines;
-
-  void add(const LoggedSeries& series, const LoggedSignal& signal, const SteadyReading& reading) {
-    const auto at = [&](std::size_t i) {
-      return signal.values.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    const auto none = static_cast<std::size_t>(std::count_if(
-        at(reading.begin), at(reading.end), [](double value) { return std::isnan(value); }));
-    const std::size_t all = reading.end - reading.begin;
-    if (none == all) return;
-    ++readings;
-    samples += all;
-    missing += none;
-    lines.push_back(series.lines[reading.begin]);
-  }
-
-  DataNote note(const LoggedSignal& signal) const {
-    const double share = static_cast<double>(missing) / static_cast<double>(samples);
-    return {NoteKind::sparse,
-            fmt::format("{} is missing in {:.0f} % of the samples of {} of the readings, which "
-                        "therefore do not have it: of a sensor that is logged more seldom than "
-                        "the others keep the rows that have it",
-                        signal.name, 100 * share, readings),
-            lines};
-  }
-};
-
-}  // namespace
 
 std::vector<DataNote> sparse_channels(const LoggedSeries& series,
                                       const std::vector<SteadyReading>& readings) {
   std::vector<DataNote> notes;
-  const auto look_at = [&](const LoggedSignal& signal, const auto& mean_in) {
-    if (!signal.is_logged()) return;
-    Sparse sparse;
-    for (const SteadyReading& reading : readings) {
-      if (!mean_in(reading)) sparse.add(series, signal, reading);
-    }
-    if (sparse.readings > 0) notes.push_back(sparse.note(signal));
+  const auto add = [&](std::optional<DataNote> note) {
+    if (note) notes.push_back(std::move(*note));
   };
-  look_at(series.motor_tension_N,
-          [](const SteadyReading& reading) { return reading.motor_tension_N.has_value(); });
+  if (series.motor_tension_N.is_logged()) {
+    add(sparse_channel(series, series.motor_tension_N, readings, [](const SteadyReading& reading) {
+      return reading.motor_tension_N.has_value();
+    }));
+  }
   for (std::size_t i = 0; i < series.tensions_N.size(); ++i) {
-    look_at(series.tensions_N[i],
-            [i](const SteadyReading& reading) { return reading.tensions_N[i].has_value(); });
+    add(sparse_channel(series, series.tensions_N[i], readings, [i](const SteadyReading& reading) {
+      return reading.tensions_N[i].has_value();
+    }));
   }
   return notes;
 }

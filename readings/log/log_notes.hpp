@@ -1,6 +1,4 @@
-// Tensions that readings do not have, since the log has them too seldom: a mean is made of a
-// channel that at least half of a reading's samples have (steady_reading.hpp). A channel that has
-// no value there at all is off, and no matter of this.
+// What a log says of itself that does not go together, or is less than it seems.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +10,12 @@
 
 #include "core/grasp.hpp"
 #include "readings/log/steady_reading.hpp"
-#include "readings/note.hpp"
 
 namespace reeve::readings {
 
 // What a log's column `direction` says, beside how the carriage moves. A position may count the
 // other way, and then motion and column differ throughout; but where within one run the column says
 // one direction of both motions, it is wrong of one of them.
-
 class SaidDirections {
  public:
   // Of a stretch that begins at that line; nothing is added where either is unknown.
@@ -44,11 +40,13 @@ class SaidDirections {
 // by more than the tolerance and three standard errors of the two medians, loads that differ
 // included. A controller that holds the motor tension makes it say nothing. (Nor is a single strand
 // as good a witness: where a finger is held, one may carry less while the carriage releases.)
-
 std::optional<DataNote> reversed_motion(const std::vector<SteadyReading>& readings,
                                         double tolerance);
 
-// One note for each such channel, with the share that is missing.
+// Returns a note for each tension that readings do not have, since the log has it too seldom, with
+// the share that is missing: a mean is made of a channel that at least half of a reading's samples
+// have (steady_reading.hpp). A channel that has no value there at all is off, and no matter of
+// this.
 std::vector<DataNote> sparse_channels(const LoggedSeries& series,
                                       const std::vector<SteadyReading>& readings);
 

@@ -3,55 +3,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "readings/column_name.hpp"
-#include "readings/csv.hpp"
 #include "readings/log/log_clock.hpp"
 #include "readings/log/log_columns.hpp"
-#include "readings/log/recordings.hpp"
 #include "readings/rows.hpp"
 
 namespace reeve::readings {
-
-void LogWords::add(std::string_view word, std::size_t samples) {
-  auto found = known_.find(word);
-  if (found == known_.end()) {
-    found = known_.emplace(word, static_cast<std::uint32_t>(words_.size())).first;
-    words_.push_back(&found->first);
-  }
-  ids_.insert(ids_.end(), samples, found->second);
-}
-
-bool LogWords::are_labels() const {
-  constexpr std::size_t least_samples = 5;
-  return changes() * least_samples <= ids_.size() && !are_times_of_day();
-}
-
-std::size_t LogWords::changes() const {
-  std::size_t count = 0;
-  for (std::size_t i = 1; i < ids_.size(); ++i) count += ids_[i] != ids_[i - 1] ? 1 : 0;
-  return count;
-}
-
-bool LogWords::are_times_of_day() const {
-  bool any = false;
-  for (const std::string* word : words_) {
-    if (word->empty()) continue;
-    if (!is_time_of_day(*word)) return false;
-    any = true;
-  }
-  return any;
-}
-
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// A column of a log that has words: labels, which stay for a while, or what goes with the samples,
+// such as a clock on the wall. A log that is cut where the latter change has no steady stretch.
+class LogWords {
+ public:
+  // Of the next samples.
+  void add(std::string_view word, std::size_t samples = 1) {
+    auto found = known_.find(word);
+    if (found == known_.end()) {
+      found = known_.emplace(word, static_cast<std::uint32_t>(words_.size())).first;
+      words_.push_back(&found->first);
+    }
+    ids_.insert(ids_.end(), samples, found->second);
+  }
+
+  // Equal for equal words.
+  std::uint32_t id(std::size_t sample) const { return ids_[sample]; }
+  const std::string& word(std::size_t sample) const { return *words_[ids_[sample]]; }
+
+  // True if they label: no times of day, alone or behind a date, and on average each stays over as
+  // many samples as the shortest reading has.
+  bool are_labels() const {
+    constexpr std::size_t least_samples = 5;
+    std::size_t changes = 0;
+    for (std::size_t i = 1; i < ids_.size(); ++i) changes += ids_[i] != ids_[i - 1] ? 1 : 0;
+    return changes * least_samples <= ids_.size() && !are_times_of_day();
+  }
+
+ private:
+  bool are_times_of_day() const {
+    bool any = false;
+    for (const std::string* word : words_) {
+      if (word->empty()) continue;
+      if (!is_time_of_day(*word)) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  std::map<std::string, std::uint32_t, std::less<>> known_;
+  std::vector<const std::string*> words_;  // by id
+  std::vector<std::uint32_t> ids_;
+};
 
 bool is_label(DataRole role) {
   return role == DataRole::run || role == DataRole::routing || role == DataRole::held ||
@@ -68,7 +77,6 @@ class LogReader {
         faults_(faults),
         cells_(csv, columns, faults),
         clock_(find_column(columns, DataRole::time)),
-        tare_(columns.size()),
         values_(columns.size()) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       values_[c].is_text = is_label(columns[c].role);
@@ -76,26 +84,27 @@ class LogReader {
   }
 
   void read(const CsvRow& row) {
-    if (row.ragged) return faults_.add(row.line, "rows of another length", *row.ragged);
-    if (clock_ && is_date_or_time(trimmed(row.fields[*clock_]))) {
-      refuse_date(row);
-      CsvRow rest = row;  // all else that is wrong there is told, too
-      rest.fields[*clock_] = "0";
-      return read_cells(rest);
+    if (row.ragged || !clock_ || !is_date_or_time(trimmed(row.fields[*clock_]))) {
+      return read_cells(row);
     }
-    read_cells(row);
+    refuse_date(row);
+    CsvRow rest = row;  // all else that is wrong there is told, too
+    rest.fields[*clock_] = "0";
+    read_cells(rest);
   }
 
   LoggedSeries finish() {
     series_.file = csv_.name();
     set_labels();
     for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
-    if (!cells_.lines_without_name().empty()) {
-      series_.notes.push_back({NoteKind::passed_over,
-                               "cells in columns without a name are not read",
-                               cells_.lines_without_name()});
+    for (const std::size_t line : cells_.lines_of_zeros()) {
+      const auto below = std::lower_bound(series_.lines.begin(), series_.lines.end(), line);
+      series_.zeroed_at.push_back(static_cast<std::size_t>(below - series_.lines.begin()));
     }
-    for (DataNote& note : tare_.notes()) series_.notes.push_back(std::move(note));
+    series_.zeroed_at.erase(std::unique(series_.zeroed_at.begin(), series_.zeroed_at.end()),
+                            series_.zeroed_at.end());
+    cells_.note_cells_without_name(series_.notes);
+    cells_.note_zeros(series_.notes);
     return std::move(series_);
   }
 
@@ -115,14 +124,12 @@ class LogReader {
         {.expected = "the time of each sample as a number, such as its seconds: dates and times of "
                      "day are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in "
                      "column A)"});
-    faults_.add(row.line, in_column(columns_[*clock_]), cells_.fault(row, *clock_, refused));
+    cells_.add_fault(row, *clock_, refused, faults_);
   }
 
   void read_cells(const CsvRow& row) {
-    RowCells::Numbers numbers = cells_.numbers(row);
-    if (is_tare(cells_, row)) return add_zeros(row, numbers);
-    tare_.close();
-    take_zeros(tare_, columns_, numbers);
+    const std::optional<RowCells::Numbers> numbers = cells_.numbers(row);
+    if (!numbers) return;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const DataRole role = columns_[i].role;
       if (role == DataRole::time) require_time(row, i);
@@ -131,18 +138,10 @@ class LogReader {
       } else if (is_label(role)) {
         values_[i].words.add(label(row, i));
       } else if (is_of_numbers(role)) {
-        values_[i].numbers.push_back(numbers[i].value_or(missing));
+        values_[i].numbers.push_back((*numbers)[i].value_or(missing));
       }
     }
     series_.lines.push_back(row.line);
-  }
-
-  void add_zeros(const CsvRow& row, const RowCells::Numbers& zeros) {
-    const std::size_t next = series_.lines.size();
-    if (series_.zeroed_at.empty() || series_.zeroed_at.back() != next) {
-      series_.zeroed_at.push_back(next);
-    }
-    tare_.add(row.line, zeros);
   }
 
   void require_time(const CsvRow& row, std::size_t column) {
@@ -153,13 +152,11 @@ class LogReader {
   }
 
   std::string_view label(const CsvRow& row, std::size_t column) {
-    return cells_
-        .at(row, column,
-            [](std::string_view text) {
-              require_short_name(text);
-              return text;
-            })
-        .value_or("");
+    const auto text = cells_.at(row, column, [](std::string_view label) {
+      require_short_name(label);
+      return label;
+    });
+    return text.value_or("");
   }
 
   // The first cell that is not empty tells numbers from text.
@@ -171,13 +168,10 @@ class LogReader {
       values.is_text = !is_number(row, column);
       if (values.is_text) values.words.add("", series_.lines.size());
     }
-    if (values.is_text) {
-      values.words.add(text);
-    } else {
-      const auto number =
-          cells_.at(row, column, [&](std::string_view) { return cells_.covariate(row, column); });
-      values.numbers.push_back(number.value_or(std::nullopt).value_or(missing));
-    }
+    if (values.is_text) return values.words.add(text);
+    const auto number =
+        cells_.at(row, column, [&](std::string_view) { return cells_.covariate(row, column); });
+    values.numbers.push_back(number.value_or(std::nullopt).value_or(missing));
   }
 
   bool is_number(const CsvRow& row, std::size_t column) {
@@ -249,10 +243,10 @@ class LogReader {
         series_.has_held = true;
         break;
       case DataRole::covariate:
-        if (!values_[column].is_text) {
-          series_.others.push_back(std::move(signal));
-        } else {
+        if (values_[column].is_text) {
           note_text(column);
+        } else {
+          series_.others.push_back(std::move(signal));
         }
         break;
       default:
@@ -265,17 +259,15 @@ class LogReader {
     if (parts_the_log(column)) {
       series_.notes.push_back(
           {NoteKind::covariate,
-           fmt::format("column '{}' holds text: the log is cut where it changes, and readings "
-                       "do not have it",
-                       name),
-           {}});
+           fmt::format("column '{}' holds text: the log is cut where it changes, and readings do "
+                       "not have it",
+                       name)});
     } else {
       series_.notes.push_back(
           {NoteKind::passed_over,
-           fmt::format("column '{}' holds times of day, or text that changes every few samples: "
-                       "it is not read",
-                       name),
-           {}});
+           fmt::format("column '{}' holds times of day, or text that changes every few samples: it "
+                       "is not read",
+                       name)});
     }
   }
 
@@ -285,17 +277,9 @@ class LogReader {
   RowCells cells_;
   std::optional<std::size_t> clock_;
   bool has_dates_ = false;
-  Tare tare_;
   std::vector<Values> values_;  // by column
   LoggedSeries series_;
 };
-
-void take_comments(const CsvReader& csv, LoggedSeries& series) {
-  for (const CsvComment& comment : csv.comments()) {
-    series.simulated |= says_simulated(comment.text);
-    if (comment.line < csv.header().line) series.comments.push_back(comment.text);
-  }
-}
 
 LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   FaultList faults;
@@ -306,21 +290,24 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   faults.throw_any(csv.name());
   LoggedSeries series = rows.finish();
   require_rows(csv, series.lines.size(), series.notes);
-  series.notes.insert(series.notes.begin(), columns.notes.begin(), columns.notes.end());
-  take_comments(csv, series);
-  if (auto note = spread_repeated_times(series)) series.notes.push_back(std::move(*note));
-  const DataColumn& clock = columns.columns[*find_column(columns.columns, DataRole::time)];
-  if (clock.unit_is_assumed) {
-    auto doubt = doubt_of_seconds(series, clock.name, options.map_option);
-    if (doubt) series.notes.push_back(std::move(*doubt));
+  std::move(series.notes.begin(), series.notes.end(), std::back_inserter(columns.notes));
+  series.notes = std::move(columns.notes);
+  for (const CsvComment& comment : csv.comments()) {
+    series.simulated |= says_simulated(comment.text);
+    if (comment.line < csv.header().line) series.comments.push_back(comment.text);
   }
-  if (auto doubt = doubt_of_fast_clock(series, clock, options)) {
-    series.notes.push_back(std::move(*doubt));
-  }
+  check_clock(series, columns.columns[*find_column(columns.columns, DataRole::time)], options);
   return series;
 }
 
 }  // namespace
+
+std::vector<const LoggedSignal*> LoggedSeries::sensors() const {
+  std::vector<const LoggedSignal*> all;
+  if (motor_tension_N.is_logged()) all.push_back(&motor_tension_N);
+  for (const LoggedSignal& tension : tensions_N) all.push_back(&tension);
+  return all;
+}
 
 LoggedSeries read_logged_series(const std::filesystem::path& path, const ReadingOptions& options) {
   return read(CsvReader::open(path), options);

@@ -2,50 +2,20 @@
 // Neighbouring samples share most of their noise, so they are no readings; steady_readings.hpp
 // makes readings of them.
 //
-// A cell that is empty or says so (csv_number.hpp) is a missing value, and NaN here. Samples that
+// A cell that is empty or says so (is_missing) is a missing value, and NaN here. Samples that
 // cannot be read are errors that name line and column, all of them; nothing is dropped. Rows of
-// zeros (intake/tare.hpp) are no samples: they are taken off those below, and cut the log.
+// zeros (rows.hpp) are no samples: they are taken off those below, and cut the log.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "numerics/floors.hpp"
 #include "readings/note.hpp"
 #include "readings/reading_options.hpp"
 
 namespace reeve::readings {
-
-// A column of a log that has words: labels, which stay for a while, or what goes with the samples,
-// such as a clock on the wall. A log that is cut where the latter change has no steady stretch.
-
-class LogWords {
- public:
-  // Of the next samples.
-  void add(std::string_view word, std::size_t samples = 1);
-
-  std::size_t size() const { return ids_.size(); }
-  // Equal for equal words.
-  std::uint32_t id(std::size_t sample) const { return ids_[sample]; }
-  const std::string& word(std::size_t sample) const { return *words_[ids_[sample]]; }
-
-  // Whether they label: no times of day, alone or behind a date, and on average each stays over as
-  // many samples as the shortest reading has.
-  bool are_labels() const;
-
- private:
-  std::size_t changes() const;
-  bool are_times_of_day() const;
-
-  std::map<std::string, std::uint32_t, std::less<>> known_;
-  std::vector<const std::string*> words_;  // by id
-  std::vector<std::uint32_t> ids_;
-};
 
 struct LoggedSignal {
   std::string name;            // as docs write it; "" if the log has no such column
@@ -85,6 +55,8 @@ struct LoggedSeries {
   std::vector<DataNote> notes;
 
   std::size_t size() const { return time_s.size(); }
+  // The motor tension, if it is logged, and the tensions.
+  std::vector<const LoggedSignal*> sensors() const;
 };
 
 // Both throw InputError. `name` stands for the file in messages.

@@ -8,10 +8,8 @@
 
 #include "core/error.hpp"
 #include "numerics/robust.hpp"
-#include "readings/csv.hpp"
 
 namespace reeve::readings {
-
 namespace {
 
 constexpr std::size_t samples_per_set_back = 20;
@@ -25,8 +23,31 @@ void require_a_clock(const LoggedSeries& series, const std::vector<std::size_t>&
        .expected = "rows in the order of their time"});
 }
 
-// Of a clock that counts seconds since 1970, as most do that show a date.
-double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
+double median_within(const LoggedSignal& signal, std::size_t begin, std::size_t end) {
+  if (!signal.is_logged()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at = signal.values.begin();
+  return median({at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)});
+}
+
+SeriesBlock block_of(const LoggedSeries& series, std::size_t begin, std::size_t end) {
+  SeriesBlock block;
+  block.begin = begin;
+  block.end = end;
+  for (std::size_t i = begin; i < end; ++i) {
+    block.time_s += series.time_s[i] / static_cast<double>(end - begin);
+  }
+  block.position_mm = median_within(series.position_mm, begin, end);
+  block.speed_mm_s = median_within(series.speed_mm_s, begin, end);
+  double sum_N = 0;
+  for (const LoggedSignal& tension : series.tensions_N) {
+    block.tensions_N.push_back(median_within(tension, begin, end));
+    if (!std::isnan(block.tensions_N.back())) sum_N += block.tensions_N.back();
+  }
+  block.load_N = series.motor_tension_N.is_logged()
+                     ? median_within(series.motor_tension_N, begin, end)
+                     : sum_N;
+  return block;
+}
 
 }  // namespace
 
@@ -57,55 +78,6 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
   }
   return steps.empty() ? 0 : median(std::move(steps));
 }
-
-std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
-                                         const std::string& map_option) {
-  constexpr double long_step_s = 1;  // twice as long as a reading lasts at least
-  constexpr double last_year = 2100;
-  const double step_s = usual_step(series, {{0, series.size(), 0}});
-  const double year = year_at(*std::max_element(series.time_s.begin(), series.time_s.end()));
-  if (step_s < long_step_s && year <= last_year) return std::nullopt;
-  std::string text = fmt::format(
-      "the clock '{}' has no unit: in seconds its samples are mostly "
-      "{:.3g} s apart",
-      for_message(clock), step_s);
-  if (year > last_year) text += fmt::format(", and it shows the year {:.0f}", year);
-  text += ". If it counts milliseconds, it is time_ms";
-  if (!map_option.empty()) {
-    text += fmt::format(", and {} '{}=time_ms' says so", map_option, for_message(clock));
-  }
-  return DataNote{NoteKind::clock, text, {}};
-}
-
-namespace {
-
-double median_within(const LoggedSignal& signal, std::size_t begin, std::size_t end) {
-  if (!signal.is_logged()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = signal.values.begin();
-  return median({at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)});
-}
-
-SeriesBlock block_of(const LoggedSeries& series, std::size_t begin, std::size_t end) {
-  SeriesBlock block;
-  block.begin = begin;
-  block.end = end;
-  for (std::size_t i = begin; i < end; ++i) {
-    block.time_s += series.time_s[i] / static_cast<double>(end - begin);
-  }
-  block.position_mm = median_within(series.position_mm, begin, end);
-  block.speed_mm_s = median_within(series.speed_mm_s, begin, end);
-  double sum_N = 0;
-  for (const LoggedSignal& tension : series.tensions_N) {
-    block.tensions_N.push_back(median_within(tension, begin, end));
-    if (!std::isnan(block.tensions_N.back())) sum_N += block.tensions_N.back();
-  }
-  block.load_N = series.motor_tension_N.is_logged()
-                     ? median_within(series.motor_tension_N, begin, end)
-                     : sum_N;
-  return block;
-}
-
-}  // namespace
 
 double block_width(double least_time_s, double usual_step_s) {
   constexpr double samples = 3;  // of which one may be wild

@@ -5,14 +5,21 @@
 //
 // A clock that goes back all the time is no clock: where it does so more than once in twenty
 // samples, that is an InputError which names the first line.
+//
+// Each is looked at in short blocks, in which every signal is its median, so that single wild
+// samples do not matter, and the time of the search is linear in the size of the log. A block lasts
+// a fifth of the least time that a reading shall last, and at least three steps of the clock.
+// Blocks without a sample are left out: neighbours in the list need not be so in time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "numerics/robust.hpp"
 #include "readings/log/logged_series.hpp"
 
 namespace reeve::readings {
@@ -33,19 +40,6 @@ Recordings recordings(const LoggedSeries& series);
 // Median of the steps of the clock that are not 0; 0 if there is none.
 double usual_step(const LoggedSeries& series, const std::vector<Recording>& parts);
 
-// If the unit of the clock is assumed, and makes steps that are long for a log of a carriage, or
-// dates to come: most loggers whose clock has no unit count milliseconds. `map_option` as in
-// ReadingOptions.
-std::optional<DataNote> doubt_of_seconds(const LoggedSeries& series, const std::string& clock,
-                                         const std::string& map_option);
-
-// A recording in short blocks, in which every signal is its median: what looks for steady
-// stretches looks at these, so that single wild samples do not matter, and its time is linear in
-// the size of the log.
-//
-// A block lasts a fifth of the least time that a reading shall last, and at least three steps of
-// the clock. Blocks without a sample are left out: neighbours in the list need not be so in time.
-
 inline constexpr std::size_t blocks_per_least_time = 5;
 
 struct SeriesBlock {
@@ -64,6 +58,22 @@ struct BlockStretch {
   std::size_t end = 0;
   std::optional<Direction> direction;  // nothing if the log does not say
 };
+
+// The median of a signal over the first and over the last third of blocks [begin, end).
+struct EndLevels {
+  double first = 0;
+  double last = 0;
+};
+template <typename Signal>
+EndLevels end_levels(std::size_t begin, std::size_t end, Signal signal) {
+  std::vector<double> first;
+  std::vector<double> last;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, (end - begin) / 3); ++i) {
+    first.push_back(signal(begin + i));
+    last.push_back(signal(end - 1 - i));
+  }
+  return {median(std::move(first)), median(std::move(last))};
+}
 
 double block_width(double least_time_s, double usual_step_s);
 

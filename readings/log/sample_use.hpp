@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "numerics/floors.hpp"
@@ -28,6 +29,12 @@ inline constexpr std::array all_sample_uses{
     SampleUse::slack,       SampleUse::no_direction, SampleUse::incomplete,
     SampleUse::copy,        SampleUse::spike,        SampleUse::too_few};
 
-const char* sample_use_name(SampleUse use);
+inline const char* sample_use_name(SampleUse use) {
+  constexpr std::array names{"taken",      "standstill",    "speed_varies", "load_varies",
+                             "settling",   "not_following", "slack",        "no_direction",
+                             "incomplete", "copy",          "spike",        "too_few"};
+  static_assert(names.size() == all_sample_uses.size());
+  return names[static_cast<std::size_t>(use)];
+}
 
 }  // namespace reeve::readings

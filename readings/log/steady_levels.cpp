@@ -62,16 +62,10 @@ class LevelSearch {
 
   // From the first third to the last.
   bool drifts(std::size_t begin, std::size_t end) const {
-    const std::size_t third = (end - begin) / 3;
     for (std::size_t k = 0; k < sums_.size(); ++k) {
-      std::vector<double> first;
-      std::vector<double> last;
-      for (std::size_t i = 0; i < third; ++i) {
-        first.push_back(level_signal(blocks_[begin + i], k));
-        last.push_back(level_signal(blocks_[end - 1 - i], k));
-      }
-      const double change = std::abs(median(std::move(last)) - median(std::move(first)));
-      if (change > allowed(k, blocks_[begin].load_N)) return true;
+      const EndLevels levels = end_levels(
+          begin, end, [&](std::size_t block) { return level_signal(blocks_[block], k); });
+      if (std::abs(levels.last - levels.first) > allowed(k, blocks_[begin].load_N)) return true;
     }
     return false;
   }

@@ -74,8 +74,9 @@ class Averaging {
             std::vector<SampleUse>& uses)
       : series_(series), begin_(begin), end_(end), tolerance_(tolerance), uses_(uses) {
     for (std::size_t i = begin; i < end; ++i) kept_.push_back(i);
-    choose(series.motor_tension_N);
-    for (const LoggedSignal& tension : series.tensions_N) choose(tension);
+    for (const LoggedSignal* sensor : series.sensors()) {
+      if (most_samples_have(*sensor)) chosen_.push_back(sensor);
+    }
   }
 
   std::optional<AveragedStretch> average() {
@@ -91,12 +92,10 @@ class Averaging {
   }
 
  private:
-  // A signal that most of the samples have.
-  void choose(const LoggedSignal& signal) {
-    if (!signal.is_logged()) return;
+  bool most_samples_have(const LoggedSignal& signal) const {
     const auto given = std::count_if(kept_.begin(), kept_.end(),
                                      [&](std::size_t i) { return !std::isnan(signal.values[i]); });
-    if (2 * static_cast<std::size_t>(given) >= kept_.size()) chosen_.push_back(&signal);
+    return 2 * static_cast<std::size_t>(given) >= kept_.size();
   }
 
   template <typename Test>

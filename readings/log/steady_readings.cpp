@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "numerics/robust.hpp"
 #include "readings/inverted.hpp"
 #include "readings/log/log_notes.hpp"
 #include "readings/log/recordings.hpp"
@@ -96,14 +95,9 @@ class SteadySearch {
 
   // Of the first and the last third.
   double change_of_load(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch) const {
-    std::vector<double> first;
-    std::vector<double> last;
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, (stretch.end - stretch.begin) / 3); ++i) {
-      first.push_back(blocks[stretch.begin + i].load_N);
-      last.push_back(blocks[stretch.end - 1 - i].load_N);
-    }
-    const double before = median(std::move(first));
-    return (median(std::move(last)) - before) / std::abs(before);
+    const EndLevels load_N = end_levels(stretch.begin, stretch.end,
+                                        [&](std::size_t block) { return blocks[block].load_N; });
+    return (load_N.last - load_N.first) / std::abs(load_N.first);
   }
 
   std::optional<Direction> said_direction(std::size_t part) const {
@@ -172,8 +166,7 @@ class SteadySearch {
       result_.notes.push_back(
           {NoteKind::no_motion,
            "the log has no position, and no speed that says when the carriage moves: readings are "
-           "steady levels of the tensions, and whether the tendon slides there is for you to know",
-           {}});
+           "steady levels of the tensions, and whether the tendon slides there is for you to know"});
     }
     note_missing_direction();
     note_staying_tensions();
@@ -193,8 +186,7 @@ class SteadySearch {
              "in {} samples the carriage moves, but the speed is nowhere below zero and the "
              "load stays, so that it may pull or release: no reading is made of them until "
              "a column 'direction' or whoever imports the log says which",
-             samples),
-         {}});
+             samples)});
   }
 
   void note_staying_tensions() {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "readings/data_notes.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve {

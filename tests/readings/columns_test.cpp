@@ -1,4 +1,4 @@
-#include "readings/columns.hpp"
+#include "readings/data_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "numerics/random.hpp"
-#include "readings/data_notes.hpp"
 #include "tests/readings/read_data.hpp"
 
 namespace reeve::testing {
