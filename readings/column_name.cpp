@@ -17,6 +17,7 @@ struct KnownName {
   const char* letters;
   const char* plain;
   DataRole role;
+  Dimension dimension = Dimension::none;
 };
 
 // Clocks in docs: seconds, where the name says no other unit.
@@ -27,18 +28,18 @@ constexpr std::array known_names{
     KnownName{"routing", "routing", DataRole::routing},
     KnownName{"held", "held", DataRole::held},
     KnownName{"direction", "direction", DataRole::direction},
-    KnownName{"motortension", "motor_tension_N", DataRole::motor_tension},
-    KnownName{"motortensionsd", "motor_tension_sd_N", DataRole::motor_deviation},
-    KnownName{"speed", "speed_mm_s", DataRole::speed},
+    KnownName{"motortension", "motor_tension_N", DataRole::motor_tension, Dimension::force},
+    KnownName{"motortensionsd", "motor_tension_sd_N", DataRole::motor_deviation, Dimension::force},
+    KnownName{"speed", "speed_mm_s", DataRole::speed, Dimension::speed},
     KnownName{"cycle", "cycle", DataRole::cycle},
-    KnownName{"temperature", "temperature_C", DataRole::temperature},
-    KnownName{"sheathangle", "sheath_angle_rad", DataRole::sheath_angle},
+    KnownName{"temperature", "temperature_C", DataRole::temperature, Dimension::temperature},
+    KnownName{"sheathangle", "sheath_angle_rad", DataRole::sheath_angle, Dimension::angle},
     KnownName{"readings", "readings", DataRole::readings},
-    KnownName{"time", "time_s", DataRole::time},
-    KnownName{"timestamp", "time_s", DataRole::time},
-    KnownName{"t", "time_s", DataRole::time},
-    KnownName{"position", "position_mm", DataRole::position},
-    KnownName{"pos", "position_mm", DataRole::position},
+    KnownName{"time", "time_s", DataRole::time, Dimension::time},
+    KnownName{"timestamp", "time_s", DataRole::time, Dimension::time},
+    KnownName{"t", "time_s", DataRole::time, Dimension::time},
+    KnownName{"position", "position_mm", DataRole::position, Dimension::length},
+    KnownName{"pos", "position_mm", DataRole::position, Dimension::length},
 };
 
 bool is_plain_clock(std::string_view text) {
@@ -190,25 +191,11 @@ std::optional<double> clock_unit(std::string_view name) {
 }
 
 Dimension dimension_of(DataRole role) {
-  switch (role) {
-    case DataRole::motor_tension:
-    case DataRole::tension:
-    case DataRole::deviation:
-    case DataRole::motor_deviation:
-      return Dimension::force;
-    case DataRole::speed:
-      return Dimension::speed;
-    case DataRole::temperature:
-      return Dimension::temperature;
-    case DataRole::sheath_angle:
-      return Dimension::angle;
-    case DataRole::time:
-      return Dimension::time;
-    case DataRole::position:
-      return Dimension::length;
-    default:
-      return Dimension::none;
+  if (role == DataRole::tension || role == DataRole::deviation) return Dimension::force;
+  for (const KnownName& known : known_names) {
+    if (known.role == role) return known.dimension;
   }
+  return Dimension::none;
 }
 
 bool is_of_sensor(DataRole role) {
@@ -216,18 +203,10 @@ bool is_of_sensor(DataRole role) {
 }
 
 bool is_of_numbers(DataRole role) {
-  switch (role) {
-    case DataRole::run:
-    case DataRole::routing:
-    case DataRole::held:
-    case DataRole::direction:
-    case DataRole::group:
-    case DataRole::no_name:
-    case DataRole::covariate:
-      return false;
-    default:
-      return true;
-  }
+  constexpr std::array others{DataRole::run,       DataRole::routing, DataRole::held,
+                              DataRole::direction, DataRole::group,   DataRole::no_name,
+                              DataRole::covariate};
+  return std::find(others.begin(), others.end(), role) == others.end();
 }
 
 std::string plain_name(const ColumnName& name) {

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/motor_sides.hpp"
 #include "numerics/robust.hpp"
@@ -20,8 +21,8 @@ struct PulledRow {
   std::size_t line = 0;
   bool assumed = false;  // nothing says that it was pulled
   double motor_N = 0;
-  std::vector<std::pair<std::size_t, double>> strands_N;  // by channel
-  std::optional<double> beside_sheaths_N;                 // Σ, if all are measured
+  std::vector<std::optional<double>> strands_N;  // by channel; nothing of other segments
+  std::optional<double> beside_sheaths_N;        // Σ, if all are measured
 };
 
 std::optional<double> sum_beside_sheaths(const MeasuredData& data, const Reading& reading) {
@@ -47,24 +48,21 @@ std::vector<PulledRow> pulled_rows(const MeasuredData& data) {
         !(reading.motor_tension_N.value_or(0) > 0)) {
       continue;
     }
-    PulledRow row{reading.line,
-                  reading.direction_assumed,
-                  *reading.motor_tension_N,
-                  {},
-                  sum_beside_sheaths(data, reading)};
+    PulledRow row{reading.line, reading.direction_assumed, *reading.motor_tension_N,
+                  reading.tension_N, sum_beside_sheaths(data, reading)};
+    bool has_strand = false;
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      if (data.channels[c].segment.kind == SegmentKind::strand && reading.tension_N[c]) {
-        row.strands_N.emplace_back(c, *reading.tension_N[c]);
-      }
+      if (data.channels[c].segment.kind != SegmentKind::strand) row.strands_N[c].reset();
+      has_strand |= row.strands_N[c].has_value();
     }
-    if (!row.strands_N.empty()) rows.push_back(std::move(row));
+    if (has_strand) rows.push_back(std::move(row));
   }
   return rows;
 }
 
 double greatest(const PulledRow& row) {
   double result = 0;
-  for (const auto& [channel, tension_N] : row.strands_N) result = std::max(result, tension_N);
+  for (const auto& tension_N : row.strands_N) result = std::max(result, tension_N.value_or(0));
   return result;
 }
 
@@ -87,21 +85,16 @@ bool breaks_release(const PulledRow& row) {
 
 // A cycle of which nobody wrote down where the carriage went back.
 bool broken_may_be_released(const std::vector<PulledRow>& rows) {
-  std::vector<PulledRow> broken;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(broken), breaks_pull);
-  return std::all_of(broken.begin(), broken.end(),
-                     [](const PulledRow& row) { return row.assumed; }) &&
-         mended(broken, breaks_release);
+  std::vector<PulledRow> broken = rows;
+  std::erase_if(broken, std::not_fn(breaks_pull));
+  return mended(broken, breaks_release) &&
+         std::all_of(broken.begin(), broken.end(),
+                     [](const PulledRow& row) { return row.assumed; });
 }
 
-bool breaks_exchanged(const PulledRow& row, std::size_t channel) {
-  const auto other = std::find_if(row.strands_N.begin(), row.strands_N.end(),
-                                  [&](const auto& strand) { return strand.first == channel; });
-  if (other == row.strands_N.end()) return breaks_pull(row);
-  PulledRow exchanged = row;
-  exchanged.strands_N[static_cast<std::size_t>(other - row.strands_N.begin())].second = row.motor_N;
-  exchanged.motor_N = other->second;
-  return breaks_pull(exchanged);
+bool breaks_exchanged(PulledRow row, std::size_t channel) {
+  if (row.strands_N[channel]) std::swap(*row.strands_N[channel], row.motor_N);
+  return breaks_pull(row);
 }
 
 // A unit so large that it mends anything is no explanation: some strand gets a fifth of the motor.

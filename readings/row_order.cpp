@@ -38,6 +38,34 @@ std::vector<std::size_t> new_places(const std::vector<std::size_t>& order) {
   return places;
 }
 
+// Rearranges what readings number, and gives them the new numbers. `number_of` returns a pointer to
+// a reading's number, null if it has none.
+template <typename T, typename NumberOf>
+void renumber(std::vector<T>& all, const std::vector<std::size_t>& order,
+              std::vector<Reading>& readings, NumberOf number_of) {
+  const std::vector<std::size_t> places = new_places(order);
+  rearrange(all, order);
+  for (Reading& reading : readings) {
+    if (std::size_t* number = number_of(reading)) *number = places[*number];
+  }
+}
+
+// … in the order in which the readings first have it.
+template <typename T, typename NumberOf>
+void renumber_as_met(std::vector<T>& all, std::vector<Reading>& readings, NumberOf number_of) {
+  std::vector<std::size_t> order;
+  std::vector<bool> met(all.size(), false);
+  const auto meet = [&](std::size_t i) {
+    if (!met[i]) order.push_back(i);
+    met[i] = true;
+  };
+  for (Reading& reading : readings) {
+    if (const std::size_t* number = number_of(reading)) meet(*number);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) meet(i);
+  renumber(all, order, readings, number_of);
+}
+
 void order_channels(MeasuredData& data) {
   std::vector<std::size_t> order = counted(data.channels.size());
   const auto key = [&](std::size_t c) {
@@ -60,9 +88,7 @@ void order_runs(MeasuredData& data) {
   std::vector<std::size_t> order = counted(data.runs.size());
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return natural_less(data.runs[a], data.runs[b]); });
-  const std::vector<std::size_t> places = new_places(order);
-  rearrange(data.runs, order);
-  for (Reading& reading : data.readings) reading.run = places[reading.run];
+  renumber(data.runs, order, data.readings, [](Reading& reading) { return &reading.run; });
 }
 
 void order_readings(MeasuredData& data) {
@@ -73,39 +99,6 @@ void order_readings(MeasuredData& data) {
   };
   std::sort(data.readings.begin(), data.readings.end(),
             [&](const Reading& a, const Reading& b) { return key(a) < key(b); });
-}
-
-// The old places of what readings number, as the readings first have them.
-template <typename Number>
-std::vector<std::size_t> as_met(const MeasuredData& data, std::size_t count, Number number_of) {
-  std::vector<std::size_t> order;
-  std::vector<bool> met(count, false);
-  const auto meet = [&](std::size_t i) {
-    if (!met[i]) order.push_back(i);
-    met[i] = true;
-  };
-  for (const Reading& reading : data.readings) {
-    if (const std::optional<std::size_t> number = number_of(reading)) meet(*number);
-  }
-  for (std::size_t i = 0; i < count; ++i) meet(i);
-  return order;
-}
-
-void order_routings(MeasuredData& data) {
-  const auto order = as_met(data, data.routings.size(),
-                            [](const Reading& reading) { return std::optional(reading.routing); });
-  const std::vector<std::size_t> places = new_places(order);
-  rearrange(data.routings, order);
-  for (Reading& reading : data.readings) reading.routing = places[reading.routing];
-}
-
-void order_groups(MeasuredData& data) {
-  const auto order = as_met(data, data.groups.size(), [](const Reading& r) { return r.group; });
-  const std::vector<std::size_t> places = new_places(order);
-  rearrange(data.groups, order);
-  for (Reading& reading : data.readings) {
-    if (reading.group) reading.group = places[*reading.group];
-  }
 }
 
 struct TimeSpan {
@@ -169,8 +162,9 @@ MeasuredData in_order_of_contents(MeasuredData data) {
   order_channels(data);
   order_runs(data);
   order_readings(data);
-  order_routings(data);
-  order_groups(data);
+  renumber_as_met(data.routings, data.readings, [](Reading& reading) { return &reading.routing; });
+  renumber_as_met(data.groups, data.readings,
+                  [](Reading& reading) { return reading.group ? &*reading.group : nullptr; });
   return data;
 }
 

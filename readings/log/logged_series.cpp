@@ -95,6 +95,9 @@ class LogReader {
 
   LoggedSeries finish() {
     series_.file = csv_.name();
+    series_.has_runs = find_column(columns_, DataRole::run).has_value();
+    series_.has_routings = find_column(columns_, DataRole::routing).has_value();
+    series_.has_held = find_column(columns_, DataRole::held).has_value();
     set_labels();
     for (std::size_t i = 0; i < columns_.size(); ++i) take(i);
     for (const std::size_t line : cells_.lines_of_zeros()) {
@@ -214,44 +217,17 @@ class LogReader {
             word(DataRole::direction)};
   }
 
+  // A column of labels has none of these.
   void take(std::size_t column) {
     const DataColumn& of = columns_[column];
+    if (of.role == DataRole::covariate && values_[column].is_text) return note_text(column);
     LoggedSignal signal{of.meaning, std::move(values_[column].numbers), of.name};
-    switch (of.role) {
-      case DataRole::time:
-        series_.time_s = std::move(signal.values);
-        break;
-      case DataRole::position:
-        series_.position_mm = std::move(signal);
-        break;
-      case DataRole::speed:
-        series_.speed_mm_s = std::move(signal);
-        break;
-      case DataRole::motor_tension:
-        series_.motor_tension_N = std::move(signal);
-        break;
-      case DataRole::tension:
-        series_.tensions_N.push_back(std::move(signal));
-        break;
-      case DataRole::run:
-        series_.has_runs = true;
-        break;
-      case DataRole::routing:
-        series_.has_routings = true;
-        break;
-      case DataRole::held:
-        series_.has_held = true;
-        break;
-      case DataRole::covariate:
-        if (values_[column].is_text) {
-          note_text(column);
-        } else {
-          series_.others.push_back(std::move(signal));
-        }
-        break;
-      default:
-        break;
-    }
+    if (of.role == DataRole::time) series_.time_s = std::move(signal.values);
+    if (of.role == DataRole::position) series_.position_mm = std::move(signal);
+    if (of.role == DataRole::speed) series_.speed_mm_s = std::move(signal);
+    if (of.role == DataRole::motor_tension) series_.motor_tension_N = std::move(signal);
+    if (of.role == DataRole::tension) series_.tensions_N.push_back(std::move(signal));
+    if (of.role == DataRole::covariate) series_.others.push_back(std::move(signal));
   }
 
   void note_text(std::size_t column) {
