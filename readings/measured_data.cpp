@@ -83,6 +83,17 @@ void note_groups(MeasuredData& data) {
   data.notes.push_back({NoteKind::not_compared, std::move(text), std::move(lines)});
 }
 
+// By channel, whether it has such a reading.
+std::vector<bool> channels_with(const MeasuredData& data, bool (*is)(double tension_N)) {
+  std::vector<bool> result(data.channels.size(), false);
+  for (const Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      if (reading.tension_N[c] && is(*reading.tension_N[c])) result[c] = true;
+    }
+  }
+  return result;
+}
+
 bool has_letters(const std::vector<DataColumn>& columns) {
   return std::any_of(columns.begin(), columns.end(), [](const DataColumn& column) {
     return column.role == DataRole::tension && !column.place.beside &&
@@ -117,23 +128,13 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
 }  // namespace
 
 std::vector<bool> reads_below_zero(const MeasuredData& data) {
-  std::vector<bool> result(data.channels.size(), false);
-  for (const Reading& reading : data.readings) {
-    for (std::size_t c = 0; c < result.size(); ++c) {
-      if (reading.tension_N[c].value_or(0) < 0) result[c] = true;
-    }
-  }
-  return result;
+  return channels_with(data, [](double tension_N) { return tension_N < 0; });
 }
 
 std::vector<bool> reads_zero_alone(const MeasuredData& data) {
-  std::vector<bool> result(data.channels.size(), true);
-  for (const Reading& reading : data.readings) {
-    for (std::size_t c = 0; c < result.size(); ++c) {
-      if (reading.tension_N[c].value_or(0) != 0) result[c] = false;
-    }
-  }
-  return result;
+  auto others = channels_with(data, [](double tension_N) { return tension_N != 0; });
+  others.flip();
+  return others;
 }
 
 std::optional<KnownNoise> known_noise(const MeasuredData& data, std::size_t channel) {

@@ -9,7 +9,7 @@
 //   tolerance · median q + 4 s / T_load
 //
 // with s the deviation of such forecasts in newton over all stretches of the log that have such a
-// tension (ratio_noise.hpp), and more of it the farther the forecast. Two blocks off the line in a
+// tension (RatioNoise), and more of it the farther the forecast. Two blocks off the line in a
 // row end the walk, and so do the third to the fifth together, as where q bends slowly; a single
 // one is passed over. The first block of what is left may hold the last contact's start, and is
 // left out too. Idea: the settling time of control engineering, about a trend instead of a level.
@@ -23,10 +23,35 @@
 #include <cstddef>
 #include <vector>
 
-#include "readings/log/ratio_noise.hpp"
 #include "readings/log/recordings.hpp"
 
 namespace reeve::readings {
+
+struct ForecastError {
+  double tension_N = 0;  // as it mostly is over the stretch
+  double error_N = 0;
+};
+
+// How far the ratios of a tension to the load, q = T / T_load, are from their forecasts by noise.
+//
+// A sensor scatters by so many newton whatever it reads, and what drives it, by a share of it, so
+// that a forecast of T is off by a standard deviation of
+//
+//   s² = a² + b² T²
+//
+// and that of q by s / T_load. A strand that reads far less while the carriage pulls than while it
+// releases thus has other relative noise in each. The two parts follow from the third of the
+// forecasts with the least tensions and that with the greatest; where these are hardly apart, from
+// all as a. Below the lower third s is taken for no less than there: the data do not say.
+struct RatioNoise {
+  double least_tension_N = 0;  // that the data speak of
+  double absolute_N = 0;       // a
+  double relative = 0;         // b
+
+  double at(double tension_N) const;  // s
+};
+
+RatioNoise ratio_noise(std::vector<ForecastError> errors);
 
 // Of the forecasts that the walk makes, one for each tension.
 std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock>>& recordings,

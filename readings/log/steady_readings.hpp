@@ -3,9 +3,9 @@
 //   log → recordings → blocks → stretches in which the carriage moves evenly (sliding.hpp)
 //       → their settled parts (settling.hpp) → readings (steady_reading.hpp)
 //
-// and of a log without position and speed, its steady levels (steady_levels.hpp). A settled part along
-// which the load changes by more than five times the tolerance is a sweep, and is cut into several
-// readings of equal duration, so that each stands for a load of its own.
+// and of a log without position and speed, its steady levels (steady_levels.hpp). A settled part
+// along which the load changes by more than five times the tolerance is a sweep, and is cut into
+// several readings of equal duration, so that each stands for a load of its own.
 //
 // Assumed is that the carriage is slow: tensions are those of equilibrium at every moment.
 #pragma once

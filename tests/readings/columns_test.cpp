@@ -1,10 +1,9 @@
-#include "readings/data_columns.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "readings/data_columns.hpp"
 #include "readings/reading_options.hpp"
 #include "tests/readings/read_data.hpp"
 #include "tests/support/input_error.hpp"

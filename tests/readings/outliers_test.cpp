@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "numerics/random.hpp"
-#include "readings/levels.hpp"
+#include "readings/polished_levels.hpp"
 #include "tests/readings/read_data.hpp"
 
 namespace reeve::testing {

@@ -1,5 +1,5 @@
 // The noise of forecasts in newton, and what the readings of nearly slack strands owe to it.
-#include "readings/log/ratio_noise.hpp"
+#include "readings/log/settling.hpp"
 
 #include <gtest/gtest.h>
 
