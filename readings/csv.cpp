@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -157,25 +158,20 @@ void CsvReader::require_text() const {
 }
 
 char CsvReader::find_separator() const {
-  std::size_t commas = 0, semicolons = 0, tabs = 0;
+  std::map<char, std::size_t> counts;  // of the header's characters outside quotes
   bool quoted = false;
-  for (std::size_t i = at_; i < text_.size(); ++i) {
-    const char c = text_[i];
-    if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (c == '\n') break;
-    commas += c == ',' ? 1 : 0;
-    semicolons += c == ';' ? 1 : 0;
-    tabs += c == '\t' ? 1 : 0;
+  for (std::size_t i = at_; i < text_.size() && (quoted || text_[i] != '\n'); ++i) {
+    if (text_[i] == '"') quoted = !quoted;
+    if (!quoted) ++counts[text_[i]];
   }
-  if (commas > 0 && semicolons > 0) {
+  if (counts[','] > 0 && counts[';'] > 0) {
     fail(here(),
-         fmt::format("the header has {} commas and {} semicolons outside quotes", commas,
-                     semicolons),
+         fmt::format("the header has {} commas and {} semicolons outside quotes", counts[','],
+                     counts[';']),
          "one of them, as separator");
   }
-  if (commas == 0 && semicolons == 0 && tabs > 0) return '\t';
-  return semicolons > 0 ? ';' : ',';
+  if (counts[';'] > 0) return ';';
+  return counts[','] == 0 && counts['\t'] > 0 ? '\t' : ',';
 }
 
 std::string CsvReader::as_many_as_the_header() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "readings/log/sample_use.hpp"
 #include "tests/readings/read_data.hpp"
 
 namespace reeve::testing {
@@ -95,6 +96,16 @@ TEST(AColumnBesideAStrand, IsThatSegmentWhateverItsLetter) {
   EXPECT_EQ(data_error("run,routing,Ta_N,at_T1_N\nA,M-1-T-2-M,1,2\n"),
             "d.csv:2: column 'at_T1_N' = '2': in the routing 'M-1-T-2-M' that is segment a, which "
             "another column has: expected an empty cell in one of the two");
+}
+
+// A name that has slipped moves all behind it.
+TEST(KindsOfNotes, HaveTheNamesThatFilesHave) {
+  EXPECT_STREQ(note_kind_name(NoteKind::time_series), "time_series");
+  EXPECT_STREQ(note_kind_name(NoteKind::not_as_pulled), "not_as_pulled");
+  EXPECT_STREQ(note_kind_name(NoteKind::inverted), "inverted");
+  EXPECT_STREQ(note_kind_name(NoteKind::sparse), "sparse");
+  EXPECT_STREQ(sample_use_name(SampleUse::settling), "settling");
+  EXPECT_STREQ(sample_use_name(SampleUse::too_few), "too_few");
 }
 
 TEST(Letters, ThatThePaperUsesOtherwiseAreNoted) {
