@@ -1,4 +1,4 @@
-#include "readings/measured_data.hpp"
+#include "readings/row_reader.hpp"
 
 #include <gtest/gtest.h>
 
