@@ -208,7 +208,6 @@ Objective parse_objective(const std::string& name, const std::string& option) {
       name == "fingertip_force") {
     return parse_objective(name + "_mean", option);
   }
-  if (name == "return_friction") return Objective::round_trip_efficiency;  // its former name
   for (const ObjectiveRow& row : table) {
     if (row.name == name) return row.objective;
   }

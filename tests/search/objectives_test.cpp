@@ -139,7 +139,6 @@ TEST(ParseObjectives, KeepsTheOrderOfTheList) {
 }
 
 TEST(ParseObjectives, UniformityAndEfficiencyAreShortForTheirMeans) {
-  EXPECT_EQ(parse_objectives("return_friction"), parse_objectives("round_trip_efficiency"));
   EXPECT_EQ(parse_objectives("uniformity,efficiency"),
             (std::vector<Objective>{Objective::uniformity_mean, Objective::efficiency_mean}));
 }
