@@ -72,10 +72,6 @@ void add_objectives(Json& target, const ObjectiveValues& values) {
     Json& family = row.of_hand ? target["hand"][row.family] : target[row.family];
     Json& place = *row.part == '\0' ? family : family[row.part];
     place = row.is_count() ? Json(static_cast<int>(given)) : number(given);
-    // Its former name, for one version.
-    if (row.objective == Objective::round_trip_efficiency) {
-      target["return_friction"] = number(given);
-    }
   }
 }
 

@@ -11,7 +11,7 @@ namespace reeve::testing {
 
 inline const std::string objectives =
     " uniformity efficiency force_transmission jams sheaths pulleys knots travel "
-    "round_trip_efficiency return_friction adaptability torsional_balance reliability authors_efficiency transmission score "
+    "round_trip_efficiency adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity parts cost";
 inline const std::string equivalent = " alike same_as place";
 inline const std::string judged_settings = "objectives score grasps hardware model uncertainty";
