@@ -68,7 +68,7 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
 
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue) {
   Routing routing = read_routing(text, catalogue);
-  require_actuated(graph(expand(routing)), to_word(routing));
+  require_actuated(expand(routing), to_word(routing));
   return routing;
 }
 

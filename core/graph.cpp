@@ -1,71 +1,17 @@
 #include "core/graph.hpp"
 
-#include <boost/graph/connected_components.hpp>
-#include <boost/graph/graphviz.hpp>
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "core/error.hpp"
-#include "core/tension/tree_kinematics.hpp"
+#include "core/network_graph.hpp"
 
 namespace reeve::core {
 
-namespace {
-
-void add_ties(const Network& network, std::size_t block, NetworkGraph& result) {
-  std::vector<std::size_t> tails;
-  std::vector<std::size_t> others;
-  for (const TendonSpan& tendon : network.tendons) {
-    for_each_pull(network, tendon, [&](std::size_t segment, std::size_t of, double sign, double) {
-      if (of == block) (sign < 0 ? tails : others).push_back(segment);
-    });
-  }
-  for (const std::vector<std::size_t>* segments : {&tails, &others}) {
-    for (const std::size_t segment : *segments) {
-      if (segment == tails.front()) continue;
-      const Contact tie{ContactKind::block, ContactPlace::block, 0, block};
-      boost::add_edge(tails.front(), segment,
-                      ContactEdge{tie, 0, tails.front(), block_name(network.blocks[block]), true},
-                      result);
-    }
-  }
-}
-
-}  // namespace
-
-NetworkGraph graph(const Network& network) {
-  NetworkGraph result(network.segments.size());
-  for (std::size_t i = 0; i < network.segments.size(); ++i) result[i] = network.segments[i];
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
-      const std::size_t index = tendon.first_contact + k;
-      const Contact& contact = network.contacts[index];
-      const bool on_block = contact.block != no_block;
-      boost::add_edge(left, right,
-                      ContactEdge{contact, index, left,
-                                  on_block ? block_name(network.blocks[contact.block]) : ""},
-                      result);
-    }
-  }
-  for (std::size_t block = 0; block < network.blocks.size(); ++block) {
-    add_ties(network, block, result);
-  }
-  return result;
-}
-
-std::vector<std::size_t> tendons(const NetworkGraph& graph) {
-  std::vector<std::size_t> component(boost::num_vertices(graph));
-  boost::connected_components(graph, component.data());
-  return component;
-}
-
-void require_actuated(const NetworkGraph& graph, const std::string& word) {
-  const std::vector<std::size_t> tendon = tendons(graph);
+void require_actuated(const Network& network, const std::string& word) {
+  const std::vector<std::size_t> tendon = tendons(graph(network));
   std::vector<bool> actuated(tendon.size(), false);
   for (std::size_t i = 0; i < tendon.size(); ++i) {
-    if (graph[i].kind == SegmentKind::motor_side) actuated[tendon[i]] = true;
+    if (network.segments[i].kind == SegmentKind::motor_side) actuated[tendon[i]] = true;
   }
   for (std::size_t i = 0; i < tendon.size(); ++i) {
     if (!actuated[tendon[i]]) {
@@ -73,7 +19,7 @@ void require_actuated(const NetworkGraph& graph, const std::string& word) {
           {.where = fmt::format("routing '{}'", word),
            .what = fmt::format("the tendon with {} is not actuated: it has no M and no P, so the "
                                "motor cannot pull it",
-                               segment_name(graph[i]))});
+                               segment_name(network.segments[i]))});
     }
   }
 }
@@ -146,24 +92,21 @@ std::string contact_attributes(const ContactEdge& edge, bool source_is_left,
 
 std::string to_dot(const Network& network, const std::string& title, const TensionState* state) {
   const NetworkGraph net = graph(network);
-  std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // where there is no memory
-  boost::write_graphviz(
-      out, net,
-      [&](std::ostream& os, NetworkGraph::vertex_descriptor v) {
-        os << segment_attributes(net[v], state == nullptr ? 0 : state->tension[v],
-                                 state != nullptr);
-      },
-      [&](std::ostream& os, NetworkGraph::edge_descriptor e) {
-        os << contact_attributes(net[e], boost::source(e, net) == net[e].left, state);
-      },
-      [&](std::ostream& os) {
-        os << fmt::format(
-            "label=\"{}\";\nrankdir=LR;\nnode [fontname=Helvetica];\n"
-            "edge [fontname=Helvetica, fontsize=10];\n",
-            title);
-      });
-  return out.str();
+  std::string out = fmt::format(
+      "graph G {{\nlabel=\"{}\";\nrankdir=LR;\nnode [fontname=Helvetica];\n"
+      "edge [fontname=Helvetica, fontsize=10];\n",
+      title);
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    out += fmt::format(
+        "{}{};\n", i,
+        segment_attributes(net[i], state == nullptr ? 0 : state->tension[i], state != nullptr));
+  }
+  for (auto [edge, end] = boost::edges(net); edge != end; ++edge) {
+    const std::size_t source = boost::source(*edge, net);
+    out += fmt::format("{}--{} {};\n", source, boost::target(*edge, net),
+                       contact_attributes(net[*edge], source == net[*edge].left, state));
+  }
+  return out + "}\n";
 }
 
 }  // namespace reeve::core

@@ -1,38 +1,15 @@
-// The network of segments (vertices) and contacts (edges) as a Boost.Graph. Further edges lead from
-// the first tail of a block to whatever else pulls at it, so that the connected components are the
-// tendons, or the trees of tendons that blocks tie together.
+// A network looked at as a graph: whether the motor reaches all of it, and its drawing by Graphviz.
 #pragma once
 
-#include <boost/graph/adjacency_list.hpp>
-
-#include <cstddef>
 #include <string>
-#include <vector>
 
-#include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
 namespace reeve::core {
 
-struct ContactEdge {
-  Contact contact;
-  std::size_t index = 0;  // in Network::contacts
-  std::size_t left = 0;   // an undirected edge does not keep which end is which
-  std::string block;      // the name of the block at which it is
-  bool is_tie = false;    // from a block's tail to another of its strands: no contact
-};
-
-using NetworkGraph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Segment, ContactEdge>;
-
-NetworkGraph graph(const Network& network);
-
-// For each segment, the number (from 0) of the tendon, or of the tree, that it belongs to.
-std::vector<std::size_t> tendons(const NetworkGraph& graph);
-
 // Names the first tendon that hangs on no motor, in an InputError. `word` is the routing's.
-void require_actuated(const NetworkGraph& graph, const std::string& word);
+void require_actuated(const Network& network, const std::string& word);
 
 // The network in the language of Graphviz; with a state also tensions and sliding directions.
 std::string to_dot(const Network& network, const std::string& title,

@@ -107,7 +107,7 @@ Network network_of(const std::string& routing, const RoutingResolver& resolve) {
     throw InputError({.expected = "a routing such as M-1-T-2-F, in a column of the log or given"});
   }
   Network network = expand(resolve(routing));
-  require_actuated(graph(network), routing);
+  require_actuated(network, routing);
   return network;
 }
 

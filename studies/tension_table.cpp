@@ -36,7 +36,7 @@ std::vector<TableRouting> table_routings(const std::vector<Routing>& routings,
     TableRouting& one = result.emplace_back();
     one.word = to_word(routing);
     one.network = expand(routing);
-    require_actuated(graph(one.network), one.word);
+    require_actuated(one.network, one.word);
     for (const Segment& segment : one.network.segments) {
       const auto at = std::find(segments.begin(), segments.end(), segment);
       one.place.push_back(static_cast<std::size_t>(at - segments.begin()));

@@ -38,7 +38,7 @@ std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& cata
   if (flags.from_given->count() > 0) {
     for (Routing& routing :
          for_option("--from", [&] { return explored_designs(flags.from, flags.top); })) {
-      for_option("--from", [&] { require_actuated(graph(expand(routing)), to_word(routing)); });
+      for_option("--from", [&] { require_actuated(expand(routing), to_word(routing)); });
       routings.push_back(std::move(routing));
     }
     for_option("--from", [&] { return summary_of_one_exploration(flags.from); });

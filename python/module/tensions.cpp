@@ -43,7 +43,7 @@ BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::obje
       routing, grasp_from(held, routing->network.fingers), direction_from(direction), {}};
   solver.solve(routing->network, mechanics, result.grasp, result.direction, result.state);
   if (!result.state.in_range) {
-    require_actuated(graph(routing->network), routing->word);
+    require_actuated(routing->network, routing->word);
     require_in_range(result.state, result.grasp);
   }
   return result;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/network_graph.hpp"
 #include "tests/core/network_of.hpp"
 #include "tests/support/input_error.hpp"
 
@@ -66,7 +67,7 @@ TEST(Graph, ItsConnectedComponentsAreTheTendons) {
 
 TEST(Graph, NamesTheTendonThatHangsOnNoMotor) {
   const auto message = [](const std::string& word) {
-    return testing::input_error([&] { require_actuated(graph(network_of(word)), word); });
+    return testing::input_error([&] { require_actuated(network_of(word), word); });
   };
   EXPECT_EQ(message("M-1-F+F-2-T-3-F"),
             "routing 'M-1-F+F-2-T-3-F': the tendon with T3 is not actuated: it has no M and no P, "
