@@ -67,4 +67,7 @@ struct Catalogue {
 Catalogue read_catalogue(const CatalogueFiles& files);
 Catalogue read_catalogue(const std::filesystem::path& folder);
 
+// The catalogue's name of a routing, or "". Fingers count as identical: M-2-P-1-F is TR4 too.
+std::string name_of(const Catalogue& catalogue, const Routing& routing);
+
 }  // namespace reeve::catalog

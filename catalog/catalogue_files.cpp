@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "catalog/embedded_catalogue.hpp"
 #include "core/error.hpp"
 
 namespace reeve::catalog {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catalog/toml_node.hpp"
@@ -15,6 +17,9 @@ struct CatalogueFile {
   std::string name;                 // where it lies, or its path in the program's catalogue
   std::optional<std::string> text;  // of one in the program
 };
+
+// The catalogue's files in the program, by their path in the catalogue. The build generates it.
+const std::map<std::string_view, std::string_view>& embedded_catalogue();
 
 class CatalogueFiles {
  public:

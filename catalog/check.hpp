@@ -8,8 +8,6 @@
 //                                 T_M = 1, to within the rounding of the strands
 //   carriage of an equation       the same for an equation with a reversed contact
 //
-// Those of mechanisms are recomputed by mechanisms/mechanism_check.hpp.
-//
 // What differs is explained only by a fault listed for the entry whose arithmetic holds
 // (fault.hpp); a listed fault that explains nothing is itself an item that differs. Tensions are at
 // T_M = 1.
@@ -23,12 +21,13 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "catalog/mechanisms/mechanism.hpp"
 
 namespace reeve::catalog {
 
 enum class CheckStatus : std::uint8_t {
   agrees,
-  used,       // a coefficient was inferred from it (mechanisms/mechanism_check.hpp)
+  used,       // a coefficient was inferred from it
   explained,  // it differs, and arithmetic shows why
   open,       // it differs, which is known, and nobody knows why
   differs,
@@ -104,5 +103,17 @@ void add_explanation(CheckItem& item, const std::string& reason);
 // none is found.
 CheckItem idle_fault(std::size_t fault, const std::string& name, const std::string& file,
                      TomlPosition at);
+
+// Recomputes the published numbers of the catalogue's mechanisms (mechanism.hpp) with the general
+// solver, each with the rig and in the grasp that it was published for:
+//
+//   printed digits   agree if the computed number rounds to them, or is within their tolerance
+//   closed forms     agree to 1e-9, relative
+//
+// A number from which a coefficient of its own rig was inferred has to agree, and proves nothing.
+// What differs is explained if the listed expression gives it, likewise; open if it is listed as
+// such, with the size. What is listed as explained or open and agrees is an error of the catalogue:
+// it differs.
+CheckReport check_mechanism(const Mechanism& mechanism);
 
 }  // namespace reeve::catalog

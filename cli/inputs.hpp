@@ -17,7 +17,7 @@
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
-#include "search/rank/order.hpp"
+#include "search/rank/ranking.hpp"
 
 namespace reeve::cli {
 

@@ -58,6 +58,7 @@ struct ContactLaw {
   bool known = false;    // mu was measured: who fits measured tensions leaves it as it is
 
   double exponent() const { return mu * angle_rad; }
+  friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
 };
 
 struct FingerHardware {
@@ -71,6 +72,8 @@ struct FingerHardware {
   // joints take shares by their excursions instead.
   std::optional<double> closing;  // 1 unless given
   FingerParts parts{};
+
+  friend bool operator==(const FingerHardware&, const FingerHardware&) = default;
 };
 
 // For the contact between two segments, named as in `reeve show` (T1, a, h1), in either order.
@@ -79,6 +82,8 @@ struct ContactHardware {
   std::string other_segment;
   std::optional<double> mu;
   std::optional<double> angle_rad;
+
+  friend bool operator==(const ContactHardware&, const ContactHardware&) = default;
 };
 
 // The file of a hardware, and where it says something: "finger.2.tip_mu" at "h.toml:3:1".

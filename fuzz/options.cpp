@@ -8,10 +8,9 @@
 #include "search/evaluate/score.hpp"
 #include "search/explore.hpp"
 #include "search/rank/ladder.hpp"
-#include "search/uncertainty/swept_coefficient.hpp"
+#include "search/uncertainty/sweep.hpp"
 #include "sizing/dimension.hpp"
 #include "sizing/goal.hpp"
-#include "sizing/varied_range.hpp"
 
 namespace reeve::fuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pages/shell/page.hpp"
-#include "studies/swept_designs.hpp"
+#include "studies/listed_design.hpp"
 
 namespace reeve::pages {
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
@@ -14,14 +17,63 @@
 #include "search/evaluate/deciding_evaluation.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
-#include "search/left_out.hpp"
 #include "search/limits/part_classes.hpp"
-#include "search/pieces.hpp"
 #include "search/reference_tally.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
 namespace {
+
+// What an exploration says of the routings that its source leaves out (routing_source.hpp): they
+// count as what was made and rejected for its parts.
+class LeftOut {
+ public:
+  // Of the routings of `range`; those before `counted`, of its first, are in the part already.
+  // Keeps the source.
+  LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
+          std::uint64_t counted);
+
+  // Another range.
+  void go_on_with(ShardRange range, std::uint64_t counted);
+
+  // Those among the first `generated` that were not added before.
+  void add_to(ExplorationPart& part, std::uint64_t generated);
+
+ private:
+  RoutingSource& source_;
+  ShardRange range_;
+  std::vector<std::uint64_t> before_;  // of each constraint, at places counted already
+  std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
+};
+
+LeftOut::LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
+                 std::uint64_t counted)
+    : source_(source) {
+  for (const Routing& routing : options.references) {
+    references_.push_back(source.place_left_out(routing));
+  }
+  go_on_with(range, counted);
+}
+
+void LeftOut::go_on_with(ShardRange range, std::uint64_t counted) {
+  range_ = range;
+  before_ = source_.left_out_before(range.begin + counted);
+}
+
+void LeftOut::add_to(ExplorationPart& part, std::uint64_t generated) {
+  const std::vector<std::uint64_t> until = source_.left_out_before(range_.begin + generated);
+  for (std::size_t c = 0; c < until.size(); ++c) {
+    part.constraint_failures[c] += until[c] - before_[c];
+    part.evaluated += until[c] - before_[c];
+  }
+  before_ = until;
+  for (std::size_t r = 0; r < references_.size(); ++r) {
+    const auto& left = references_[r];
+    if (!left || left->place < range_.begin || left->place >= range_.begin + generated) continue;
+    part.references[r].generated = true;
+    part.references[r].rejected_by = left->constraint;
+  }
+}
 
 // Large enough that the threads wait for the slowest but rarely, small enough for a cache, for
 // Ctrl-C and for who loses what is in flight; a grain is some tenths of a millisecond.
@@ -104,7 +156,7 @@ class Exploration {
     return std::move(part_);
   }
 
-  // One of the pieces that it is given one after the other (pieces.hpp).
+  // One of the pieces that it is given one after the other (batches.hpp).
   ExplorationPart run_through(const ShardRange& piece, const Supervision& supervision) {
     if (!seen_) seen_.emplace(options_);
     range_ = piece;
@@ -202,7 +254,7 @@ class Exploration {
     const std::optional<ObjectiveValues> far = far_values(slot.routing, evaluator);
     slot.values = far ? *far : evaluator.evaluate(slot.routing);
     slot.unconverged = evaluator.unconverged() - before;
-    slot.failed_constraint = first_failure(slot.values);
+    slot.failed_constraint = first_failure(options_.constraints, slot.values);
     if (slot.failed_constraint > 0 && tells_reaches_)
       reaches_[worker].add(options_.constraints, slot.values);
     const bool may_be_kept = !far && slot.failed_constraint == 0;
@@ -257,14 +309,6 @@ class Exploration {
     for (std::size_t i = first; i < batch_.actuated; ++i) {
       if (batch_.slots[i].done) references_.take_off(judged(batch_.slots[i]), part_.references);
     }
-  }
-
-  std::size_t first_failure(const ObjectiveValues& values) const {
-    const auto failed =
-        std::find_if(options_.constraints.begin(), options_.constraints.end(),
-                     [&](const Constraint& constraint) { return !constraint.admits(values); });
-    if (failed == options_.constraints.end()) return 0;
-    return static_cast<std::size_t>(failed - options_.constraints.begin()) + 1;
   }
 
   // What is not made where designs are pruned counts for nothing where all are made.

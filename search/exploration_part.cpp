@@ -1,7 +1,11 @@
 #include "search/exploration_part.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -11,8 +15,9 @@
 #include "numerics/parallel.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
+#include "search/batches.hpp"
+#include "search/evaluate/deciding_evaluation.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/record_parts.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
@@ -156,28 +161,85 @@ std::vector<ConstraintReach> recorded_reaches(const ExplorationPart& part) {
   return reaches;
 }
 
-ExplorationPart evaluated_part(const ShardRecord& record, const ExploreOptions& options,
-                               Evaluators& evaluators) {
-  ExplorationPart part = counted_part(record, options);
-  std::vector<Design> designs =
-      evaluators.evaluate(generated_routings(archived_words(record), options));
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    part.archive.add(std::move(designs[i]), record.archive[i].equals_left_out);
+// Throws InputError on a word that is no routing of this exploration.
+Routing generated_routing(const std::string& word, const ExploreOptions& options) {
+  Routing routing = parse_routing(word);
+  if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
+  throw InputError({.what = "routing",
+                    .value = word,
+                    .expected = fmt::format("one of {} fingers that the motor pulls",
+                                            options.generator.fingers)});
+}
+
+std::vector<Routing> generated_routings(const std::vector<std::string>& words,
+                                        const ExploreOptions& options) {
+  std::vector<Routing> routings;
+  for (const std::string& word : words) routings.push_back(generated_routing(word, options));
+  return routings;
+}
+
+ExplorationPart counted_part(const ShardRecord& record, const ExploreOptions& options) {
+  ExplorationPart part(options);
+  static_cast<ExplorationCounts&>(part) = record;
+  if (pruning_constraints(options) == 0) part.reaches = ConstraintReaches(record.reaches);
+  for (const SampledWord& sampled : record.sample) {
+    part.sample.add(sampled.place, generated_routing(sampled.word, options));
   }
-  for (Design& rung : evaluators.evaluate(generated_routings(record.rungs, options)))
-    part.ladder.add(std::move(rung));
   return part;
 }
 
-// Words that are no routings are said to be of the file.
-void absorb(const ShardRecord& record, const ExploreOptions& options, Evaluators& evaluators,
-            ExplorationPart& whole) {
-  try {
-    whole.absorb(evaluated_part(record, options, evaluators));
-  } catch (const InputError& error) {
-    throw record.origin.empty() ? error : error.at(record.origin);
+// With options of its own.
+class RecordAbsorber {
+ public:
+  RecordAbsorber(ExploreOptions options, bool with_all_values)
+      : options_(std::move(options)), workers_(options_.threads) {
+    for (std::size_t w = 0; w < workers_.count(); ++w) {
+      deciding_.emplace_back(options_.model, options_.grasps, options_.score, options_.prices,
+                             deciding_objectives(options_));
+      if (!with_all_values) continue;
+      in_full_.emplace_back(options_.model, options_.grasps, options_.score, options_.prices);
+      in_full_.back().share_trees();
+    }
   }
-}
+
+  void absorb(ExplorationPart& whole, const ShardRecord& record) {
+    ExplorationPart part = counted_part(record, options_);
+    std::vector<std::string> archived;
+    for (const ArchivedWord& kept : record.archive) archived.push_back(kept.word);
+    add(
+        archived, [&](const ObjectiveValues& v) { return whole.archive.may_rank(v); },
+        [&](Design design, std::size_t i) {
+          part.archive.add(std::move(design), record.archive[i].equals_left_out);
+        });
+    add(
+        record.rungs, [&](const ObjectiveValues& v) { return whole.ladder.may_be_rung(v); },
+        [&](Design design, std::size_t) { part.ladder.add(std::move(design)); });
+    whole.absorb(std::move(part));
+  }
+
+ private:
+  template <typename Wanted, typename Add>
+  void add(const std::vector<std::string>& words, const Wanted& wanted, const Add& add_design) {
+    const std::vector<Routing> routings = generated_routings(words, options_);
+    std::vector<std::optional<Design>> designs(words.size());
+    workers_.for_each_block(words.size(), evaluated_at_a_time, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const ObjectiveValues values = deciding_[block.worker].evaluate(routings[i]);
+        if (!wanted(values)) continue;
+        designs[i] = {words[i],
+                      in_full_.empty() ? values : in_full_[block.worker].evaluate(routings[i])};
+      }
+    });
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      if (designs[i]) add_design(std::move(*designs[i]), i);
+    }
+  }
+
+  ExploreOptions options_;
+  Workers workers_;
+  std::vector<DecidingEvaluator> deciding_;  // one for each thread
+  std::vector<DesignEvaluator> in_full_;     // likewise, or none
+};
 
 }  // namespace
 
@@ -211,9 +273,10 @@ std::vector<Routing> DesignSample::routings() const {
 }
 
 ExplorationPart::ExplorationPart(const ExploreOptions& options)
-    : constraint_failures(options.constraints.size(), 0),
+    : ExplorationCounts{.constraint_failures =
+                            std::vector<std::uint64_t>(options.constraints.size(), 0),
+                        .references = std::vector<ReferenceCount>(options.references.size())},
       reaches(pruning_constraints(options) > 0 ? 0 : options.constraints.size()),
-      references(options.references.size()),
       archive(options.order, options.top),
       ladder(options.order, options.ladder.by),
       sample(options.sample) {}
@@ -245,17 +308,7 @@ void ExplorationPart::absorb(ExplorationPart other) {
 }
 
 ShardRecord record_of(ExplorationPart& part) {
-  ShardRecord record{part.total,
-                     part.generated,
-                     part.evaluated,
-                     part.unconverged,
-                     part.seconds,
-                     part.constraint_failures,
-                     recorded_reaches(part),
-                     part.references,
-                     {},
-                     {},
-                     {}};
+  ShardRecord record{part, recorded_reaches(part), {}, {}, {}};
   for (ArchivedDesign& member : part.archive.members()) {
     record.archive.push_back({std::move(member.design.word), member.equals_left_out});
   }
@@ -267,8 +320,15 @@ ShardRecord record_of(ExplorationPart& part) {
 }
 
 ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options) {
-  Evaluators evaluators(options);
-  return evaluated_part(record, options, evaluators);
+  ExplorationPart part(options);
+  RecordAbsorber(options, true).absorb(part, record);
+  return part;
+}
+
+RecordAbsorbing record_absorbing(const ExploreOptions& options, bool with_all_values) {
+  return
+      [absorber = std::make_shared<RecordAbsorber>(options, with_all_values)](
+          ExplorationPart& whole, const ShardRecord& record) { absorber->absorb(whole, record); };
 }
 
 ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
@@ -302,9 +362,16 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
 
 ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options,
                        const Supervision& supervision) {
-  Evaluators evaluators(options);
+  RecordAbsorber absorber(options, true);
   ExplorationPart whole(options);
-  for (const ShardRecord& shard : shards) absorb(shard, options, evaluators, whole);
+  for (const ShardRecord& shard : shards) {
+    try {
+      absorber.absorb(whole, shard);
+    } catch (const InputError& error) {
+      // Words that are no routings are said to be of the file.
+      throw shard.origin.empty() ? error : error.at(shard.origin);
+    }
+  }
   const bool told = find_reaches(whole, options, supervision);
   ExploreResult result = conclude(std::move(whole), options);
   result.partial |= !told;

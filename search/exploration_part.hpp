@@ -14,7 +14,7 @@
 #include "search/explore.hpp"
 #include "search/rank/archive.hpp"
 #include "search/rank/infeasible.hpp"
-#include "search/rank/ladder_archive.hpp"
+#include "search/rank/ladder.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {
@@ -55,17 +55,10 @@ class DesignSample {
   std::vector<Member> members_;  // a heap: the greatest lot first
 };
 
-struct ExplorationPart {
+struct ExplorationPart : ExplorationCounts {
   explicit ExplorationPart(const ExploreOptions& options);
 
-  std::uint64_t total = 0;
-  std::uint64_t generated = 0;
-  std::uint64_t evaluated = 0;
-  std::uint64_t unconverged = 0;  // tension solves that decide what is kept
-  double seconds = 0;
-  std::vector<std::uint64_t> constraint_failures;  // parallel to the constraints
   ConstraintReaches reaches;  // of no constraint where designs are left out for their parts
-  std::vector<ReferenceCount> references;  // parallel to those of the options
   // Designs in archive and ladder need have no values but those by which they are kept.
   Archive archive;
   LadderArchive ladder;

@@ -92,7 +92,7 @@ struct ExploreResult {
   std::vector<RankedDesign> top;
   std::vector<Routing> routings;  // of the longer of the two, in its order
   std::vector<BestDesigns> best;  // among top and front, with a few words each
-  std::vector<Design> sample;     // of all that no constraint rejects (sample.hpp)
+  std::vector<Design> sample;     // of all that no constraint rejects (DesignSample)
   std::uint64_t front_equals_left_out = 0;
   // Tension solves (evaluation.hpp), but for designs that constraints on parts alone reject.
   std::uint64_t unconverged = 0;

@@ -29,15 +29,18 @@ struct SampledWord {
   std::string word;
 };
 
-struct ShardRecord {
+struct ExplorationCounts {
   std::uint64_t total = 0;
   std::uint64_t generated = 0;
   std::uint64_t evaluated = 0;
   std::uint64_t unconverged = 0;  // tension solves that decide what is kept
   double seconds = 0;
-  std::vector<std::uint64_t> constraint_failures;  // parallel to the constraints
-  std::vector<ConstraintReach> reaches;            // parallel to the constraints
-  std::vector<ReferenceCount> references;          // parallel to those of the options
+  std::vector<std::uint64_t> constraint_failures{};  // parallel to the constraints
+  std::vector<ReferenceCount> references{};          // parallel to those of the options
+};
+
+struct ShardRecord : ExplorationCounts {
+  std::vector<ConstraintReach> reaches;  // parallel to the constraints
   std::vector<ArchivedWord> archive;
   std::vector<std::string> rungs;  // candidates of the ladder
   std::vector<SampledWord> sample;

@@ -11,7 +11,6 @@
 #include "numerics/minimise.hpp"
 #include "sizing/dimension.hpp"
 #include "sizing/placed_dimension.hpp"
-#include "sizing/varied_range.hpp"
 
 namespace reeve::sizing {
 

@@ -5,10 +5,23 @@
 #include <functional>
 #include <utility>
 
+#include "core/error.hpp"
 #include "numerics/matrices.hpp"
 
 namespace reeve::sizing {
 namespace {
+
+constexpr int profile_steps = 32;
+
+std::vector<double> places(const Interval& span, double own) {
+  std::vector<double> places{own};
+  for (int step = 0; step <= profile_steps; ++step) {
+    places.push_back(span.low + (span.high - span.low) * step / profile_steps);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
 
 using Eigen::Index;
 using Point = SizingProblem::Point;
@@ -179,6 +192,26 @@ Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
 }
 
 }  // namespace
+
+std::vector<GoalProfile> goal_profiles(const SizingProblem& problem,
+                                       const SizingProblem::Point& point,
+                                       const std::vector<Interval>& spans) {
+  std::vector<GoalProfile> profiles;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    GoalProfile& profile = profiles.emplace_back();
+    SizingProblem::Point there = point;
+    for (const double place : places(spans[i], point[i])) {
+      there[i] = place;
+      try {
+        profile.goals.push_back(problem.goal(there));
+        profile.values.push_back(place);
+      } catch (const OutOfRange&) {
+        continue;
+      }
+    }
+  }
+  return profiles;
+}
 
 Interval possible(const SizingProblem& problem, std::size_t variable) {
   const SizeSpace& space = problem.space();

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
-#include "store/about_rows.hpp"
 #include "store/database.hpp"
 #include "store/digest.hpp"
 #include "store/record_rows.hpp"

@@ -1,5 +1,6 @@
-// What a shard has kept, as rows. The routings of a record are what counts: whoever reads them
-// evaluates them again. The objectives beside them are for people.
+// Of which exploration a store is, what it keeps, and what a shard has kept, as rows. The routings
+// of a record are what counts: whoever reads them evaluates them again. The objectives beside them
+// are for people.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -12,8 +13,15 @@
 #include "search/exploration_part.hpp"
 #include "search/explore.hpp"
 #include "store/description.hpp"
+#include "store/exploration_store.hpp"
 
 namespace reeve::store {
+
+void write_about(SQLite::Database& database, const Description& description, Keep keep);
+
+// Without names of known routings and texts of constraints, which stand with their counts.
+Description read_description(SQLite::Database& database);
+Keep read_keep(SQLite::Database& database);
 
 // In place of what was there of the shard. `designs_digest` is that of the rows of `designs` that
 // came since the last time.

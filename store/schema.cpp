@@ -101,8 +101,7 @@ ObjectiveValues objectives_of(SQLite::Statement& row, int first) {
     const SQLite::Column column = row.getColumn(first++);
     const bool is_cost = objective.objective == Objective::cost;
     const double missing = is_cost ? std::numeric_limits<double>::infinity() : 0;
-    values[static_cast<std::size_t>(objective.objective)] =
-        column.isNull() ? missing : column.getDouble();
+    value(values, objective.objective) = column.isNull() ? missing : column.getDouble();
   }
   return values;
 }

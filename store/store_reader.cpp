@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "store/about_rows.hpp"
 #include "store/database.hpp"
 #include "store/record_rows.hpp"
 #include "store/schema.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 
 namespace reeve::studies {
 

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "core/canonical.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
 #include "search/rank/equivalent.hpp"
-#include "search/rank/places.hpp"
 
 namespace reeve::studies {
 namespace {
+
+// Some 100 MB of log.
+constexpr std::uint64_t most_at_a_time = 300000;
 
 std::vector<std::string> names_of(const std::vector<Routing>& routings,
                                   const Catalogue& catalogue) {
@@ -70,6 +72,22 @@ ExploreReport with_distributions(const ExploreOptions& options, ExploreResult re
 }
 
 }  // namespace
+
+Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every) {
+  using Clock = std::chrono::steady_clock;
+  Checkpoint checkpoint;
+  checkpoint.before = store.record();
+  if (store.keep() == Keep::all) {
+    checkpoint.design = [&store](const EvaluatedDesign& design) { store.add(design); };
+  }
+  checkpoint.is_due = [&store, every, last = Clock::now()]() mutable {
+    const bool is_due = Clock::now() - last >= every || store.added_since_save() >= most_at_a_time;
+    if (is_due) last = Clock::now();
+    return is_due;
+  };
+  checkpoint.save = [&store](ExplorationPart& so_far) { store.save(so_far); };
+  return checkpoint;
+}
 
 std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue) {
   std::vector<Routing> routings;

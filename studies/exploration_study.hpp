@@ -1,16 +1,18 @@
 // Every routing of a set of parts, ranked, beside the routings that are known.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "search/checkpoint.hpp"
 #include "search/explore.hpp"
 #include "search/uncertainty/uncertainty.hpp"
+#include "store/exploration_store.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/study_supervision.hpp"
-#include "studies/swept_designs.hpp"
 
 namespace reeve::studies {
 
@@ -71,5 +73,9 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
 // Of these designs; no sweep if it was stopped now or before.
 void add_sweep(ExploreReport& report, const SweepOptions& options,
                const StudySupervision& supervision);
+
+// Keeps an exploration in a store while it runs. Goes on where the store ends; saves when so long
+// has passed since the last time, or when many designs have gathered. The store has to outlive it.
+Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every);
 
 }  // namespace reeve::studies

@@ -1,4 +1,4 @@
-// The indicators of a publication from its readings (publication_check.hpp).
+// The indicators of a publication from its readings (check.hpp).
 #pragma once
 
 #include <vector>

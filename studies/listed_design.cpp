@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "core/notation.hpp"
 
 namespace reeve::studies {
@@ -57,6 +57,16 @@ ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& 
   for (const Rung& rung : ladder.rungs) result.rungs.push_back(as_listed(rung.design));
   if (ladder.affordable) result.affordable = as_listed(*ladder.affordable);
   return result;
+}
+
+std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& designs,
+                                          const SweepOptions& options,
+                                          const StudySupervision& supervision) {
+  std::vector<Routing> routings;
+  for (const ListedDesign& design : designs) routings.push_back(design.routing);
+  auto swept = sweep(routings, options, supervision.during("sweeping"));
+  if (!swept) return std::nullopt;
+  return SweptDesigns{std::move(*swept), designs};
 }
 
 }  // namespace reeve::studies

@@ -11,7 +11,9 @@
 #include "core/routing.hpp"
 #include "search/rank/ladder.hpp"
 #include "search/rank/ranking.hpp"
+#include "search/uncertainty/sweep.hpp"
 #include "search/uncertainty/uncertainty.hpp"
+#include "studies/study_supervision.hpp"
 
 namespace reeve::studies {
 
@@ -45,7 +47,7 @@ std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
                                        std::vector<Routing> routings, const DrawnDesigns& drawn,
                                        const Catalogue& catalogue);
 
-// Of a ranking that begins with these designs: search/rank/places.hpp.
+// Of a ranking that begins with these designs: search/rank/equivalent.hpp.
 void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
 
 // Likewise: search/rank/equivalent.hpp.
@@ -54,5 +56,16 @@ void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::
 // `listed` is where ranks are looked up.
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
                          const std::optional<PartPrices>& prices, const Catalogue& catalogue);
+
+// Listed designs over one coefficient.
+struct SweptDesigns {
+  Sweep sweep;
+  std::vector<ListedDesign> designs;  // parallel to the sweep's
+};
+
+// Nothing if stopped.
+std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& designs,
+                                          const SweepOptions& options,
+                                          const StudySupervision& supervision);
 
 }  // namespace reeve::studies

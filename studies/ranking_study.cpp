@@ -5,8 +5,7 @@
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/rank/equivalent.hpp"
-#include "search/rank/ladder_archive.hpp"
-#include "search/rank/places.hpp"
+#include "search/rank/ladder.hpp"
 
 namespace reeve::studies {
 namespace {

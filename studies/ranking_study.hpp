@@ -13,14 +13,12 @@
 #include "core/routing.hpp"
 #include "core/uncertainty_ranges.hpp"
 #include "search/evaluate/score.hpp"
-#include "search/rank/order.hpp"
 #include "search/rank/ranking.hpp"
 #include "search/uncertainty/margin.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
-#include "studies/swept_designs.hpp"
 #include "studies/tension_distributions.hpp"
 
 namespace reeve::studies {

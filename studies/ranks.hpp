@@ -3,7 +3,7 @@
 // The leader cuts pieces off the places that are left, some seconds of work each, and goes through
 // pieces of its own. A follower has two in hand, and gets another one when it has brought what it
 // kept of one. The leader puts together what it is brought in the order of the places; so at any
-// moment it has what a search by one process would have had at some place (search/pieces.hpp), and
+// moment it has what a search by one process would have had at some place (search/batches.hpp), and
 // that is what is saved, what is left of a stopped search, and at the end the same bytes as without
 // the others, whoever did what.
 //

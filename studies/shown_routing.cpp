@@ -1,6 +1,6 @@
 #include "studies/shown_routing.hpp"
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "causes/model_solver.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "readings/csv.hpp"

@@ -11,8 +11,8 @@
 #include "catalog/catalogue.hpp"
 #include "core/routing.hpp"
 #include "numerics/floors.hpp"
-#include "sizing/goal_profile.hpp"
 #include "sizing/size.hpp"
+#include "sizing/tolerance.hpp"
 #include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
 

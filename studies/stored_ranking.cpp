@@ -58,11 +58,8 @@ class Ranker {
   void add(Design design, std::uint64_t equals_left_out, Role role) {
     add_score(options_.score, design.values);
     ++kept_;
-    const auto failed = std::find_if(
-        options_.constraints.begin(), options_.constraints.end(),
-        [&](const Constraint& constraint) { return !constraint.admits(design.values); });
-    if (failed != options_.constraints.end()) {
-      ++part_.constraint_failures[static_cast<std::size_t>(failed - options_.constraints.begin())];
+    if (const auto failed = first_failure(options_.constraints, design.values)) {
+      ++part_.constraint_failures[failed - 1];
       ++failed_;
       return;
     }

@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "reports/exploration/count_report.hpp"
 #include "search/enumerate/counting.hpp"
-#include "search/limits/limited_counts.hpp"
+#include "search/limits/limited_generator.hpp"
 
 namespace reeve::cli {
 namespace {

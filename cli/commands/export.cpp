@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"

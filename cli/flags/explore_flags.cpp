@@ -11,7 +11,6 @@
 #include "reports/exploration/store_description.hpp"
 #include "search/enumerate/possible_contacts.hpp"
 #include "studies/exploration_study.hpp"
-#include "studies/stored_exploration.hpp"
 
 namespace reeve::cli {
 namespace {

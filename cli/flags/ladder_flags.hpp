@@ -13,7 +13,7 @@
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/rank/ladder.hpp"
-#include "search/rank/order.hpp"
+#include "search/rank/ranking.hpp"
 
 namespace reeve::cli {
 

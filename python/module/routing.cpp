@@ -1,6 +1,6 @@
 #include <pybind11/stl.h>
 
-#include "catalog/names.hpp"
+#include "catalog/catalogue.hpp"
 #include "cli/api.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"

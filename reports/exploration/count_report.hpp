@@ -6,7 +6,7 @@
 
 #include "reports/document/document.hpp"
 #include "search/enumerate/counting.hpp"
-#include "search/limits/limited_counts.hpp"
+#include "search/limits/limited_generator.hpp"
 
 namespace reeve::reports {
 

@@ -6,7 +6,7 @@
 
 #include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
-#include "studies/swept_designs.hpp"
+#include "studies/listed_design.hpp"
 
 namespace reeve::reports {
 

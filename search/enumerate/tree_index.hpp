@@ -10,7 +10,7 @@
 
 #include "core/canonical.hpp"
 #include "core/routing.hpp"
-#include "search/enumerate/digits.hpp"
+#include "search/enumerate/checked.hpp"
 #include "search/enumerate/tree_counts.hpp"
 
 namespace reeve::search {

@@ -2,7 +2,7 @@
 //
 // Equal, bit for bit, to those that DesignEvaluator gives. Where all fingers are alike, no effect
 // of the model depends on tensions or contacts, and grasps hold one finger at most, each tree of a
-// routing is solved once and a routing is put together from its trees (trees/solved_trees.hpp):
+// routing is solved once and a routing is put together from its trees (known_trees.hpp):
 //
 //   T_i = t_i / Σ t_j,  j: all motor-side segments
 //
@@ -19,7 +19,6 @@
 #include "core/grasp.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/evaluate/known_trees.hpp"
-#include "search/evaluate/tree_outline.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
 namespace reeve::search {
@@ -27,7 +26,7 @@ namespace reeve::search {
 // Uniformity and motor efficiency of a routing over its grasps, from the sums of its trees.
 //
 // In a grasp of which trees are in these states, least and greatest strand tension, motor tension
-// and work are those of the trees together (solved_trees.hpp):
+// and work are those of the trees together (known_trees.hpp):
 //
 //   uniformity = min_t least_t / max_t most_t,  efficiency = Σ_t work_t / Σ_t motor_t
 //

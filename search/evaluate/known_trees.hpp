@@ -18,7 +18,6 @@
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
 #include "search/evaluate/tendon_sums.hpp"
-#include "search/evaluate/tree_outline.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
 namespace reeve::search {

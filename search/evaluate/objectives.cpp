@@ -199,7 +199,7 @@ void compute_objectives(const DesignOutcome& outcome, const std::vector<Objectiv
   for (const Objective objective : objectives) {
     const ObjectiveRow& wanted = row(objective);
     if (wanted.compute == nullptr || (wanted.of_hand && !has_hand)) continue;
-    values[static_cast<std::size_t>(objective)] = on_grid(wanted.compute(outcome));
+    value(values, objective) = on_grid(wanted.compute(outcome));
   }
 }
 
@@ -239,6 +239,14 @@ bool Constraint::admits(const ObjectiveValues& values) const {
   if (comparison == "<") return v < bound;
   if (comparison == ">") return v > bound;
   return v == bound;
+}
+
+std::size_t first_failure(const std::vector<Constraint>& constraints,
+                          const ObjectiveValues& values) {
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (!constraints[c].admits(values)) return c + 1;
+  }
+  return 0;
 }
 
 Constraint parse_constraint(const std::string& text) {

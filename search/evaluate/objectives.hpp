@@ -53,6 +53,10 @@ inline double value(const ObjectiveValues& values, Objective objective) {
   return values[static_cast<std::size_t>(objective)];
 }
 
+inline double& value(ObjectiveValues& values, Objective objective) {
+  return values[static_cast<std::size_t>(objective)];
+}
+
 enum class Better : std::uint8_t { higher, lower };
 
 // What a grasp contributes: a weight and the performance in it.
@@ -142,6 +146,10 @@ struct Constraint {
 
   bool admits(const ObjectiveValues& values) const;
 };
+
+// The number of the first constraint, from 1, that does not admit the values; 0: all do.
+std::size_t first_failure(const std::vector<Constraint>& constraints,
+                          const ObjectiveValues& values);
 
 Constraint parse_constraint(const std::string& text);
 

@@ -53,7 +53,7 @@ void add_score(const Score& score, ObjectiveValues& values) {
     sum += term.weight * (row(term.objective).better == Better::higher ? given : -given);
     weights += term.weight;
   }
-  values[static_cast<std::size_t>(Objective::score)] = on_grid(sum / weights);
+  value(values, Objective::score) = on_grid(sum / weights);
 }
 
 Score parse_score(const std::string& text) {

@@ -1,6 +1,6 @@
 // Tensions of whole routings of which each tree is solved once, pulled and released.
 //
-// Put together as solved_trees.hpp says, with sums in the order of the network, they are those that
+// Put together as known_trees.hpp says, with sums in the order of the network, they are those that
 // TensionSolver gives, bit for bit, at a small part of the work where many routings have the same
 // tendons. States of trees are kept up to a bounded number.
 #pragma once

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "search/evaluate/score.hpp"
-#include "search/rank/order.hpp"
+#include "search/rank/ranking.hpp"
 
 namespace reeve::search {
 

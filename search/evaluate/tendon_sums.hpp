@@ -23,7 +23,6 @@
 #include "core/hardware.hpp"
 #include "core/mechanics.hpp"
 #include "core/tension/elastic_chain.hpp"
-#include "search/evaluate/tree_outline.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
 namespace reeve::search {

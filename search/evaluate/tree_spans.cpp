@@ -93,6 +93,17 @@ bool read_tree(const Routing& routing, TreeSpan& span) {
 
 }  // namespace
 
+TreeSums& TreeSums::operator+=(const TreeSums& other) {
+  jams |= other.jams;
+  in_range &= other.in_range;
+  motor += other.motor;
+  strands.least = std::min(strands.least, other.strands.least);
+  strands.most = std::max(strands.most, other.strands.most);
+  strands.sum += other.strands.sum;
+  strands.work += other.strands.work;
+  return *this;
+}
+
 std::uint64_t hash(const TreeKey& key) {
   // Odd multipliers, and the high half onto the low one: D. Knuth, TAOCP 3, section 6.4.
   std::uint64_t sum = 0;

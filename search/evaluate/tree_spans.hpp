@@ -9,9 +9,27 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/performance.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::search {
+
+// What a state adds to a routing (known_trees.hpp has the t_i): a few sums, enough to know that it
+// is far from what is kept.
+struct TreeSums {
+  bool jams = false;
+  bool in_range = true;
+  double motor = 0;     // Σ t_j of the motor-side segments
+  StrandTally strands;  // of the t_i
+
+  bool has_strands() const { return strands.least <= strands.most; }
+  TreeSums& operator+=(const TreeSums& other);
+};
+
+struct TreeOutline {
+  PartCount parts;
+  std::vector<TreeSums> sums;  // with no finger held, and with each
+};
 
 // Four bits a token and four more for a block's number.
 struct TreeKey {

@@ -9,6 +9,7 @@
 
 #include "search/enumerate/generator.hpp"
 #include "search/enumerate/tree_generator.hpp"
+#include "search/evaluate/objectives.hpp"
 #include "search/limits/limited_tendons.hpp"
 #include "search/limits/tree_parts.hpp"
 
@@ -106,5 +107,19 @@ class LimitedGenerator {
   std::unique_ptr<LimitedTrees> trees_;
   std::uint64_t total_ = 0;
 };
+
+// How many of the routings of a set of parts that hang on the motor meet constraints on their
+// parts, by formula: of the classes of parts (part_classes.hpp) that tendons and trees make.
+struct LimitedCounts {
+  std::uint64_t meeting = 0;     // all constraints
+  std::uint64_t one_tendon = 0;  // … with a single tendon, or tree of tendons
+  // Parallel to the constraints: those that each is the first to reject.
+  std::vector<std::uint64_t> rejected;
+};
+
+// Throws InputError of a constraint that parts do not decide, of more sums of parts than classes
+// hold, and where fingers are told apart.
+LimitedCounts count_limited(const GeneratorOptions& options,
+                            const std::vector<Constraint>& constraints);
 
 }  // namespace reeve::search

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "search/enumerate/digits.hpp"
+#include "search/enumerate/checked.hpp"
 
 namespace reeve::search {
 namespace {

@@ -2,7 +2,7 @@
 //
 // A thing is one of a few kinds, one of several sorts of things one behind the other, a choice for
 // each of two things (the first of which varies first), or a multiset of things, greatest number
-// first (enumerate/digits.hpp). So the index of a thing is a number of mixed radix, as tree_index
+// first (enumerate/checked.hpp). So the index of a thing is a number of mixed radix, as tree_index
 // reads it, and without making any of them one can say
 //   - how many of those below an index have which parts, and
 //   - which is the next from an index on whose parts are within limits, since how many there are of

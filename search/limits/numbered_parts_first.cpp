@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "search/enumerate/digits.hpp"
+#include "search/enumerate/checked.hpp"
 #include "search/limits/numbered_parts.hpp"
 
 namespace reeve::search {

@@ -182,13 +182,10 @@ std::size_t PartClasses::judged(PartClass whole) const {
   if ((whole & 1U) != 0) return not_actuated;
   ObjectiveValues values{};
   for (const Sum& sum : sums_of_) {
-    values[static_cast<std::size_t>(sum.objective)] =
-        static_cast<double>(whole / sum.radix % (sum.greatest + 1));
+    value(values, sum.objective) = static_cast<double>(whole / sum.radix % (sum.greatest + 1));
   }
-  for (std::size_t c = 0; c < constraints_.size(); ++c) {
-    if (!constraints_[c].admits(values)) return failing(c);
-  }
-  return within_limits;
+  const std::size_t failed = first_failure(constraints_, values);
+  return failed == 0 ? within_limits : failing(failed - 1);
 }
 
 }  // namespace reeve::search

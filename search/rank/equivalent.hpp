@@ -1,9 +1,5 @@
-// Designs that the ranking cannot tell apart, and that differ in their bearings alone.
-//
-// Two designs are alike if they are equal in every ranked objective and in what orders within a
-// front, and would be one routing with tubes in place of all bearings at fingertips and joins: what
-// bearings one has beyond the other change nothing that is ranked. The first of them in the ranking
-// has fewest parts and stands for all.
+// Designs that the ranking cannot tell apart: equal in every ranked objective and in what orders
+// within a front.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +11,24 @@
 
 namespace reeve::search {
 
+// Returns the place of each design, parallel to `ranked`, which is best first and without gaps
+// before what is asked of. Designs that are equal share one:
+//
+//   place = rank of the first design that this one equals
+//
+// What is left to order them, fewer parts and the word, does not make one better. After two at
+// place 1 the next is at 3.
+std::vector<std::size_t> places(const std::vector<RankedDesign>& ranked, const Order& order);
+
 // With a tube wherever a bearing could be one; canonical.
 Routing without_bearings(Routing routing, FingerIdentity identity);
 
-// For each design the place of the first that it is like: its own if there is none before it.
-// `ranked` is best first and `routings` begins parallel to it.
+// Two designs are alike if they are equal, and would be one routing with tubes in place of all
+// bearings at fingertips and joins: what bearings one has beyond the other change nothing that is
+// ranked. The first of them in the ranking has fewest parts and stands for all.
+//
+// Returns for each design the index of the first that it is like: its own if there is none before
+// it. `ranked` is best first and `routings` begins parallel to it.
 std::vector<std::size_t> first_equivalent(const std::vector<RankedDesign>& ranked,
                                           const std::vector<Routing>& routings, const Order& order,
                                           FingerIdentity identity);

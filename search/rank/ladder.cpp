@@ -12,6 +12,14 @@
 namespace reeve::search {
 namespace {
 
+Order with_measure(const Order& order, Objective by) {
+  std::vector<Objective> objectives = ranked_by(order);
+  if (std::find(objectives.begin(), objectives.end(), by) == objectives.end()) {
+    objectives.push_back(by);
+  }
+  return {std::move(objectives), order.by_score};
+}
+
 // Far below anything that can be measured: a loss of exactly `within` is within it.
 constexpr double rounding = 1e-9;
 
@@ -86,6 +94,18 @@ std::optional<Design> affordable(const std::vector<Design>& candidates, const Or
 }
 
 }  // namespace
+
+LadderArchive::LadderArchive(const Order& order, Objective by)
+    : archive_(with_measure(order, by), 1) {}
+
+void LadderArchive::add(Design design) { archive_.add(std::move(design)); }
+
+std::vector<Design> LadderArchive::candidates() {
+  std::vector<Design> designs;
+  for (RankedDesign& ranked : archive_.content().ranked)
+    designs.push_back(std::move(ranked.design));
+  return designs;
+}
 
 std::vector<Objective> ranked_by(const Order& order) {
   std::vector<Objective> objectives = order.objectives;

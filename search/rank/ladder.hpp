@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "search/rank/order.hpp"
+#include "search/rank/archive.hpp"
 #include "search/rank/ranking.hpp"
 
 namespace reeve::search {
@@ -54,7 +54,7 @@ std::vector<Objective> ranked_by(const Order& order);
 // Infinite if the first has 0 and this is worse.
 double loss(Objective objective, const ObjectiveValues& values, const ObjectiveValues& first);
 
-// Of candidates as ladder_archive.hpp keeps them, in any order.
+// Of candidates as LadderArchive keeps them, in any order.
 Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
               const LadderOptions& options);
 
@@ -63,5 +63,26 @@ const std::vector<std::string>& ladder_measures();
 
 // "2%", "2.5 %": from 0 % to below 100 %. Throws InputError.
 double parse_within(const std::string& text);
+
+// The designs that can be a rung of the ladder out of a stream of any length.
+//
+// Exact: a design that another one with as little of the measure matches or beats in every ranked
+// objective is no rung, however long the ladder. What is kept is one Pareto front, so that memory
+// does not grow with the number of designs that are offered; it is kept beside the archive of the
+// ranking, in which the best design with one sheath may be far beyond the end.
+class LadderArchive {
+ public:
+  LadderArchive(const Order& order, Objective by);
+
+  // May be asked from many threads.
+  bool may_be_rung(const ObjectiveValues& values) const { return archive_.may_rank(values); }
+
+  void add(Design design);
+
+  std::vector<Design> candidates();
+
+ private:
+  Archive archive_;
+};
 
 }  // namespace reeve::search

@@ -7,12 +7,26 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "search/rank/order.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::search {
+
+struct Order {
+  std::vector<Objective> objectives{Objective::uniformity_mean, Objective::efficiency_mean};
+  bool by_score = false;  // within a front
+
+  Order() = default;
+  // Objectives alone are an order.
+  Order(std::vector<Objective> chosen, bool score = false)
+      : objectives(std::move(chosen)), by_score(score) {}
+  Order(std::initializer_list<Objective> chosen, bool score = false)
+      : objectives(chosen), by_score(score) {}
+};
 
 struct Design {
   std::string word;

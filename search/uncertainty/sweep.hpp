@@ -9,16 +9,46 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "core/routing.hpp"
+#include "numerics/minimise.hpp"
 #include "search/explore.hpp"
 #include "search/uncertainty/bands.hpp"
-#include "search/uncertainty/swept_coefficient.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 
 namespace reeve::search {
+
+// A coefficient that is varied from one end of a range to the other, while the others stay as they
+// are or are drawn.
+enum class Coefficient : std::uint8_t { mu, tube_mu, sheath_mu, bearing_mu, sheath_angle };
+
+struct CoefficientRow {
+  Coefficient coefficient;
+  const char* name;   // as it is asked for
+  const char* title;  // "friction coefficient of the tubes"
+  const char* unit;   // "" if it has none
+  double greatest;    // that is possible; the least is 0
+};
+
+const CoefficientRow& row(Coefficient coefficient);
+
+struct CoefficientRange {
+  Coefficient coefficient = Coefficient::mu;
+  Interval range;
+};
+
+// "mu=0.02..0.3": mu (of tubes and sheaths alike), tube_mu, sheath_mu, bearing_mu or sheath_angle.
+// Throws InputError.
+CoefficientRange parse_sweep(const std::string& text);
+
+// The model with that value of it. In place of effects that would replace it (tube_friction,
+// sheath_friction, bearing_friction); what the hardware says of one finger or contact stays.
+Model at_coefficient(Model model, Coefficient coefficient, double value);
 
 struct SweepOptions {
   UncertaintyOptions uncertainty;  // what is nominal, how is ranked, and the draws
@@ -45,7 +75,7 @@ struct Sweep {
   CoefficientRange over;
   std::vector<double> at;                        // values of the coefficient
   std::vector<std::vector<SweepCurve>> designs;  // [design][ranked objective]
-  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (rank/places.hpp)
+  std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (rank/equivalent.hpp)
   std::vector<SweepLead> leads;                  // from one end of the range to the other
 };
 

@@ -10,7 +10,7 @@
 #include "core/notation.hpp"
 #include "numerics/parallel.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/rank/places.hpp"
+#include "search/rank/equivalent.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {
@@ -23,17 +23,12 @@ struct DrawnPlaces {
   bool first_is_shared = false;
 };
 
-bool meets_all(const std::vector<Constraint>& constraints, const ObjectiveValues& values) {
-  return std::all_of(constraints.begin(), constraints.end(),
-                     [&](const Constraint& constraint) { return constraint.admits(values); });
-}
-
 DrawnPlaces drawn_places(std::vector<Design> designs, const UncertaintyOptions& options) {
   DrawnPlaces result;
   result.places.resize(designs.size());
   if (!options.constraints.empty()) {
     for (const Design& design : designs) {
-      result.meets.push_back(meets_all(options.constraints, design.values));
+      result.meets.push_back(first_failure(options.constraints, design.values) == 0);
     }
   }
   const std::vector<RankedDesign> ranked = rank(std::move(designs), options.order);

@@ -3,7 +3,7 @@
 // distribution.
 //
 // A draw is a point of the box of uncertain coefficients (coefficient_box.hpp), uniform in it.
-// Designs that are equal in a draw share their place (decide/places.hpp): two of them can both be
+// Designs that are equal in a draw share their place (rank/equivalent.hpp): two of them can both be
 // first.
 //
 // Memory does not grow with the draws times the designs times the objectives: of as many designs as
