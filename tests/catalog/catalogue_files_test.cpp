@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/embedded_catalogue.hpp"
 #include "catalog/publication.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "catalog/names.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
 #include "tests/catalog/entry_text.hpp"

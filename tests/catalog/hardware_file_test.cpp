@@ -28,10 +28,9 @@ std::string error_in_hardware(const std::string& text) {
 
 void expect_defaults(const HardwareFile& file) {
   const Hardware paper;
-  EXPECT_EQ(file.hardware.tube.mu, paper.tube.mu);
-  EXPECT_EQ(file.hardware.tube.angle_rad, paper.tube.angle_rad);
-  EXPECT_EQ(file.hardware.bearing.mu, paper.bearing.mu);
-  EXPECT_EQ(file.hardware.sheath.angle_rad, paper.sheath.angle_rad);
+  EXPECT_EQ(file.hardware.tube, paper.tube);
+  EXPECT_EQ(file.hardware.bearing, paper.bearing);
+  EXPECT_EQ(file.hardware.sheath, paper.sheath);
   EXPECT_EQ(file.hardware.strand_mm, paper.strand_mm);
   EXPECT_TRUE(file.hardware.fingers.empty());
   EXPECT_TRUE(file.hardware.contacts.empty());
@@ -52,14 +51,8 @@ TEST(HardwareFile, GivesEveryKeyOfTheExampleToCore) {
       read_hardware_file(std::string(REEVE_CATALOG_DIR) + "/hardware/example.toml");
   const Hardware& hardware = file.hardware;
   EXPECT_EQ(hardware.sheath.angle_rad, 2 * std::numbers::pi);
-  ASSERT_EQ(hardware.fingers.size(), 1U);
-  EXPECT_EQ(hardware.fingers[0].finger, 2);
-  EXPECT_EQ(hardware.fingers[0].tip_mu, 0.09);
-  EXPECT_EQ(hardware.fingers[0].tip_angle_rad, std::numbers::pi);
-  EXPECT_EQ(hardware.fingers[0].sheath_mu, 0.18);
-  EXPECT_EQ(hardware.fingers[0].sheath_angle_rad, 7.0);
-  EXPECT_EQ(hardware.fingers[0].strand_mm, 90);
-  EXPECT_EQ(hardware.fingers[0].closing, 0.8);
+  EXPECT_EQ(hardware.fingers,
+            (std::vector<FingerHardware>{{2, 0.09, std::numbers::pi, 0.18, 7.0, 90, 0.8}}));
   // Its contact is commented out, so that the file serves every routing.
   EXPECT_TRUE(hardware.contacts.empty());
 }
@@ -71,12 +64,9 @@ TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
       "[lengths]\nstrand_mm = 11\nmotor_side_mm = 12\nhand_mm = 13\n"
       "[uncertainty]\ntube_mu = [0.1, 0.2]\nsheath_mu = [0, 1]\nbearing_mu_relative = 0.3\n"
       "sheath_angle_relative = 0.4\n");
-  EXPECT_EQ(file.hardware.tube.mu, 0.01);
-  EXPECT_EQ(file.hardware.tube.angle_rad, 1.1);
-  EXPECT_EQ(file.hardware.bearing.mu, 0.02);
-  EXPECT_EQ(file.hardware.bearing.angle_rad, 1.2);
-  EXPECT_EQ(file.hardware.sheath.mu, 0.03);
-  EXPECT_EQ(file.hardware.sheath.angle_rad, 1.3);
+  EXPECT_EQ(file.hardware.tube, (ContactLaw{0.01, 1.1}));
+  EXPECT_EQ(file.hardware.bearing, (ContactLaw{0.02, 1.2}));
+  EXPECT_EQ(file.hardware.sheath, (ContactLaw{0.03, 1.3}));
   EXPECT_EQ(file.hardware.strand_mm, 11);
   EXPECT_EQ(file.hardware.motor_side_mm, 12);
   EXPECT_EQ(file.hardware.hand_mm, 13);
@@ -93,18 +83,14 @@ TEST(HardwareFile, HasALawOfBlocksOnlyWhereItIsGiven) {
   const Hardware given =
       hardware_file_of("block = { mu = 0.04, angle_rad = 1.4 }\nbearing = { mu = 0.02 }\n")
           .hardware;
-  ASSERT_TRUE(given.block);
-  EXPECT_EQ(given.block->mu, 0.04);
-  EXPECT_EQ(given.block->angle_rad, 1.4);
+  EXPECT_EQ(given.block, (ContactLaw{0.04, 1.4}));
   EXPECT_EQ(given.bearing.mu, 0.02);
 }
 
 TEST(HardwareFile, TakesFromTheBearingsWhatIsNotGivenOfABlock) {
   const Hardware hardware =
       hardware_file_of("[block]\nmu = 0.04\n[bearing]\nangle_rad = 2\n").hardware;
-  ASSERT_TRUE(hardware.block);
-  EXPECT_EQ(hardware.block->mu, 0.04);
-  EXPECT_EQ(hardware.block->angle_rad, 2);
+  EXPECT_EQ(hardware.block, (ContactLaw{0.04, 2}));
 }
 
 TEST(HardwareFile, TakesAWholeNumberAndWindowsLineEnds) {

@@ -1,5 +1,3 @@
-#include "catalog/mechanisms/mechanism_check.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "catalog/check.hpp"
 #include "catalog/mechanisms/mechanism_file.hpp"
 #include "catalog/mechanisms/named_values.hpp"
 

@@ -168,7 +168,7 @@ TEST(Archive, ForgetsTheTwinsOfWhatHasLeftTheFront) {
       Archive archive(objectives, keep);
       Design design{"w", {}};
       const auto add = [&](std::size_t count, double sheaths) {
-        design.values[static_cast<std::size_t>(Objective::sheaths)] = sheaths;
+        value(design.values, Objective::sheaths) = sheaths;
         for (std::size_t i = 0; i < count; ++i) {
           design.word = "w" + std::to_string(sheaths) + std::to_string(i);
           archive.add(design);

@@ -16,25 +16,14 @@
 #include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "tests/search/naive_exploration.hpp"
+#include "tests/search/uncertain.hpp"
 
 namespace reeve::testing {
 namespace {
 
-UncertaintyOptions drawing(std::size_t draws) {
-  UncertaintyOptions options;
-  options.grasps = single_grasps(2);
-  options.draws = draws;
-  options.threads = 1;
-  return options;
-}
-
 std::vector<Routing> banded_routings() {
-  std::vector<Routing> routings;
-  for (const char* word :
-       {"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1", "M-1b-B-2-F", "M-1-F+M-2-F", "M-Y1+1x-Y1-2x"}) {
-    routings.push_back(parse_routing(word));
-  }
-  return routings;
+  return parsed(
+      {"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1", "M-1b-B-2-F", "M-1-F+M-2-F", "M-Y1+1x-Y1-2x"});
 }
 
 // Between the two draws about it, in proportion.
@@ -48,7 +37,7 @@ double sorted_quantile(std::vector<double> values, double share) {
 
 TEST(Bands, AreTheQuantilesOfWhatIsEvaluatedDrawByDraw) {
   for (const std::size_t draws : {1U, 2U, 3U, 20U, 101U}) {
-    const UncertaintyOptions options = drawing(draws);
+    const UncertaintyOptions options = options_for(draws);
     const std::vector<Bands> bands = drawn_designs(banded_routings(), options).value().bands;
     ASSERT_EQ(bands.size(), banded_routings().size());
     for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -73,7 +62,7 @@ TEST(Bands, AreTheQuantilesOfWhatIsEvaluatedDrawByDraw) {
 // TR1: T4 / T1 = e^(-3 pi mu_t) in every grasp, which falls with mu_t: the 95 % quantile of one is
 // the 5 % quantile of the other. Of 21 draws those are the 2nd, the 11th and the 20th.
 TEST(Bands, OfAChainOfTubesAreThoseOfTheCoefficient) {
-  const UncertaintyOptions options = drawing(21);
+  const UncertaintyOptions options = options_for(21);
   std::vector<double> mu;
   for (std::uint64_t d = 0; d < 21; ++d) mu.push_back(draw_model(options, d).hardware.tube.mu);
   std::sort(mu.begin(), mu.end());
@@ -95,7 +84,7 @@ TEST(Bands, ComeToThoseOfTheRangeWithManyDraws) {
   const auto uniformity_at = [](double share) {
     return std::exp(-3 * std::numbers::pi * (0.05 + 0.15 * share));
   };
-  const auto drawn = drawn_designs({parse_routing("M-1-T-2-F")}, drawing(draws)).value();
+  const auto drawn = drawn_designs({parse_routing("M-1-T-2-F")}, options_for(draws)).value();
   const Band* band = find_band(drawn.bands.front(), Objective::uniformity_worst);
   const double by = 4 * std::sqrt(0.05 * 0.95 / draws);
   EXPECT_GT(band->low, uniformity_at(0.95 + by));
@@ -121,7 +110,7 @@ void expect_same_bands(const std::vector<Bands>& a, const std::vector<Bands>& b)
 }
 
 TEST(Bands, DependNeitherOnThreadsNorOnTheRoomForThem) {
-  UncertaintyOptions options = drawing(40);
+  UncertaintyOptions options = options_for(40);
   const DrawnDesigns expected = drawn_designs(banded_routings(), options).value();
   for (const std::size_t room :
        {std::size_t{0}, std::size_t{40 * 14 * 2 + 1}, std::size_t{1} << 30}) {
@@ -139,7 +128,7 @@ TEST(Bands, DependNeitherOnThreadsNorOnTheRoomForThem) {
 }
 
 TEST(Bands, OfADesignAloneAreThoseAmongOthers) {
-  const UncertaintyOptions options = drawing(25);
+  const UncertaintyOptions options = options_for(25);
   const auto among = drawn_designs(banded_routings(), options).value().bands;
   for (std::size_t i = 0; i < among.size(); ++i) {
     const auto alone = drawn_bands({banded_routings()[i]}, friction_objectives(false), options,
@@ -149,7 +138,7 @@ TEST(Bands, OfADesignAloneAreThoseAmongOthers) {
 }
 
 TEST(Bands, ProgressCountsEveryPassAndAStopEndsThem) {
-  UncertaintyOptions options = drawing(100);
+  UncertaintyOptions options = options_for(100);
   options.values_at_once = 0;
   std::vector<std::uint64_t> heard;
   Supervision supervision;
@@ -169,7 +158,7 @@ TEST(Bands, ProgressCountsEveryPassAndAStopEndsThem) {
 
 // Of all routings of two fingers, with a block or an anchor too.
 TEST(FrictionObjectives, AreThoseThatTheDrawsMove) {
-  const UncertaintyOptions options = drawing(3);
+  const UncertaintyOptions options = options_for(3);
   std::vector<bool> moved(objective_count, false);
   for (const Routing& routing : explore(options_for(all_parts(), 2)).routings) {
     std::vector<ObjectiveValues> drawn;

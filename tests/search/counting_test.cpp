@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "search/enumerate/checked.hpp"
+#include "tests/search/counted_parts.hpp"
 #include "tests/support/counting.hpp"
 #include "tests/support/input_error.hpp"
 
@@ -21,37 +21,9 @@ const std::string too_many =
 
 testing::RoutingCounts independent_counts(const PartSet& parts, int fingers,
                                           FingerIdentity identity) {
-  const auto on_carriage = [](const std::vector<TokenKind>& kinds) {
-    return static_cast<int>(std::count_if(kinds.begin(), kinds.end(), is_on_carriage));
-  };
-  testing::CountedParts counted;
-  counted.tube_like_tips = static_cast<int>(parts.tips.size());
-  counted.motor_joins = on_carriage(parts.joins);
-  counted.passive_joins = static_cast<int>(parts.joins.size()) - counted.motor_joins;
-  counted.motor_ends = on_carriage(parts.ends);
-  counted.fixed_ends = static_cast<int>(parts.ends.size()) - counted.motor_ends;
-  return identity == FingerIdentity::identical ? testing::count_identical(counted, fingers)
-                                               : testing::count_distinct(counted, fingers);
-}
-
-void expect_row(const PartSet& parts, int fingers, const std::vector<std::uint64_t>& row) {
-  const RoutingCounts counts = count_routings(parts, fingers, FingerIdentity::identical);
-  EXPECT_EQ((std::vector{counts.all, counts.actuated, counts.one_tendon}), row)
-      << fingers << " fingers";
-}
-
-TEST(Counting, TableOfPaperParts) {
-  expect_row(paper_parts(), 1, {5, 3, 3});
-  expect_row(paper_parts(), 2, {24, 13, 7});
-  expect_row(paper_parts(), 3, {94, 43, 12});
-  expect_row(paper_parts(), 4, {346, 145, 24});
-}
-
-TEST(Counting, TableOfFullParts) {
-  expect_row(full_parts(), 1, {12, 6, 6});
-  expect_row(full_parts(), 2, {126, 54, 33});
-  expect_row(full_parts(), 3, {1152, 426, 172});
-  expect_row(full_parts(), 4, {9942, 3402, 990});
+  return identity == FingerIdentity::identical
+             ? testing::count_identical(testing::counted(parts), fingers)
+             : testing::count_distinct(testing::counted(parts), fingers);
 }
 
 // Every set of parts that makes a routing, empty lists of joins or of ends among them.

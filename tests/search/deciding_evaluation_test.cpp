@@ -9,6 +9,7 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
+#include "tests/search/generated.hpp"
 #include "tests/search/uneven_model.hpp"
 
 namespace reeve {
@@ -46,12 +47,6 @@ PartPrices some_prices() {
   return prices;
 }
 
-PartSet with_blocks(int blocks) {
-  PartSet parts = all_parts();
-  parts.blocks = blocks;
-  return parts;
-}
-
 struct Case {
   PartSet parts;
   int fingers;
@@ -62,9 +57,9 @@ struct Case {
 std::vector<Case> combined_cases() {
   return {{full_parts(), 4, {}, single_grasps(4)},
           {paper_parts(), 5, uneven_model(), single_grasps(5)},
-          {with_blocks(1), 3, uneven_model(), single_grasps(3)},
-          {with_blocks(2), 3, {}, single_grasps(3)},
-          {with_blocks(3), 2, {}, single_grasps(2)},
+          {testing::with_blocks(all_parts(), 1), 3, uneven_model(), single_grasps(3)},
+          {testing::with_blocks(all_parts(), 2), 3, {}, single_grasps(3)},
+          {testing::with_blocks(all_parts(), 3), 2, {}, single_grasps(2)},
           {full_parts(), 3, {}, parse_grasps("none:2/2:0.5/3", 3)}};
 }
 

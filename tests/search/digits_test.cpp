@@ -1,5 +1,3 @@
-#include "search/enumerate/digits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "search/enumerate/checked.hpp"
 #include "search/enumerate/tree_index.hpp"
 #include "tests/search/generated.hpp"
 

@@ -65,8 +65,8 @@ TEST(FirstEquivalent, TellsApartWhatIsEqualOnlyInWhatOrdersWithinAFront) {
   std::vector<RankedDesign> ranked;
   for (const double amount : {1.0, 2.0}) {
     RankedDesign entry{{to_word(routings[ranked.size()]), {}}, 1, ranked.size() + 1};
-    entry.design.values[static_cast<std::size_t>(Objective::force_transmission)] = amount;
-    entry.design.values[static_cast<std::size_t>(Objective::travel)] = amount;
+    value(entry.design.values, Objective::force_transmission) = amount;
+    value(entry.design.values, Objective::travel) = amount;
     ranked.push_back(entry);
   }
   const auto firsts = [&](const Order& order) {

@@ -295,7 +295,7 @@ TEST(DesignEvaluator, PullingAloneGivesAllButReturnFriction) {
     ObjectiveValues full = evaluator.evaluate(routing);
     const ObjectiveValues pulling = evaluator.evaluate(routing, {false, true});
     EXPECT_EQ(value(pulling, Objective::round_trip_efficiency), 0);
-    full[static_cast<std::size_t>(Objective::round_trip_efficiency)] = 0;
+    value(full, Objective::round_trip_efficiency) = 0;
     EXPECT_EQ(full, pulling) << word;
   }
 }

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "search/explore.hpp"
-#include "search/rank/ladder_archive.hpp"
+#include "search/rank/ladder.hpp"
 #include "tests/search/naive_exploration.hpp"
 #include "tests/search/naive_ladder.hpp"
+#include "tests/search/same_exploration.hpp"
 
 namespace reeve::testing {
 namespace {
-
-std::vector<std::pair<double, std::string>> steps(const Ladder& ladder) {
-  std::vector<std::pair<double, std::string>> rungs;
-  for (const Rung& rung : ladder.rungs) rungs.emplace_back(rung.at_most, rung.design.word);
-  return rungs;
-}
 
 PartPrices some_prices() {
   PartPrices prices;
@@ -39,10 +34,8 @@ std::vector<Design> all_designs(const ExploreOptions& options) {
   for (Routing routing; generator.next(routing);) {
     if (!is_actuated(routing)) continue;
     const ObjectiveValues values = evaluator.evaluate(routing);
-    const bool admitted =
-        std::all_of(options.constraints.begin(), options.constraints.end(),
-                    [&](const Constraint& constraint) { return constraint.admits(values); });
-    if (admitted) designs.push_back({to_word(routing), values});
+    if (first_failure(options.constraints, values) == 0)
+      designs.push_back({to_word(routing), values});
   }
   return designs;
 }
@@ -51,7 +44,7 @@ void expect_naive_ladder(const ExploreOptions& options) {
   const std::vector<Design> designs = all_designs(options);
   const Ladder found = explore(options).ladder;
   const Objective by = options.ladder.by;
-  EXPECT_EQ(steps(found), naive_ladder(designs, options.order, by));
+  EXPECT_EQ(rungs_of(found), naive_ladder(designs, options.order, by));
   const Design first = rank(designs, options.order).front().design;
   EXPECT_EQ(found.first.word, first.word);
   const double least =
@@ -112,7 +105,7 @@ TEST(ExploreLadder, IsTheSameForAnyNumberOfThreads) {
   const Ladder one = explore(options).ladder;
   options.threads = 3;
   const Ladder three = explore(options).ladder;
-  EXPECT_EQ(steps(one), steps(three));
+  EXPECT_EQ(rungs_of(one), rungs_of(three));
   for (std::size_t i = 0; i < one.rungs.size(); ++i) {
     EXPECT_EQ(one.rungs[i].design.values, three.rungs[i].design.values);
   }
@@ -129,8 +122,8 @@ TEST(ExploreLadder, OfTheWholeFollowsFromThoseOfItsShards) {
     options.shard = {shard, 5};
     for (const Rung& rung : explore(options).ladder.rungs) archive.add(rung.design);
   }
-  EXPECT_EQ(steps(ladder(archive.candidates(), whole.first, options.order, options.ladder)),
-            steps(whole));
+  EXPECT_EQ(rungs_of(ladder(archive.candidates(), whole.first, options.order, options.ladder)),
+            rungs_of(whole));
 }
 
 TEST(ExploreLadder, HasNoRungWhereNothingIsLeft) {

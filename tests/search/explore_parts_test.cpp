@@ -5,59 +5,60 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "search/exploration_part.hpp"
 #include "search/explore.hpp"
-#include "tests/search/naive_exploration.hpp"
+#include "tests/search/same_exploration.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
 namespace {
 
-void expect_equal_results(const ExploreResult& a, const ExploreResult& b) {
-  EXPECT_EQ(a.total, b.total);
-  EXPECT_EQ(a.generated, b.generated);
-  EXPECT_EQ(a.evaluated, b.evaluated);
-  EXPECT_EQ(a.partial, b.partial);
-  EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);
-  ASSERT_EQ(a.rejected.size(), b.rejected.size());
-  for (std::size_t i = 0; i < a.rejected.size(); ++i) {
-    EXPECT_EQ(a.rejected[i].constraint, b.rejected[i].constraint);
-    EXPECT_EQ(a.rejected[i].count, b.rejected[i].count);
-  }
-  ASSERT_EQ(a.top.size(), b.top.size());
-  for (std::size_t i = 0; i < a.top.size(); ++i) expect_same(a.top[i], b.top[i]);
-  ASSERT_EQ(a.front.size(), b.front.size());
-  for (std::size_t i = 0; i < a.front.size(); ++i) expect_same(a.front[i], b.front[i]);
-  ASSERT_EQ(a.references.size(), b.references.size());
-  for (std::size_t i = 0; i < a.references.size(); ++i) {
-    EXPECT_EQ(a.references[i].dominated_by, b.references[i].dominated_by);
-    EXPECT_EQ(a.references[i].rank, b.references[i].rank);
-    EXPECT_EQ(a.references[i].front, b.references[i].front);
-    EXPECT_EQ(a.references[i].design.values, b.references[i].design.values);
-  }
-}
-
 TEST(ExploreThreads, DoNotChangeTheResult) {
-  ExploreOptions options = options_for(full_parts(), 3, several_objectives()[3]);
-  options.top = 15;
-  options.constraints = {parse_constraint("jams==0"), parse_constraint("sheaths<=4")};
-  options.references = {parse_routing("1-P-2-P-3-P-1"), parse_routing("M-1-T-2-T-3-F")};
-  const ExploreResult one = explore(options);
-  for (const int threads : {2, 3, 8}) {
-    SCOPED_TRACE(threads);
-    options.threads = threads;
-    expect_equal_results(explore(options), one);
+  ExploreOptions one_batch = options_for(full_parts(), 3, several_objectives()[3]);
+  one_batch.top = 15;
+  one_batch.sample = 100;
+  one_batch.constraints = {parse_constraint("jams==0"), parse_constraint("sheaths<=4")};
+  one_batch.references = {parse_routing("1-P-2-P-3-P-1"), parse_routing("M-1-T-2-T-3-F")};
+  ExploreOptions batches = several_batches();
+  batches.references = {parse_routing("M-1-T-2-T-3-T-4-T-5-F")};
+  ExploreOptions unmet = several_batches();
+  unmet.constraints = {parse_constraint("sheaths<=1"), parse_constraint("uniformity>=0.98")};
+  for (ExploreOptions options : {one_batch, batches, unmet, options_for(all_parts(), 3)}) {
+    const ExploreResult one = explore(options);
+    for (const int threads : {2, 3, 8}) {
+      SCOPED_TRACE(threads);
+      options.threads = threads;
+      expect_same_result(explore(options), one);
+    }
   }
 }
 
-TEST(ExploreThreads, DoNotChangeTheResultOfSeveralBatches) {
-  ExploreOptions options = several_batches();
-  options.references = {parse_routing("M-1-T-2-T-3-T-4-T-5-F")};
-  const ExploreResult one = explore(options);
-  for (const int threads : {2, 3, 8}) {
-    SCOPED_TRACE(threads);
-    options.threads = threads;
-    expect_equal_results(explore(options), one);
+void expect_shards_make_the_whole(ExploreOptions options, std::uint64_t count) {
+  const ExploreResult whole = explore(options);
+  std::uint64_t total = 0;
+  std::uint64_t generated = 0;
+  std::uint64_t evaluated = 0;
+  std::vector<std::uint64_t> rejected(whole.rejected.size(), 0);
+  std::set<std::string> tops;
+  for (std::uint64_t index = 1; index <= count; ++index) {
+    options.shard = {index, count};
+    const ExploreResult part = explore(options);
+    EXPECT_FALSE(part.partial) << index << " of " << count;
+    total += part.total;
+    generated += part.generated;
+    evaluated += part.evaluated;
+    for (std::size_t r = 0; r < rejected.size(); ++r) rejected[r] += part.rejected[r].count;
+    for (const RankedDesign& entry : part.top) {
+      EXPECT_TRUE(tops.insert(entry.design.word).second) << entry.design.word;
+    }
+  }
+  EXPECT_EQ(total, whole.total);
+  EXPECT_EQ(generated, whole.generated);
+  EXPECT_EQ(evaluated, whole.evaluated);
+  for (std::size_t r = 0; r < rejected.size(); ++r) EXPECT_EQ(rejected[r], whole.rejected[r].count);
+  for (const RankedDesign& entry : whole.top) {
+    EXPECT_EQ(tops.count(entry.design.word), 1U) << entry.design.word << " of " << count;
   }
 }
 
@@ -65,32 +66,10 @@ TEST(ExploreShards, TogetherAreTheWhole) {
   ExploreOptions options = options_for(full_parts(), 3);
   options.top = 12;
   options.constraints = {parse_constraint("jams==0")};
-  const ExploreResult whole = explore(options);
   for (const std::uint64_t count : {1U, 2U, 3U, 7U, 50U}) {
-    std::uint64_t total = 0;
-    std::uint64_t generated = 0;
-    std::uint64_t evaluated = 0;
-    std::vector<std::uint64_t> rejected(whole.rejected.size(), 0);
-    std::set<std::string> tops;
-    for (std::uint64_t index = 1; index <= count; ++index) {
-      options.shard = {index, count};
-      const ExploreResult part = explore(options);
-      EXPECT_FALSE(part.partial) << index << " of " << count;
-      total += part.total;
-      generated += part.generated;
-      evaluated += part.evaluated;
-      for (std::size_t r = 0; r < rejected.size(); ++r) rejected[r] += part.rejected[r].count;
-      for (const RankedDesign& entry : part.top) tops.insert(entry.design.word);
-    }
-    EXPECT_EQ(total, whole.total);
-    EXPECT_EQ(generated, whole.generated);
-    EXPECT_EQ(evaluated, whole.evaluated);
-    for (std::size_t r = 0; r < rejected.size(); ++r)
-      EXPECT_EQ(rejected[r], whole.rejected[r].count);
-    for (const RankedDesign& entry : whole.top) {
-      EXPECT_EQ(tops.count(entry.design.word), 1U) << entry.design.word << " of " << count;
-    }
+    expect_shards_make_the_whole(options, count);
   }
+  expect_shards_make_the_whole(options_for(all_parts(), 2), 7);
 }
 
 TEST(ExploreShards, MayBeEmpty) {
@@ -105,36 +84,16 @@ TEST(ExploreShards, MayBeEmpty) {
 }
 
 TEST(ParseShard, ReadsPartAndNumberOfParts) {
-  const Shard first = parse_shard("1/1");
-  EXPECT_EQ(first.index, 1U);
-  EXPECT_EQ(first.count, 1U);
+  EXPECT_EQ(parse_shard("1/1").count, 1U);
   const Shard other = parse_shard("3/64");
   EXPECT_EQ(other.index, 3U);
   EXPECT_EQ(other.count, 64U);
 }
 
 TEST(ParseShardError, SaysWhatAShardIs) {
-  for (const std::string text : {"3/2",
-                                 "0/4",
-                                 "a/b",
-                                 "1/",
-                                 "",
-                                 "1/0",
-                                 "-1/2",
-                                 "1/2/3",
-                                 "/",
-                                 "/2",
-                                 "1",
-                                 "1/-2",
-                                 "1/b",
-                                 " 1/2",
-                                 "1 /2",
-                                 "1/2 ",
-                                 "1.5/2",
-                                 "+1/2",
-                                 "0/0",
-                                 "99999999999999999999/2",
-                                 "1/99999999999999999999"}) {
+  for (const std::string& text : comma_separated(
+           "3/2,0/4,a/b,1/,,1/0,-1/2,1/2/3,/,/2,1,1/-2,1/b, 1/2,1 /2,1/2 ,1.5/2,+1/2,0/0,"
+           "99999999999999999999/2,1/99999999999999999999")) {
     EXPECT_EQ(input_error([&] { parse_shard(text); }),
               "shard '" + text + "': expected i/N with 1 <= i <= N, such as 2/8");
   }

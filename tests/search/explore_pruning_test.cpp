@@ -19,11 +19,6 @@
 namespace reeve::testing {
 namespace {
 
-void constrain(ExploreOptions& options, const std::vector<std::string>& texts) {
-  options.constraints.clear();
-  for (const std::string& text : texts) options.constraints.push_back(parse_constraint(text));
-}
-
 // Who asks for every design gets every design.
 ExploreResult filtered(const ExploreOptions& options) {
   Checkpoint checkpoint;
@@ -62,20 +57,20 @@ TEST(ExplorePruning, FindsWhatFilteringFinds) {
     SCOPED_TRACE(texts.front());
     for (const int fingers : {2, 3, 4}) {
       ExploreOptions options = pruned_options(full_parts(), fingers);
-      constrain(options, texts);
+      options.constraints = constraints_of(texts);
       expect_same_result(explore(options), filtered(options));
       options.generator.one_tendon = true;
       expect_same_result(explore(options), filtered(options));
     }
     ExploreOptions options = pruned_options(with_blocks(anchored(paper_parts()), 2), 3);
-    constrain(options, texts);
+    options.constraints = constraints_of(texts);
     expect_same_result(explore(options), filtered(options));
   }
 }
 
 TEST(ExplorePruning, FindsWhatANaiveProgramFinds) {
   ExploreOptions options = pruned_options(full_parts(), 3);
-  constrain(options, {"sheaths<=3", "pulleys>=2", "efficiency>=0.1"});
+  options.constraints = constraints_of({"sheaths<=3", "pulleys>=2", "efficiency>=0.1"});
   ASSERT_EQ(pruning_constraints(options), 2U);
   const Naive naive = naive_program(options);
   const ExploreResult result = explore(options);
@@ -107,7 +102,7 @@ TEST(ExplorePruning, FindsWhatFilteringFindsUnderConstraintsThatChanceSays) {
       texts.push_back(objective + one_of({"<=", ">=", "<", ">", "=="}) +
                       (objective == "uniformity" ? "0.5" : std::to_string(random() % 6)));
     }
-    constrain(options, texts);
+    options.constraints = constraints_of(texts);
     SCOPED_TRACE(texts.front() + (texts.size() > 1 ? " " + texts[1] : "") +
                  (texts.size() > 2 ? " " + texts[2] : ""));
     const std::uint64_t shards = 1 + random() % 3;
@@ -132,7 +127,7 @@ TEST(ExplorePruning, OfShardsTogetherIsThatOfTheWhole) {
     SCOPED_TRACE(texts.front());
     for (const PartSet& parts : {full_parts(), with_blocks(anchored(paper_parts()), 2)}) {
       ExploreOptions options = pruned_options(parts, 3);
-      constrain(options, texts);
+      options.constraints = constraints_of(texts);
       const ExploreResult whole = explore(options);
       for (const std::uint64_t count : {2U, 7U, 40U}) {
         std::vector<ShardRecord> records;
@@ -149,7 +144,7 @@ TEST(ExplorePruning, OfShardsTogetherIsThatOfTheWhole) {
 
 TEST(ExplorePruning, DoesNotDependOnThreadsOrBatches) {
   ExploreOptions options = pruned_options(full_parts(), 6);
-  constrain(options, {"sheaths<=4", "pulleys<=7"});
+  options.constraints = constraints_of({"sheaths<=4", "pulleys<=7"});
   const ExploreResult one = explore(options);
   EXPECT_GT(one.evaluated - one.pruned, 8192U);
   for (const int threads : {2, 5}) {
@@ -160,11 +155,9 @@ TEST(ExplorePruning, DoesNotDependOnThreadsOrBatches) {
 
 TEST(ExplorePruning, StoppedItCountsWhatWasLeftOutUntilThere) {
   ExploreOptions options = pruned_options(full_parts(), 5);
-  constrain(options, {"sheaths<=3"});
+  options.constraints = constraints_of({"sheaths<=3"});
   std::atomic<bool> stop{true};
-  Supervision supervision;
-  supervision.stop = &stop;
-  const ExploreResult result = explore(options, supervision);
+  const ExploreResult result = explore(options, {{}, &stop});
   ASSERT_TRUE(result.partial);
   ASSERT_GT(result.generated, 0U);
   const Naive naive = naive_program(options, result.generated);
@@ -175,7 +168,7 @@ TEST(ExplorePruning, StoppedItCountsWhatWasLeftOutUntilThere) {
 
 TEST(ExplorePruning, StoppedWhileItLooksAtAllAgainItIsPartial) {
   ExploreOptions options = pruned_options(full_parts(), 3);
-  constrain(options, {"sheaths<=1", "uniformity>=0.9999"});
+  options.constraints = constraints_of({"sheaths<=1", "uniformity>=0.9999"});
   std::atomic<bool> stop{false};
   Supervision supervision;
   supervision.stop = &stop;
@@ -191,7 +184,7 @@ TEST(ExplorePruning, StoppedWhileItLooksAtAllAgainItIsPartial) {
 TEST(ExplorePruning, IsOfTheFirstConstraintsThatPartsDecide) {
   ExploreOptions options = pruned_options(full_parts(), 3);
   const auto many = [&](const std::vector<std::string>& texts) {
-    constrain(options, texts);
+    options.constraints = constraints_of(texts);
     return pruning_constraints(options);
   };
   EXPECT_EQ(many({}), 0U);
@@ -200,7 +193,7 @@ TEST(ExplorePruning, IsOfTheFirstConstraintsThatPartsDecide) {
   EXPECT_EQ(many({"travel<=3"}), 0U);
   // As far as classes last.
   EXPECT_EQ(many({"sheaths<=5", "pulleys<=5", "knots<=4", "parts<=9"}), 2U);
-  constrain(options, {"sheaths<=3"});
+  options.constraints = constraints_of({"sheaths<=3"});
   options.generator.identity = FingerIdentity::distinct;
   EXPECT_EQ(pruning_constraints(options), 0U);
 }
@@ -218,7 +211,7 @@ TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeFindsWhatFilteringFinds)
   std::uint64_t unconverged = 0;
   for (const char* constraint : {"sheaths<=2", "sheaths>=2", "pulleys<=1"}) {
     SCOPED_TRACE(constraint);
-    constrain(options, {constraint});
+    options.constraints = constraints_of({constraint});
     const ExploreResult pruned = explore(options);
     const ExploreResult all = filtered(options);
     EXPECT_GT(pruned.pruned, 0U);
@@ -230,7 +223,7 @@ TEST(ExplorePruning, WithAModelWhoseSolvesMayNotConvergeFindsWhatFilteringFinds)
   // Also where all are made, as with distinct fingers.
   options.generator.identity = FingerIdentity::distinct;
   options.references.clear();
-  constrain(options, {"sheaths<=0"});
+  options.constraints = constraints_of({"sheaths<=0"});
   EXPECT_EQ(explore(options).unconverged, 0U);
 }
 
@@ -238,7 +231,7 @@ TEST(ExplorePruning, WithDistinctFingersEverythingIsMade) {
   ExploreOptions options = pruned_options(paper_parts(), 3);
   options.references.clear();
   options.generator.identity = FingerIdentity::distinct;
-  constrain(options, {"sheaths<=2"});
+  options.constraints = constraints_of({"sheaths<=2"});
   const ExploreResult result = explore(options);
   EXPECT_EQ(result.pruned, 0U);
   expect_same_result(result, filtered(options));
@@ -261,7 +254,7 @@ TEST(ExplorePruning, LooksAtAFewOfAllRoutings) {
            {full_parts(), 6, "sheaths<=1", 200, 10},
            {with_blocks(all_parts(), 2), 4, "sheaths<=1", 20, 20}}) {
     ExploreOptions options = options_for(parts, fingers);
-    constrain(options, {text});
+    options.constraints = constraints_of({text});
     LimitedGenerator limited(options.generator, options.constraints);
     limited.seek(0);
     std::uint64_t many = 0;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "search/rank/pareto.hpp"
+#include "tests/search/generated.hpp"
 #include "tests/search/naive_exploration.hpp"
 
 namespace reeve::testing {
@@ -93,6 +94,16 @@ TEST(Explore, AgreesWithANaiveProgram) {
   }
 }
 
+TEST(Explore, AgreesWithANaiveProgramOnTrees) {
+  for (const PartSet& parts : {all_parts(), with_blocks(anchored(paper_parts()), 2)}) {
+    for (const Objectives& objectives : several_objectives()) {
+      ExploreOptions options = options_for(parts, 2, objectives);
+      options.top = 20;
+      expect_naive_result(options);
+    }
+  }
+}
+
 TEST(Explore, AgreesWithANaiveProgramOnDistinctFingersAndOnOneTendon) {
   ExploreOptions options = options_for(paper_parts(), 3);
   options.generator.identity = FingerIdentity::distinct;
@@ -162,9 +173,7 @@ TEST(ExploreConstraints, MayLeaveNothing) {
 TEST(Explore, StoppedItIsPartialAndTrueToWhatItSaw) {
   const ExploreOptions options = several_batches();
   const std::atomic<bool> stop{true};
-  Supervision supervision;
-  supervision.stop = &stop;
-  const ExploreResult result = explore(options, supervision);
+  const ExploreResult result = explore(options, {{}, &stop});
   EXPECT_TRUE(result.partial);
   EXPECT_GT(result.generated, 0U);
   EXPECT_LT(result.generated, result.total);
@@ -177,9 +186,7 @@ TEST(Explore, StoppedItIsPartialAndTrueToWhatItSaw) {
 
 TEST(Explore, ToldNotToStopItFinishes) {
   const std::atomic<bool> stop{false};
-  Supervision supervision;
-  supervision.stop = &stop;
-  const ExploreResult result = explore(options_for(full_parts(), 2), supervision);
+  const ExploreResult result = explore(options_for(full_parts(), 2), {{}, &stop});
   EXPECT_FALSE(result.partial);
   EXPECT_EQ(result.generated, result.total);
 }
@@ -235,9 +242,8 @@ TEST(Explore, ToldToStopWhenAllIsDoneItIsWhole) {
 
 TEST(Explore, ProgressGrowsToTheTotal) {
   std::vector<Progress> heard;
-  Supervision supervision;
-  supervision.report = [&](const Progress& progress) { heard.push_back(progress); };
-  const ExploreResult result = explore(several_batches(), supervision);
+  const ExploreResult result =
+      explore(several_batches(), {[&](const Progress& progress) { heard.push_back(progress); }});
   ASSERT_GE(heard.size(), 2U);
   for (std::size_t i = 0; i < heard.size(); ++i) {
     EXPECT_EQ(heard[i].total, result.total);

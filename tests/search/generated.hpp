@@ -8,6 +8,7 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::testing {
 
@@ -44,6 +45,18 @@ inline PartSet with_blocks(PartSet parts, int blocks) {
 inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIdentity identity,
                                    bool one_tendon = false) {
   return {parts, fingers, identity, one_tendon};
+}
+
+inline std::vector<Constraint> constraints_of(const std::vector<std::string>& texts) {
+  std::vector<Constraint> constraints;
+  for (const std::string& text : texts) constraints.push_back(parse_constraint(text));
+  return constraints;
+}
+
+inline std::vector<Routing> parsed(const std::vector<std::string>& words) {
+  std::vector<Routing> routings;
+  for (const std::string& word : words) routings.push_back(parse_routing(word));
+  return routings;
 }
 
 inline std::string label_of(const GeneratorOptions& o) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "search/rank/ladder_archive.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve::testing {
@@ -14,9 +13,9 @@ namespace {
 
 Design design(const std::string& word, double sheaths, double uniformity, double efficiency = 0.5) {
   Design made{word, {}};
-  made.values[static_cast<std::size_t>(Objective::sheaths)] = sheaths;
-  made.values[static_cast<std::size_t>(Objective::uniformity_mean)] = uniformity;
-  made.values[static_cast<std::size_t>(Objective::efficiency_mean)] = efficiency;
+  value(made.values, Objective::sheaths) = sheaths;
+  value(made.values, Objective::uniformity_mean) = uniformity;
+  value(made.values, Objective::efficiency_mean) = efficiency;
   return made;
 }
 
@@ -51,7 +50,7 @@ TEST(Ladder, KeepsWhatIsLeftInTheObjectiveThatLosesMost) {
 // B is dominated and comes behind A in the ranking, whatever its score.
 TEST(Ladder, HasNoRungThatAnotherOneWithLessDominates) {
   std::vector<Design> designs{design("A", 1, 0.9, 0.9), design("B", 2, 0.8, 0.8)};
-  designs[1].values[static_cast<std::size_t>(Objective::score)] = 5;
+  value(designs[1].values, Objective::score) = 5;
   const Order order({Objective::uniformity_mean, Objective::efficiency_mean}, true);
   EXPECT_EQ(words(ladder_of(designs, 0.02, order)), "A ");
 }
@@ -119,7 +118,7 @@ TEST(Loss, IsRelativeToTheFirstWhicheverWayIsBetter) {
   EXPECT_NEAR(loss(Objective::sheaths, first, other), 1, 1e-12);
   EXPECT_EQ(loss(Objective::jams, first, other), 0);
   ObjectiveValues jammed = first;
-  jammed[static_cast<std::size_t>(Objective::jams)] = 1;
+  value(jammed, Objective::jams) = 1;
   EXPECT_EQ(loss(Objective::jams, jammed, first), std::numeric_limits<double>::infinity());
   EXPECT_EQ(loss(Objective::jams, first, jammed), -1);
 }

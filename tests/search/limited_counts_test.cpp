@@ -1,6 +1,4 @@
 // How many routings meet constraints on parts: against all that there are, made and filtered.
-#include "search/limits/limited_counts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,16 +8,11 @@
 #include "core/network.hpp"
 #include "core/performance.hpp"
 #include "core/routing.hpp"
+#include "search/limits/limited_generator.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {
 namespace {
-
-std::vector<Constraint> parsed_constraints(const std::vector<std::string>& texts) {
-  std::vector<Constraint> constraints;
-  for (const std::string& text : texts) constraints.push_back(parse_constraint(text));
-  return constraints;
-}
 
 double number_of(const PartCount& parts, Objective objective) {
   switch (objective) {
@@ -54,7 +47,7 @@ LimitedCounts filtered(const GeneratorOptions& options,
     for (std::size_t c = constraints.size(); c-- > 0;) {
       ObjectiveValues values{};
       const Objective objective = constraints[c].objective;
-      values[static_cast<std::size_t>(objective)] = number_of(parts, objective);
+      value(values, objective) = number_of(parts, objective);
       if (!constraints[c].admits(values)) failed = c;
     }
     if (failed < constraints.size()) {
@@ -77,7 +70,7 @@ TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
                                                     {"blocks>=1"},
                                                     {"sheaths==1"}}) {
         SCOPED_TRACE(texts.front() + " of " + std::to_string(fingers));
-        const std::vector<Constraint> constraints = parsed_constraints(texts);
+        const std::vector<Constraint> constraints = constraints_of(texts);
         const LimitedCounts counted = count_limited(options, constraints);
         const LimitedCounts expected = filtered(options, constraints);
         EXPECT_EQ(counted.meeting, expected.meeting);
@@ -90,13 +83,12 @@ TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
 
 TEST(LimitedCounts, RefuseWhatTheyCannotCount) {
   GeneratorOptions options{full_parts(), 3};
-  EXPECT_THROW(count_limited(options, parsed_constraints({"sheaths<=2", "uniformity>=0.5"})),
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2", "uniformity>=0.5"})),
                InputError);
-  EXPECT_THROW(
-      count_limited(options, parsed_constraints({"sheaths<=20", "pulleys<=20", "knots<=20"})),
-      InputError);
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=20", "pulleys<=20", "knots<=20"})),
+               InputError);
   options.identity = FingerIdentity::distinct;
-  EXPECT_THROW(count_limited(options, parsed_constraints({"sheaths<=2"})), InputError);
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2"})), InputError);
 }
 
 }  // namespace

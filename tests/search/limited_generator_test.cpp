@@ -17,12 +17,6 @@
 namespace reeve::testing {
 namespace {
 
-std::vector<Constraint> constraints_of(const std::vector<std::string>& texts) {
-  std::vector<Constraint> constraints;
-  for (const std::string& text : texts) constraints.push_back(parse_constraint(text));
-  return constraints;
-}
-
 // By the parts of the routing's network.
 std::size_t looked_up_verdict(const Routing& routing, const std::vector<Constraint>& constraints) {
   if (!is_actuated(routing)) return not_actuated;
@@ -32,8 +26,7 @@ std::size_t looked_up_verdict(const Routing& routing, const std::vector<Constrai
   outcome.parts = parts(network);
   ObjectiveValues values{};
   for (const Constraint& constraint : constraints) {
-    values[static_cast<std::size_t>(constraint.objective)] =
-        row(constraint.objective).compute(outcome);
+    value(values, constraint.objective) = row(constraint.objective).compute(outcome);
   }
   for (std::size_t c = 0; c < constraints.size(); ++c) {
     if (!constraints[c].admits(values)) return failing(c);

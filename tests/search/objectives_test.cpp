@@ -50,7 +50,7 @@ ObjectiveValues computed(const DesignOutcome& outcome) {
 
 ObjectiveValues with(Objective objective, double number) {
   ObjectiveValues values{};
-  values[static_cast<std::size_t>(objective)] = number;
+  value(values, objective) = number;
   return values;
 }
 

@@ -82,9 +82,9 @@ Goodness numbers(const std::vector<double>& values) {
 
 TEST(Goodness, IsLargerForBetterDesignsInTheChosenOrder) {
   ObjectiveValues values{};
-  values[static_cast<std::size_t>(Objective::sheaths)] = 3;
-  values[static_cast<std::size_t>(Objective::efficiency_mean)] = 0.25;
-  values[static_cast<std::size_t>(Objective::travel)] = 1.5;
+  value(values, Objective::sheaths) = 3;
+  value(values, Objective::efficiency_mean) = 0.25;
+  value(values, Objective::travel) = 1.5;
   const Goodness result =
       goodness(values, {Objective::sheaths, Objective::efficiency_mean, Objective::travel});
   EXPECT_EQ(std::vector<double>(result.begin(), result.end()),

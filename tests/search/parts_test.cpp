@@ -10,29 +10,16 @@
 namespace reeve {
 namespace {
 
-TEST(Parts, PaperPartsAreTheFourOfThePaper) {
-  const PartSet parts = paper_parts();
-  EXPECT_EQ(tips_text(parts), "tube");
-  EXPECT_EQ(joins_text(parts), "T,P");
-  EXPECT_EQ(ends_text(parts), "M,F");
+std::string text_of(const PartSet& parts) {
+  return tips_text(parts) + "; " + joins_text(parts) + "; " + ends_text(parts) +
+         (parts.anchored ? "; x" : "") + (parts.blocks > 0 ? "; Y" : "");
 }
 
-TEST(Parts, FullPartsAddTheBearings) {
-  const PartSet parts = full_parts();
-  EXPECT_EQ(tips_text(parts), "tube,bearing");
-  EXPECT_EQ(joins_text(parts), "T,B,P");
-  EXPECT_EQ(ends_text(parts), "M,F");
-}
-
-TEST(Parts, AllPartsAddAnchoredTipsAndABlock) {
-  const PartSet parts = all_parts();
-  EXPECT_EQ(tips_text(parts), "tube,bearing");
-  EXPECT_EQ(joins_text(parts), "T,B,P");
-  EXPECT_EQ(ends_text(parts), "M,F");
-  EXPECT_TRUE(parts.anchored);
-  EXPECT_EQ(parts.blocks, 1);
-  EXPECT_FALSE(full_parts().anchored);
-  EXPECT_EQ(full_parts().blocks, 0);
+TEST(Parts, OfThePaperAreFourToWhichBearingsAreAddedAndAnchoredTipsAndABlock) {
+  EXPECT_EQ(text_of(paper_parts()), "tube; T,P; M,F");
+  EXPECT_EQ(text_of(full_parts()), "tube,bearing; T,B,P; M,F");
+  EXPECT_EQ(text_of(all_parts()), "tube,bearing; T,B,P; M,F; x; Y");
+  EXPECT_EQ(all_parts().blocks, 1);
 }
 
 TEST(Parts, ParsedListsPrintBack) {
@@ -53,24 +40,20 @@ TEST(Parts, ParsedListsAreSortedAndWithoutRepeats) {
   EXPECT_EQ(parse_ends("F,M,F"), full_parts().ends);
 }
 
-TEST(Parts, UnknownItemsAreNamedWithWhatWasExpected) {
-  EXPECT_EQ(testing::input_error([] { parse_tips("tube,ring"); }),
-            "tips 'tube,ring': 'ring': expected a comma-separated list of tube, bearing");
-  EXPECT_EQ(testing::input_error([] { parse_joins("T,X,P"); }),
-            "joins 'T,X,P': 'X': expected a comma-separated list of T, B, P");
-  EXPECT_EQ(testing::input_error([] { parse_ends("m"); }),
-            "ends 'm': 'm': expected a comma-separated list of M, F");
-}
-
-TEST(Parts, EmptyItemsAndBlanksAreErrors) {
-  EXPECT_EQ(testing::input_error([] { parse_joins(","); }),
-            "joins ',': '': expected a comma-separated list of T, B, P");
-  EXPECT_EQ(testing::input_error([] { parse_tips("tube,"); }),
-            "tips 'tube,': '': expected a comma-separated list of tube, bearing");
-  EXPECT_EQ(testing::input_error([] { parse_ends("M,,F"); }),
-            "ends 'M,,F': '': expected a comma-separated list of M, F");
-  EXPECT_EQ(testing::input_error([] { parse_joins("T, P"); }),
-            "joins 'T, P': ' P': expected a comma-separated list of T, B, P");
+TEST(Parts, UnknownAndEmptyItemsAndBlanksAreNamedWithWhatWasExpected) {
+  const auto error = [](auto parse, const char* text) {
+    return testing::input_error([&] { parse(text); });
+  };
+  const std::string tips = "': expected a comma-separated list of tube, bearing";
+  const std::string joins = "': expected a comma-separated list of T, B, P";
+  const std::string ends = "': expected a comma-separated list of M, F";
+  EXPECT_EQ(error(parse_tips, "tube,ring"), "tips 'tube,ring': 'ring" + tips);
+  EXPECT_EQ(error(parse_tips, "tube,"), "tips 'tube,': '" + tips);
+  EXPECT_EQ(error(parse_joins, "T,X,P"), "joins 'T,X,P': 'X" + joins);
+  EXPECT_EQ(error(parse_joins, ","), "joins ',': '" + joins);
+  EXPECT_EQ(error(parse_joins, "T, P"), "joins 'T, P': ' P" + joins);
+  EXPECT_EQ(error(parse_ends, "m"), "ends 'm': 'm" + ends);
+  EXPECT_EQ(error(parse_ends, "M,,F"), "ends 'M,,F': '" + ends);
 }
 
 TEST(Parts, SomeRoutingMustBePossible) {
@@ -88,15 +71,9 @@ TEST(Parts, SomeRoutingMustBePossible) {
 }
 
 TEST(Parts, PassivePartsLackWhatHangsOnTheCarriage) {
-  const PartSet passive = passive_parts(full_parts());
-  EXPECT_EQ(tips_text(passive), "tube,bearing");
-  EXPECT_EQ(joins_text(passive), "T,B");
-  EXPECT_EQ(ends_text(passive), "F");
-
-  const PartSet none = passive_parts({parse_tips("tube"), parse_joins("P"), parse_ends("M")});
-  EXPECT_EQ(tips_text(none), "tube");
-  EXPECT_TRUE(none.joins.empty());
-  EXPECT_TRUE(none.ends.empty());
+  EXPECT_EQ(text_of(passive_parts(full_parts())), "tube,bearing; T,B; F");
+  EXPECT_EQ(text_of(passive_parts({parse_tips("tube"), parse_joins("P"), parse_ends("M")})),
+            "tube; ; ");
 }
 
 }  // namespace

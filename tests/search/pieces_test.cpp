@@ -1,6 +1,4 @@
 // Pieces of an exploration, gone through by several and put together in their order, are the whole.
-#include "search/pieces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "search/batches.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "tests/search/kept_exploration.hpp"
 

@@ -1,6 +1,4 @@
 // Places that equal designs share: against comparing each with each.
-#include "search/rank/places.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,7 +7,8 @@
 
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/uncertainty/uncertainty.hpp"
+#include "search/rank/equivalent.hpp"
+#include "tests/search/uncertain.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -18,9 +17,9 @@ Design random_design(std::size_t number, std::mt19937& random) {
   Design design{std::to_string(number), {}};
   for (const Objective objective :
        {Objective::uniformity_mean, Objective::efficiency_mean, Objective::score}) {
-    design.values[static_cast<std::size_t>(objective)] = static_cast<double>(random() % 3) / 4;
+    value(design.values, objective) = static_cast<double>(random() % 3) / 4;
   }
-  design.values[static_cast<std::size_t>(Objective::sheaths)] = static_cast<double>(random() % 2);
+  value(design.values, Objective::sheaths) = static_cast<double>(random() % 2);
   return design;
 }
 
@@ -59,13 +58,7 @@ TEST(Places, AreTheRankOfTheFirstEqualDesign) {
 }
 
 DrawnDesigns drawn_words(const std::vector<std::string>& words) {
-  UncertaintyOptions options;
-  options.grasps = single_grasps(2);
-  options.draws = 200;
-  options.threads = 1;
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return drawn_designs(routings, options).value();
+  return drawn_designs(parsed(words), options_for(200)).value();
 }
 
 TEST(Places, OfTheLoopAndItsTwinsAreAllFirstInEveryDraw) {

@@ -22,7 +22,7 @@ struct Numbers {
 Design design(const std::string& word, const Numbers& numbers) {
   Design result{word, {}};
   const auto set = [&](Objective objective, double number) {
-    result.values[static_cast<std::size_t>(objective)] = number;
+    value(result.values, objective) = number;
   };
   set(Objective::uniformity_mean, numbers.uniformity);
   set(Objective::efficiency_mean, numbers.efficiency);
@@ -87,7 +87,7 @@ TEST(Ranking, Rule3FewerPartsComeFirstOfWhicheverKind) {
 
 TEST(Ranking, Rule3CountsABlockAsAPart) {
   Design with_block = design("a", {0.5, 0.5, 1, 0, 0});
-  with_block.values[static_cast<std::size_t>(Objective::blocks)] = 2;
+  value(with_block.values, Objective::blocks) = 2;
   EXPECT_EQ(order({with_block, design("b", {0.5, 0.5, 2, 0, 0})}, both_means), "b1 a1");
 }
 
@@ -178,7 +178,7 @@ TEST(BestByObjective, NamesTheFirstOfTheRankAndCountsAllThatAreAsGood) {
 
 TEST(BestByObjective, HasARowForEveryObjectiveThatThereIsInTheOrderOfTheTable) {
   Design with_hand = design("a", {});
-  with_hand.values[static_cast<std::size_t>(Objective::stroke)] = 50;
+  value(with_hand.values, Objective::stroke) = 50;
   for (const Design& only : {design("a", {}), with_hand}) {
     std::vector<Objective> expected;
     for (const ObjectiveRow& row : objective_table()) {

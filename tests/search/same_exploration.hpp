@@ -41,6 +41,7 @@ inline void expect_same_counts(const ExploreResult& a, const ExploreResult& b) {
   EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);
   ASSERT_EQ(a.rejected.size(), b.rejected.size());
   for (std::size_t i = 0; i < a.rejected.size(); ++i) {
+    EXPECT_EQ(a.rejected[i].constraint, b.rejected[i].constraint) << i;
     EXPECT_EQ(a.rejected[i].count, b.rejected[i].count) << i;
   }
 }
@@ -51,6 +52,7 @@ inline void expect_same_references(const ExploreResult& a, const ExploreResult& 
     const ReferenceStanding& one = a.references[r];
     const ReferenceStanding& other = b.references[r];
     SCOPED_TRACE(one.design.word);
+    EXPECT_EQ(one.design.values, other.design.values);
     EXPECT_EQ(one.dominated_by, other.dominated_by);
     EXPECT_EQ(one.rank, other.rank);
     EXPECT_EQ(one.front, other.front);
@@ -78,11 +80,15 @@ inline void expect_same_result(const ExploreResult& a, const ExploreResult& b) {
   for (std::size_t i = 0; i < a.top.size(); ++i) expect_same(a.top[i], b.top[i]);
   ASSERT_EQ(a.front.size(), b.front.size());
   for (std::size_t i = 0; i < a.front.size(); ++i) expect_same(a.front[i], b.front[i]);
-  EXPECT_EQ(words_of(a.sample), words_of(b.sample));
+  ASSERT_EQ(words_of(a.sample), words_of(b.sample));
+  for (std::size_t i = 0; i < a.sample.size(); ++i) {
+    EXPECT_EQ(a.sample[i].values, b.sample[i].values) << a.sample[i].word;
+  }
   EXPECT_EQ(rungs_of(a.ladder), rungs_of(b.ladder));
   expect_same_references(a, b);
   expect_same_infeasible(a, b);
-  ASSERT_TRUE(a.record && b.record);
+  ASSERT_EQ(a.record.has_value(), b.record.has_value());
+  if (!a.record) return;
   EXPECT_EQ(sampled_words(*a.record), sampled_words(*b.record));
   EXPECT_EQ(a.record->rungs, b.record->rungs);
   EXPECT_EQ(a.record->constraint_failures, b.record->constraint_failures);

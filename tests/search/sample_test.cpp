@@ -71,19 +71,6 @@ ExploreOptions four_fingers() {
   return options;
 }
 
-TEST(ExploreThreads, DoNotChangeTheSample) {
-  ExploreOptions options = four_fingers();
-  const std::vector<Design> one = explore(options).sample;
-  ASSERT_EQ(one.size(), 100U);
-  options.threads = 3;
-  const std::vector<Design> three = explore(options).sample;
-  ASSERT_EQ(three.size(), one.size());
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(three[i].word, one[i].word);
-    EXPECT_EQ(three[i].values, one[i].values);
-  }
-}
-
 TEST(ExploreShards, HaveTheSampleOfTheWholeAmongTheirs) {
   ExploreOptions options = four_fingers();
   const std::vector<Design> whole = explore(options).sample;

@@ -19,8 +19,8 @@ constexpr auto score_at = static_cast<std::size_t>(Objective::score);
 
 TEST(Score, IsTheWeightedMeanWithLowerIsBetterTurnedRound) {
   ObjectiveValues values{};
-  values[static_cast<std::size_t>(Objective::uniformity_mean)] = 0.5;
-  values[static_cast<std::size_t>(Objective::sheaths)] = 4;
+  value(values, Objective::uniformity_mean) = 0.5;
+  value(values, Objective::sheaths) = 4;
   add_score(parse_score("uniformity=3, sheaths=0.5"), values);
   EXPECT_NEAR(values[score_at], (3 * 0.5 - 0.5 * 4) / 3.5, 1e-10);
   add_score(parse_score("uniformity"), values);
@@ -72,7 +72,7 @@ std::vector<Design> random_designs(std::size_t count, std::uint32_t seed) {
     Design design{"w" + std::to_string(i), {}};
     for (const Objective objective :
          {Objective::uniformity_mean, Objective::efficiency_mean, Objective::score}) {
-      design.values[static_cast<std::size_t>(objective)] = level(random);
+      value(design.values, objective) = level(random);
     }
     designs.push_back(design);
   }

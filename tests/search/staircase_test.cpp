@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace reeve {
 namespace {
@@ -116,6 +118,23 @@ TEST(Staircase, TakesNoMoreThanThreeObjectivesOfWhichOneIsACount) {
   EXPECT_TRUE(Staircase::can_hold(random_rows(engine, {3, 1000, 32, 0}, 500)));
   EXPECT_FALSE(Staircase::can_hold(random_rows(engine, {3, 1000, 1000, 0}, 500)));
   EXPECT_FALSE(Staircase::can_hold(random_rows(engine, {4, 3, 3, 0}, 500)));
+}
+
+TEST(SweepCounter, CountsWhatIsNotLess) {
+  std::mt19937_64 engine(5);
+  for (const std::uint64_t levels : {1U, 3U, 100U}) {
+    std::vector<double> values;
+    for (int i = 0; i < 200; ++i) values.push_back(static_cast<double>(engine() % levels) - 1);
+    SweepCounter counter(values);
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      for (double threshold = -2; threshold <= 5; threshold += 0.5) {
+        const auto expected =
+            std::count_if(values.begin(), value, [&](double v) { return v >= threshold; });
+        ASSERT_EQ(counter.not_less(threshold), expected) << threshold;
+      }
+      counter.add(*value);
+    }
+  }
 }
 
 }  // namespace

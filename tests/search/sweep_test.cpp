@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
+#include "tests/search/uncertain.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve::testing {
@@ -24,21 +25,14 @@ constexpr double pi = std::numbers::pi;
 
 SweepOptions sweeping(const std::string& range, GraspSet grasps = single_grasps(2)) {
   SweepOptions options;
+  options.uncertainty = options_for(21);
   options.uncertainty.grasps = std::move(grasps);
-  options.uncertainty.draws = 21;
-  options.uncertainty.threads = 1;
   options.over = parse_sweep(range);
   return options;
 }
 
-std::vector<Routing> routings_of(const std::vector<std::string>& words) {
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return routings;
-}
-
 Sweep swept(const std::vector<std::string>& words, const SweepOptions& options) {
-  return sweep(routings_of(words), options).value();
+  return sweep(parsed(words), options).value();
 }
 
 Hardware hardware_with(Coefficient coefficient, double value) {
@@ -245,8 +239,7 @@ TEST(Sweep, DoesNotDependOnThreads) {
 
 TEST(Sweep, StoppedIsNothing) {
   const std::atomic<bool> stop{true};
-  EXPECT_FALSE(
-      sweep(routings_of(published_words()), sweeping("mu=0..0.3"), {{}, &stop}).has_value());
+  EXPECT_FALSE(sweep(parsed(published_words()), sweeping("mu=0..0.3"), {{}, &stop}).has_value());
 }
 
 TEST(Sweep, NeedsARankedObjectiveThatFrictionMoves) {

@@ -2,19 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
-#include "core/notation.hpp"
 #include "search/uncertainty/uncertainty.hpp"
+#include "tests/search/generated.hpp"
 
 namespace reeve::testing {
-
-inline std::vector<Routing> parsed(const std::vector<std::string>& words) {
-  std::vector<Routing> routings;
-  for (const std::string& word : words) routings.push_back(parse_routing(word));
-  return routings;
-}
 
 inline UncertaintyOptions options_for(std::size_t draws) {
   UncertaintyOptions options;

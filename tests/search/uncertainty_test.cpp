@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/rank/places.hpp"
+#include "search/rank/equivalent.hpp"
 #include "tests/search/uncertain.hpp"
 #include "tests/support/published_words.hpp"
 
@@ -213,9 +213,7 @@ TEST(Uncertainty, Tr7IsFirstInEveryDraw) {
 TEST(Uncertainty, StoppedItIsEmpty) {
   const UncertaintyOptions options = options_for(100);
   const std::atomic<bool> stop{true};
-  Supervision supervision;
-  supervision.stop = &stop;
-  EXPECT_FALSE(drawn_designs(parsed(published_words()), options, supervision).has_value());
+  EXPECT_FALSE(drawn_designs(parsed(published_words()), options, {{}, &stop}).has_value());
 }
 
 TEST(Uncertainty, ProgressGrowsToTheNumberOfDraws) {

@@ -1,7 +1,6 @@
-#include "studies/publication_check.hpp"
-
 #include <gtest/gtest.h>
 
+#include "studies/check.hpp"
 #include "tests/studies/checked_publications.hpp"
 
 namespace reeve::testing {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "studies/publication_check.hpp"
+#include "studies/check.hpp"
 #include "tests/studies/checked_publications.hpp"
 #include "tests/support/closed_forms.hpp"
 
