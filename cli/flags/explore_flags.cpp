@@ -9,7 +9,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "reports/exploration/store_description.hpp"
-#include "search/enumerate/possible_contacts.hpp"
+#include "search/enumerate/generator.hpp"
 #include "studies/exploration_study.hpp"
 
 namespace reeve::cli {

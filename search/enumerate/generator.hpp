@@ -7,7 +7,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "core/hardware.hpp"
 #include "search/enumerate/tendon_generator.hpp"
 #include "search/enumerate/tree_generator.hpp"
 
@@ -43,5 +46,11 @@ struct ShardRange {
 
 // The i-th of n parts of 0 … total, i from 1: all parts together are exactly the whole.
 ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
+
+// Returns the contacts that the hardware names, as the user wrote them, and none of the routings
+// has. Of a large enumeration the first are looked at; what they lack counts as possible, unless
+// its segments cannot touch in any routing.
+std::vector<std::string> impossible_contacts(const Hardware& hardware,
+                                             const GeneratorOptions& options);
 
 }  // namespace reeve::search

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/enumerate/parts.hpp"
 #include "search/limits/part_classes.hpp"
 
 namespace reeve::search {
@@ -38,5 +39,15 @@ ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
                         const ClassSet& wanted);
 // Trees as they stand among others: PartClasses::of_tree.
 ClassCounts of_trees(const PartClasses& classes, const ClassCounts& trees);
+
+// How many tendons without blocks there are of each class of parts: the formulas of
+// enumerate/counting.hpp for identical fingers, with a count for each class in place of numbers.
+// Of tendons through k fingers up to their symmetries, [k]; [0] is none.
+std::vector<ClassCounts> shape_counts(const PartClasses& classes, const PartSet& parts,
+                                      int fingers);
+
+// Of multisets of tendons: sets[largest][r] pass r fingers in all, none more than `largest`.
+std::vector<std::vector<ClassCounts>> shape_sets(const PartClasses& classes,
+                                                 const std::vector<ClassCounts>& shapes);
 
 }  // namespace reeve::search

@@ -6,7 +6,7 @@
 #include "search/enumerate/checked.hpp"
 #include "search/enumerate/counting.hpp"
 #include "search/enumerate/numbering.hpp"
-#include "search/limits/shape_counts.hpp"
+#include "search/limits/class_counts.hpp"
 
 namespace reeve::search {
 

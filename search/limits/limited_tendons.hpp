@@ -3,7 +3,7 @@
 //
 // A routing is a sequence of tendons, none before the one in front of it. As soon as the tendons
 // that are chosen leave no way to fill the other fingers within the limits, none is tried: which
-// sums of parts any number of fingers can still come to is counted beforehand (shape_counts.hpp).
+// sums of parts any number of fingers can still come to is counted beforehand (class_counts.hpp).
 // What is passed over is not made either to know how much it is: of the sequences that begin alike,
 // those whose next tendon is shape i of size s or a later one are
 //   N(s, i) = Σ_m multichoose(shapes(s) - i, m) sets(tendons below s, fingers - m s),

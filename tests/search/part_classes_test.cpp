@@ -9,7 +9,6 @@
 #include "search/limits/class_counts.hpp"
 #include "search/limits/limited_tendons.hpp"
 #include "search/limits/numbered_parts.hpp"
-#include "search/limits/shape_counts.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {

@@ -1,10 +1,9 @@
-#include "search/enumerate/possible_contacts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "search/enumerate/generator.hpp"
 #include "search/enumerate/parts.hpp"
 
 namespace reeve {
