@@ -81,6 +81,18 @@ TEST(CauseLibrary, HasSensibleParameters) {
   }
 }
 
+// Without a routing there is no contact and no grasp, whatever else the data tell.
+TEST(CauseLibrary, AsksForNoPartThatIsNotThere) {
+  Survey survey;
+  survey.channels = survey.wide_channels = {parse_segment("T1"), parse_segment("T2")};
+  survey.has_speed = survey.has_cycle = survey.has_temperature = true;
+  survey.has_motor_tension = survey.has_both_directions = survey.sheath_angle_varies = true;
+  for (const Cause* cause : cause_library()) {
+    if (cause->reach() == Reach::motor || cause->reach() == Reach::reading) continue;
+    EXPECT_TRUE(cause->subjects(survey).empty()) << cause->name();
+  }
+}
+
 // One recorded grasp was really one other: of two effects about it, one is too many.
 TEST(Effects, AreAboutTheSameThingWhateverTheySayOfIt) {
   const auto wrong_grasp = [](int recorded, int actual) {

@@ -80,6 +80,17 @@ TEST(Descend, GoesOverAShallowRidgeButNotAHighOne) {
   EXPECT_NEAR(descend(two_valleys(0.5), {{0, 1}}, {0.7}, 500).at[0], 0.9, 1e-6);
 }
 
+TEST(FromAStart, FixedVariablesAreLeftAlone) {
+  const auto bowl = [](const std::vector<double>& x) {
+    return std::pow(x[0] - 5, 2) + std::pow(x[1] - 0.5, 2);
+  };
+  for (const Minimum& found : {descend(bowl, {{2, 2}, {0, 1}}, {2, 0}, 500),
+                               refine(bowl, {{2, 2}, {0, 1}}, {2, 0}, 500)}) {
+    EXPECT_EQ(found.at[0], 2);
+    EXPECT_NEAR(found.at[1], 0.5, 1e-4);
+  }
+}
+
 TEST(Descend, EndsWhereItsStepsAreAsSmallAsAsked) {
   int calls = 0;
   const auto distance = [&](const std::vector<double>& x) {

@@ -48,6 +48,19 @@ TEST(Parallel, EveryIndexIsVisitedOnceInBlocksOfAtMostTheGrain) {
   }
 }
 
+// Each of two blocks waits for the other.
+TEST(Parallel, TwoBlocksAreWorkedOnAtOnce) {
+  std::atomic<int> begun = 0;
+  std::atomic<bool> met = true;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  Workers(2).for_each_block(2, 1, [&](const IndexBlock&) {
+    ++begun;
+    while (begun < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    if (begun < 2) met = false;
+  });
+  EXPECT_TRUE(met);
+}
+
 TEST(Parallel, NothingIsCalledForNoIndex) {
   Workers workers(2);
   std::atomic<int> calls = 0;
