@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "catalog/catalogue.hpp"
 #include "catalog/publication.hpp"
@@ -77,6 +78,47 @@ TEST(CatalogueInAFolder, HasAFamilyForEachFolder) {
   folder.write("families/notes.txt", "");
   EXPECT_EQ(CatalogueFiles::in(folder.path()).folders("families"),
             (std::vector<std::string>{"cranes", "winches"}));
+}
+
+// The text with a key more in one of its tables, once for each table; `let` takes any name.
+std::vector<std::string> with_a_key_more(const std::string& text) {
+  std::vector<std::string> result;
+  const std::regex table("^\\[.*\\]$|\\{ ", std::regex::multiline);
+  for (std::sregex_iterator at(text.begin(), text.end(), table), end; at != end; ++at) {
+    const std::string before = at->prefix().str();
+    if (before.ends_with("let = ")) continue;
+    const std::size_t line = before.rfind('\n') + 1;
+    if (before.find('#', line) != std::string::npos) continue;
+    const auto place = static_cast<std::size_t>(at->position() + at->length());
+    const std::string key = at->str() == "{ " ? "magnet = 1, " : "\nmagnet = 1";
+    result.push_back(text.substr(0, place) + key + text.substr(place));
+  }
+  return result;
+}
+
+TEST(ShippedCatalogue, TakesNoUnknownKeyInAnyTable) {
+  std::size_t tables = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(shipped_folder)) {
+    const auto path = file.path().lexically_relative(shipped_folder);
+    const std::string top = path.begin()->string();
+    if (file.path().extension() != ".toml" || top == "hardware" || top == "model" ||
+        top == "prices") {
+      continue;
+    }
+    const TemporaryFolder folder;
+    std::filesystem::create_directories((folder.path() / path).parent_path());
+    folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");
+    for (const std::string& text : with_a_key_more(read_text(file.path()))) {
+      folder.write(path.string(), text);
+      const std::string error = folder.error_of([&] {
+        read_catalogue(folder.path());
+        read_publications(CatalogueFiles::in(folder.path()));
+      });
+      EXPECT_NE(error.find("unknown key"), std::string::npos) << path << error;
+      ++tables;
+    }
+  }
+  EXPECT_GT(tables, 300U);
 }
 
 TEST(CatalogueInAFolder, NeedsNoPublications) {
