@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/mechanics.hpp"
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
+#include "tests/support/input_error.hpp"
 
 namespace reeve {
 namespace {
@@ -58,6 +62,38 @@ TEST(TensionTableThreads, FillItAsOneSolveAfterTheOther) {
     ASSERT_TRUE(fill_tension_table(request, table));
     EXPECT_EQ(table, expected) << threads << " threads";
   }
+}
+
+std::vector<double> filled(const std::vector<std::string>& words) {
+  TensionTableRequest request;
+  for (const std::string& word : words) request.routings.push_back(parse_routing(word));
+  request.grasps = {hold({1})};
+  request.samples = 1;
+  std::vector<double> table(table_size(request));
+  EXPECT_TRUE(fill_tension_table(request, table));
+  return table;
+}
+
+// The first routing has all segments of the table, the second has no T3, T4 and others.
+TEST(TensionTable, HasNoNumberWhereARoutingHasNoSuchSegment) {
+  const std::vector<double> table = filled({"M-1-T-2-M", "M-1-M"});
+  const std::vector<Segment> segments =
+      table_segments({parse_routing("M-1-T-2-M"), parse_routing("M-1-M")});
+  const Network small = expand(parse_routing("M-1-M"));
+  ASSERT_EQ(table.size(), 2 * segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const bool has_it = std::find(small.segments.begin(), small.segments.end(), segments[i]) !=
+                        small.segments.end();
+    EXPECT_FALSE(std::isnan(table[i]));
+    EXPECT_EQ(std::isnan(table[segments.size() + i]), !has_it) << segment_name(segments[i]);
+  }
+}
+
+TEST(TensionTable, IsOfRoutingsThatAMotorPulls) {
+  EXPECT_EQ(testing::input_error([] {
+              filled({"M-1-M", "F-2-F"});
+            }).substr(0, 15),
+            "routing 'F-2-F'");
 }
 
 }  // namespace
