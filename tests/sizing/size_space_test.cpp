@@ -203,6 +203,15 @@ TEST(VariedRange, IsRefusedWithWhatWasExpected) {
   }
 }
 
+// A comma in brackets parts fingers, another one groups.
+TEST(SameGroup, AreAsManyAsTheCommasOutsideOfBracketsPart) {
+  std::vector<std::string> names;
+  for (const SameGroup& group : parse_same("tips, sheath_angle[2,3],strand_mm[1,2]")) {
+    names.push_back(to_text(group.name));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"tip_angle", "sheath_angle[2,3]", "strand_mm[1,2]"}));
+}
+
 TEST(SameGroup, IsRefusedWithWhatWasExpected) {
   for (const char* text : {"", "fingers", "tips,", "sheath_angle[2", "tips;sheaths"}) {
     EXPECT_EQ(input_error([&] { parse_same(text); }),
