@@ -83,7 +83,7 @@ class RoutingTable {
       if (routings_[i].routing == routing) return i;
     }
     MeasuredRouting measured{to_word(routing), routing, expand(routing), {}};
-    require_actuated(graph(measured.network), measured.word);
+    require_actuated(measured.network, measured.word);
     of_columns_.push_back(channels_of_columns(measured.network));
     routings_.push_back(std::move(measured));
     return routings_.size() - 1;
