@@ -9,17 +9,17 @@
 namespace reeve::testing {
 namespace {
 
-using cli::api::Arguments;
+using Options = cli::api::Arguments;
 
-SizingOptions size_options(Arguments arguments) {
+SizingOptions size_options(Options arguments) {
   arguments.insert(arguments.end(), {"--nominal", "--starts", "1", "--evaluations", "10"});
   return cli::api::size(arguments, {}).options;
 }
 
 TEST(SizeOptions, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
-  const Arguments target{"TR1", "--vary", "tip_angle=1..4", "--target", "1=2,others=1"};
+  const Options target{"TR1", "--vary", "tip_angle=1..4", "--target", "1=2,others=1"};
   EXPECT_EQ(to_text(size_options(target).grasps), "none");
-  Arguments held = target;
+  Options held = target;
   held.insert(held.end(), {"--grasps", "1/2"});
   EXPECT_EQ(to_text(size_options(held).grasps), "1/2");
 }
@@ -29,11 +29,11 @@ TEST(SizeOptions, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
   const TemporaryFolder folder;
   const std::string file =
       folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n").string();
-  const Arguments of_file{"TR1", "--hardware", file};
-  for (const auto& [given, variables] : {std::pair<Arguments, std::size_t>{{}, 1},
+  const Options of_file{"TR1", "--hardware", file};
+  for (const auto& [given, variables] : {std::pair<Options, std::size_t>{{}, 1},
                                          {{"--vary", "tip_angle=1..3"}, 2},
                                          {{"--vary", "tip_angle=1..3", "--same", "tips"}, 1}}) {
-    Arguments arguments = of_file;
+    Options arguments = of_file;
     arguments.insert(arguments.end(), given.begin(), given.end());
     const SizingOptions options = size_options(arguments);
     EXPECT_EQ(options.same.size(), 2 - variables);

@@ -9,41 +9,36 @@ namespace reeve::testing {
 namespace {
 
 TEST(BadData, AreNamedWithFileLineAndColumn) {
-  const auto compare = [](Arguments arguments, const std::string& message) {
-    arguments.insert(arguments.begin(), {"compare", "--out", "out"});
-    return BadLine{arguments, message, {}};
-  };
   expect_all_bad({
-      {{"compare"}, "data is required", {}},
-      compare({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
-      compare({"no_catalogue"}, "no_catalogue: is a directory: expected a CSV file"),
-      compare({"cell.csv"}, "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "),
-      compare({"tiny.csv"},
-              "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or a tension of at least 1e-30 N"),
-      {{"diagnose", "tiny.csv"}, "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or", {}},
-      compare({"run.csv"},
-              "run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a "
-              "name of at most 200 bytes, and it has 10000"),
-      compare({"name_of_column.csv"},
-              "name_of_column.csv:1: column 4 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': "
-              "expected a name of at most 200 bytes, and it has 10000"),
-      {{"import", "log_run.csv", "--routing", "TR1", "-o", "x.csv"},
+      {"compare", "data is required"},
+      {"compare --out out none.csv", "none.csv: cannot be read: No such file or directory"},
+      {"compare --out out no_catalogue", "no_catalogue: is a directory: expected a CSV file"},
+      {"compare --out out cell.csv",
+       "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "},
+      {"compare --out out tiny.csv",
+       "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or a tension of at least 1e-30 N"},
+      {"diagnose tiny.csv", "tiny.csv:3: column 'T1_N' = '1e-200': expected 0, or"},
+      {"compare --out out run.csv",
+       "run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a "
+       "name of at most 200 bytes, and it has 10000"},
+      {"compare --out out name_of_column.csv",
+       "name_of_column.csv:1: column 4 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': "
+       "expected a name of at most 200 bytes, and it has 10000"},
+      {"import log_run.csv --routing TR1 -o x.csv",
        "log_run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a name of "
-       "at most 200 bytes, and it has 10000",
-       {}},
-      compare({"name.csv"},
-              "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalogue"),
-      compare({"ragged.csv"}, "ragged.csv:2:6: the row ends after 2 fields: expected 3"),
-      compare({"alone.csv"}, "alone.csv: there is nothing to compare: expected rows with "),
-      compare({"ok.csv", "--hardware", "contact.toml"},
-              "contact.toml:1:10: hardware: contact 'a-T9'"),
-      compare({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
-      {{"compare", "ok.csv", "--out", "cell.csv"},
-       "--out 'cell.csv': expected a folder that can be written to: Not a directory",
-       {}},
-      {{"compare", "residuals.csv", "--out", "."},
-       "--out '.': './residuals.csv' would be written over the data: expected another place",
-       {}},
+       "at most 200 bytes, and it has 10000"},
+      {"compare --out out name.csv",
+       "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalogue"},
+      {"compare --out out ragged.csv", "ragged.csv:2:6: the row ends after 2 fields: expected 3"},
+      {"compare --out out alone.csv",
+       "alone.csv: there is nothing to compare: expected rows with "},
+      {"compare --out out ok.csv --hardware contact.toml",
+       "contact.toml:1:10: hardware: contact 'a-T9'"},
+      {"compare --out out ok.csv --format csv", "--format: csv not in {table,json,markdown,latex}"},
+      {"compare ok.csv --out cell.csv",
+       "--out 'cell.csv': expected a folder that can be written to: Not a directory"},
+      {"compare residuals.csv --out .",
+       "--out '.': './residuals.csv' would be written over the data: expected another place"},
   });
 }
 
@@ -52,67 +47,66 @@ TEST(BadData, ThatAreInLatin1AreRefusedByEveryCommand) {
   const std::string message =
       "latin1.csv:2:2: the byte FC ('ü' in Latin-1): expected text in UTF-8.";
   expect_all_bad({
-      {{"compare", "latin1.csv", "--out", "out"}, message, {}},
-      {{"diagnose", "latin1.csv", "--out", "out"}, message, {}},
-      {{"import", "latin1.csv", "--routing", "TR1", "-o", "x.csv"}, message, {}},
-      {{"compare", "ok.csv", "--hardware", "latin1.toml"}, "latin1.toml:1:", {}},
+      {"compare latin1.csv --out out", message},
+      {"diagnose latin1.csv --out out", message},
+      {"import latin1.csv --routing TR1 -o x.csv", message},
+      {"compare ok.csv --hardware latin1.toml", "latin1.toml:1:"},
   });
 }
 
 TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
-  const auto diagnose = [](Arguments arguments, const std::string& message) {
-    arguments.insert(arguments.begin(), {"diagnose", "--out", "out", "--save-model", "model.toml"});
-    return BadLine{arguments, message, {}};
-  };
   expect_all_bad({
-      {{"diagnose"}, "data is required", {}},
-      diagnose({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
-      diagnose({"empty.csv"}, "empty.csv: "),
-      diagnose({"cell.csv"},
-               "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "),
-      diagnose({"nan.csv"}, "nan.csv:2: the row has no tension: expected a number in "),
-      diagnose({"ok.csv", "--unit", "stone"}, "--unit: 'stone': expected a unit of force (N, "),
-      diagnose({"ok.csv", "--map", "T1_N"}, "--map: 'T1_N': expected a column of the file, '=', "),
-      diagnose({"ok.csv", "--group", "winch"}, ":1: the header has no column 'winch': expected "),
-      diagnose({"column.csv"}, "column.csv:1: column 4 't0_N': expected a tension "),
-      diagnose({"name.csv"}, "routing 'TR9': no such name in the catalogue"),
-      diagnose({"alone.csv"}, "alone.csv: there is nothing to diagnose: expected rows with "),
-      diagnose({"ok.csv", "--hardware", "contact.toml"},
-               "contact.toml:1:10: hardware: contact 'a-T9'"),
-      diagnose({"ok.csv", "--format", "csv"}, "--format: csv not in {table,json,markdown,latex}"),
+      {"diagnose", "data is required"},
+      {"diagnose --out out --save-model model.toml none.csv",
+       "none.csv: cannot be read: No such file or directory"},
+      {"diagnose --out out --save-model model.toml empty.csv", "empty.csv: "},
+      {"diagnose --out out --save-model model.toml cell.csv",
+       "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "},
+      {"diagnose --out out --save-model model.toml nan.csv",
+       "nan.csv:2: the row has no tension: expected a number in "},
+      {"diagnose --out out --save-model model.toml ok.csv --unit stone",
+       "--unit: 'stone': expected a unit of force (N, "},
+      {"diagnose --out out --save-model model.toml ok.csv --map T1_N",
+       "--map: 'T1_N': expected a column of the file, '=', "},
+      {"diagnose --out out --save-model model.toml ok.csv --group winch",
+       ":1: the header has no column 'winch': expected "},
+      {"diagnose --out out --save-model model.toml column.csv",
+       "column.csv:1: column 4 't0_N': expected a tension "},
+      {"diagnose --out out --save-model model.toml name.csv",
+       "routing 'TR9': no such name in the catalogue"},
+      {"diagnose --out out --save-model model.toml alone.csv",
+       "alone.csv: there is nothing to diagnose: expected rows with "},
+      {"diagnose --out out --save-model model.toml ok.csv --hardware contact.toml",
+       "contact.toml:1:10: hardware: contact 'a-T9'"},
+      {"diagnose --out out --save-model model.toml ok.csv --format csv",
+       "--format: csv not in {table,json,markdown,latex}"},
   });
 }
 
 TEST(BadData, OfADiagnosisAreNotWrittenOver) {
   expect_all_bad({
-      {{"diagnose", "ok.csv", "--out", "cell.csv"},
-       "--out 'cell.csv': expected a folder that can be written to: Not a directory",
-       {}},
-      {{"diagnose", "ok.csv", "--out", "cell.csv/below"},
-       "--out 'cell.csv/below': expected a folder that can be written to: Not a directory",
-       {}},
-      {{"diagnose", "ok.csv", "--out", ""}, "--out '': expected a folder that can be", {}},
-      {{"diagnose", "residuals.csv", "--out", "."},
-       "--out '.': './residuals.csv' would be written over the data: expected another place",
-       {}},
-      {{"diagnose", "ok.csv", "--save-model", "ok.csv"},
-       "--save-model: 'ok.csv' would be written over the data: expected another place",
-       {}},
-      {{"diagnose", "ok.csv", "--save-model", "missing/model.toml"},
+      {"diagnose ok.csv --out cell.csv",
+       "--out 'cell.csv': expected a folder that can be written to: Not a directory"},
+      {"diagnose ok.csv --out cell.csv/below",
+       "--out 'cell.csv/below': expected a folder that can be written to: Not a directory"},
+      {"diagnose ok.csv --out ''", "--out '': expected a folder that can be"},
+      {"diagnose residuals.csv --out .",
+       "--out '.': './residuals.csv' would be written over the data: expected another place"},
+      {"diagnose ok.csv --save-model ok.csv",
+       "--save-model: 'ok.csv' would be written over the data: expected another place"},
+      {"diagnose ok.csv --save-model missing/model.toml",
        "--save-model 'missing/model.toml': expected a file that can be written: No such file or "
-       "directory",
-       {}},
-      {{"diagnose", "ok.csv", "--save-model", "no_catalogue"},
-       "--save-model 'no_catalogue': expected the name of a file, not a folder",
-       {}},
-      {{"diagnose", "ok.csv", "--save-model", ""}, "--save-model '': expected the name of", {}},
+       "directory"},
+      {"diagnose ok.csv --save-model no_catalogue",
+       "--save-model 'no_catalogue': expected the name of a file, not a folder"},
+      {"diagnose ok.csv --save-model ''", "--save-model '': expected the name of"},
   });
 }
 
 TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
   const auto option = [](const std::string& name, const std::string& value,
                          const std::string& message) {
-    return BadLine{{"diagnose", "ok.csv", name, value}, message, {}};
+    return BadLine{{"diagnose", "ok.csv", name, value}, message};
   };
   const std::string alpha = ": expected a number from 0.0001 and at most 0.5";
   const std::string hold_out = ": expected a number from 0 and at most 0.9";
@@ -134,9 +128,8 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
       option("--replicates", "399",
              "--replicates '399': expected at least 400: with fewer no p-value falls below what "
              "--alpha 0.02 asks for"),
-      {{"diagnose", "ok.csv", "--replicates", "1000", "--alpha", "0.0005"},
-       "--replicates '1000': expected at least 16000: with fewer",
-       {}},
+      {"diagnose ok.csv --replicates 1000 --alpha 0.0005",
+       "--replicates '1000': expected at least 16000: with fewer"},
       option("--threads", "-1", "--threads: "),
       option("--threads", "1025", "--threads: "),
   });

@@ -15,21 +15,16 @@ const std::string needed =
 
 BadLine with_file(Arguments arguments, const std::string& file, const std::string& message) {
   arguments.insert(arguments.end(), {"--hardware", file});
-  return {std::move(arguments), message, {}};
+  return {std::move(arguments), message};
 }
 
 TEST(BadHand, IsNoneWhereItsObjectivesAreAskedFor) {
   expect_all_bad({
-      {{"rank", "TR1", "--objectives", "uniformity,motor_force"},
-       "--objectives: motor_force" + needed,
-       {}},
-      {{"rank", "TR1", "--score", "uniformity=1,stroke=0.1"}, "--score: stroke" + needed, {}},
-      {{"explore", "--out", "out", "--objectives", "fingertip_force"},
-       "--objectives: fingertip_force_mean" + needed,
-       {}},
-      {{"explore", "--out", "out", "--constraint", "stroke<=60"},
-       "--constraint 'stroke<=60': stroke" + needed,
-       {}},
+      {"rank TR1 --objectives uniformity,motor_force", "--objectives: motor_force" + needed},
+      {"rank TR1 --score uniformity=1,stroke=0.1", "--score: stroke" + needed},
+      {"explore --out out --objectives fingertip_force",
+       "--objectives: fingertip_force_mean" + needed},
+      {"explore --out out --constraint stroke<=60", "--constraint 'stroke<=60': stroke" + needed},
   });
 }
 
@@ -38,14 +33,14 @@ TEST(BadHand, LacksAFingerOfTheRouting) {
       "one_finger.toml: hardware: finger 2 has no joints; expected joints in [finger.2], or in [hand] for all "
       "fingers";
   expect_all_bad({
-      with_file({"show", "TR1"}, "one_finger.toml", message),
-      with_file({"rank", "TR1", "TR7"}, "one_finger.toml", message),
-      with_file({"explore", "--out", "out"}, "one_finger.toml", message),
+      with_file("show TR1", "one_finger.toml", message),
+      with_file("rank TR1 TR7", "one_finger.toml", message),
+      with_file("explore --out out", "one_finger.toml", message),
       with_file(
-          {"show", "TR1"}, "one_force.toml",
+          "show TR1", "one_force.toml",
           "one_force.toml: hardware: finger 2 has no force_N; expected force_N in [finger.2], "
           "or in [hand] for all fingers"),
-      with_file({"export", "TR1"}, "one_finger_more.toml",
+      with_file("export TR1", "one_finger_more.toml",
                 "one_finger_more.toml:4:9: hardware: finger 2 has no joints; expected joints in "
                 "[finger.2]"),
   });
@@ -53,9 +48,9 @@ TEST(BadHand, LacksAFingerOfTheRouting) {
 
 TEST(BadHand, IsNamedByFileLineAndColumn) {
   expect_all_bad({
-      with_file({"show", "TR1"}, "bad_joint.toml",
+      with_file("show TR1", "bad_joint.toml",
                 "bad_joint.toml:3:11: missing key 'range_deg' in 'hand.joints[1]'"),
-      with_file({"explore", "--out", "out"}, "bad_force.toml",
+      with_file("explore --out out", "bad_force.toml",
                 "bad_force.toml:1:2: hardware: hand.force_N = -1: expected a number from 0 to "
                 "100000 N"),
   });

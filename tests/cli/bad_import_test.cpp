@@ -14,7 +14,7 @@ void expect_refused(const std::string& log, Arguments options, const std::string
   const std::vector<std::string> before = everything_in(folder.path());
   ProcessOptions process;
   process.directory = folder.path();
-  Arguments arguments{"import", "log.csv"};
+  Arguments arguments("import log.csv");
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProcessResult result = reeve(arguments, process);
   EXPECT_EQ(result.exit_code, 2);
@@ -26,23 +26,19 @@ void expect_refused(const std::string& log, Arguments options, const std::string
 const std::string plain = "t,motor_tension_N,T1_N\n0,20,6\n1,20,6\n";
 
 TEST(BadImport, NamesAnOptionThatItCannotTake) {
-  const auto import = [](Arguments arguments, const std::string& message) {
-    arguments.insert(arguments.begin(), "import");
-    return BadLine{arguments, message, {}};
-  };
   expect_all_bad({
-      import({}, "log is required"),
-      import({"none.csv"}, "none.csv: cannot be read: No such file or directory"),
-      import({"empty.csv"}, "empty.csv: is empty: expected a header and rows below it"),
-      import({"ok.csv"}, "ok.csv:1: the header has no column of time: expected one of "),
-      import({"ok.csv", "--least-time", "0"}, "--least-time"),
-      import({"ok.csv", "--tolerance", "2"}, "--tolerance"),
-      import({"ok.csv", "--per-sweep", "0"}, "--per-sweep"),
-      import({"ok.csv", "--direction", "back"}, "--direction"),
-      import({"ok.csv", "-o", "ok.csv"}, "would be written over the data"),
-      import({"ok.csv", "--plot", "ok.csv"}, "would be written over the data"),
-      import({"ok.csv", "-o", "none/readings.csv"}, "-o 'none/readings.csv': expected a file that"),
-      import({"ok.csv", "-o", "no_catalogue"}, "-o 'no_catalogue': expected the name of a file"),
+      {"import", "log is required"},
+      {"import none.csv", "none.csv: cannot be read: No such file or directory"},
+      {"import empty.csv", "empty.csv: is empty: expected a header and rows below it"},
+      {"import ok.csv", "ok.csv:1: the header has no column of time: expected one of "},
+      {"import ok.csv --least-time 0", "--least-time"},
+      {"import ok.csv --tolerance 2", "--tolerance"},
+      {"import ok.csv --per-sweep 0", "--per-sweep"},
+      {"import ok.csv --direction back", "--direction"},
+      {"import ok.csv -o ok.csv", "would be written over the data"},
+      {"import ok.csv --plot ok.csv", "would be written over the data"},
+      {"import ok.csv -o none/readings.csv", "-o 'none/readings.csv': expected a file that"},
+      {"import ok.csv -o no_catalogue", "-o 'no_catalogue': expected the name of a file"},
   });
 }
 

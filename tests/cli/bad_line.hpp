@@ -15,8 +15,6 @@
 
 namespace reeve::testing {
 
-using Arguments = std::vector<std::string>;
-
 struct BadLine {
   Arguments arguments;
   std::string message;  // without "reeve: "; a piece of it is enough

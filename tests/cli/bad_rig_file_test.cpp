@@ -5,37 +5,32 @@
 #include <string>
 #include <vector>
 
-#include "tests/cli/bad_commands.hpp"
+#include "tests/cli/bad_line.hpp"
 
 namespace reeve::testing {
 namespace {
 
 TEST(BadHardware, IsNamedWithFileLineAndColumn) {
   expect_all_bad({
-      show_tr1({"--hardware", "missing.toml"},
-               "missing.toml: cannot be read: No such file or directory"),
-      show_tr1({"--hardware", "."}, ".: is a directory: expected a TOML file"),
-      show_tr1({"--hardware", "negative.toml"},
-               "negative.toml:2:6: tube.mu = -0.1: expected a finite number, not negative"),
-      show_tr1({"--hardware", "nan.toml"},
-               "nan.toml:2:6: tube.mu = nan: expected a finite number, not negative"),
-      show_tr1({"--hardware", "unknown.toml"},
-               "unknown.toml:2:1: unknown key 'tube.nu': expected one of mu, angle_rad"),
-      show_tr1({"--hardware", "type.toml"},
-               "type.toml:2:6: tube.mu = \"smooth\": expected a finite number, not negative"),
-      show_tr1({"--hardware", "syntax.toml"}, "syntax.toml:1:6: not valid TOML: "),
-      show_tr1(
-          {"--hardware", "contact.toml"},
-          "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact between them "
-          "in M-1-T-2-F"),
-      explore({"--hardware", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
-      {{"rank", "TR1", "--hardware", "nan.toml"}, "nan.toml:2:6: tube.mu = nan", {}},
-      {{"rank", "TR1", "--hardware", "contact.toml"},
-       "contact.toml:1:10: hardware: contact 'a-T9'",
-       {}},
-      {{"export", "TR1", "--hardware", "contact.toml"},
-       "contact.toml:1:10: hardware: contact 'a-T9'",
-       {}},
+      {"show TR1 --hardware missing.toml",
+       "missing.toml: cannot be read: No such file or directory"},
+      {"show TR1 --hardware .", ".: is a directory: expected a TOML file"},
+      {"show TR1 --hardware negative.toml",
+       "negative.toml:2:6: tube.mu = -0.1: expected a finite number, not negative"},
+      {"show TR1 --hardware nan.toml",
+       "nan.toml:2:6: tube.mu = nan: expected a finite number, not negative"},
+      {"show TR1 --hardware unknown.toml",
+       "unknown.toml:2:1: unknown key 'tube.nu': expected one of mu, angle_rad"},
+      {"show TR1 --hardware type.toml",
+       "type.toml:2:6: tube.mu = \"smooth\": expected a finite number, not negative"},
+      {"show TR1 --hardware syntax.toml", "syntax.toml:1:6: not valid TOML: "},
+      {"show TR1 --hardware contact.toml",
+       "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact "
+       "between them in M-1-T-2-F"},
+      {"explore --out out --hardware negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
+      {"rank TR1 --hardware nan.toml", "nan.toml:2:6: tube.mu = nan"},
+      {"rank TR1 --hardware contact.toml", "contact.toml:1:10: hardware: contact 'a-T9'"},
+      {"export TR1 --hardware contact.toml", "contact.toml:1:10: hardware: contact 'a-T9'"},
   });
 }
 
@@ -45,22 +40,20 @@ TEST(BadHardware, IsNamedWithItsFileWhereverItIsFound) {
       "infinite.toml:4:1: hardware: block.mu = inf: expected a number from 0 to 10";
   const auto with = [](Arguments arguments, const std::string& file, const std::string& message) {
     arguments.insert(arguments.end(), {"--hardware", file});
-    return BadLine{arguments, message, {}};
+    return BadLine{arguments, message};
   };
   std::vector<BadLine> lines{
-      with({"rank", "M-Y1+1x-Y1-2x", "--uncertainty", "--draws", "5"}, "infinite.toml", infinite),
-      with({"explore", "--out", "out", "--uncertainty", "--draws", "5"}, "infinite.toml", infinite),
-      with({"size", "M-Y1+1x-Y1-2x", "--vary", "hand_mm=50..100"}, "infinite.toml", infinite),
-      with({"size", "TR1", "--vary", "sheath_angle=1..90"}, "steep.toml",
+      with("rank M-Y1+1x-Y1-2x --uncertainty --draws 5", "infinite.toml", infinite),
+      with("explore --out out --uncertainty --draws 5", "infinite.toml", infinite),
+      with("size M-Y1+1x-Y1-2x --vary hand_mm=50..100", "infinite.toml", infinite),
+      with("size TR1 --vary sheath_angle=1..90", "steep.toml",
            "steep.toml: hardware: finger.1 sheath: mu * angle = "),
-      with({"explore", "--out", "out", "--fingers", "4"}, "contact.toml",
+      with("explore --out out --fingers 4", "contact.toml",
            "contact.toml:1:10: hardware: contact 'a-T9': expected strands of fingers 1 to 4"),
   };
-  for (const Arguments& command :
-       {Arguments{"show", "TR1"}, Arguments{"rank", "TR1"}, Arguments{"export", "TR1"},
-        Arguments{"size", "TR1", "--vary", "sheath_angle=1..2"}, Arguments{"compare", "alone.csv"},
-        Arguments{"diagnose", "ok.csv"},
-        Arguments{"simulate", "--routings", "TR1", "-o", "x.csv"}}) {
+  for (const Arguments command :
+       {"show TR1", "rank TR1", "export TR1", "size TR1 --vary sheath_angle=1..2",
+        "compare alone.csv", "diagnose ok.csv", "simulate --routings TR1 -o x.csv"}) {
     lines.push_back(with(command, "strong.toml",
                          "routing 'M-1-T-2-F': strong.toml:1:10: hardware: T1-T2: mu * angle = "
                          "18.84955592153876: expected at most 10"));
@@ -71,19 +64,18 @@ TEST(BadHardware, IsNamedWithItsFileWhereverItIsFound) {
 TEST(BadModel, IsNamedWithFileLineAndColumn) {
   const std::string cause = "cause.toml:2:9: effect[1].cause = \"rust\": expected one of tube_";
   expect_all_bad({
-      show_tr1({"--model", "missing.toml"}, "missing.toml: cannot be read: No such file"),
-      show_tr1({"--model", ""}, "--model '': expected a TOML file"),
-      show_tr1({"--model", "negative.toml"}, "negative.toml:2:6: tube.mu = -0.1"),
-      show_tr1({"--model", "cause.toml"}, cause),
-      show_tr1({"--hardware", "cause.toml"}, "cause.toml:1:3: unknown key 'effect'"),
-      show_tr1({"--model", "empty.toml", "--hardware", "empty.toml"}, "excludes"),
-      show_tr1({"--model", "contact.toml"}, "contact.toml:1:10: hardware: contact 'a-T9'"),
-      explore(
-          {"--fingers", "6", "--hardware", "contact.toml"},
-          "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact between "
-          "them in one of the routings that are explored"),
-      explore({"--model", "cause.toml"}, cause),
-      {{"rank", "TR1", "--model", "cause.toml"}, cause, {}},
+      {"show TR1 --model missing.toml", "missing.toml: cannot be read: No such file"},
+      {"show TR1 --model ''", "--model '': expected a TOML file"},
+      {"show TR1 --model negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
+      {"show TR1 --model cause.toml", cause},
+      {"show TR1 --hardware cause.toml", "cause.toml:1:3: unknown key 'effect'"},
+      {"show TR1 --model empty.toml --hardware empty.toml", "excludes"},
+      {"show TR1 --model contact.toml", "contact.toml:1:10: hardware: contact 'a-T9'"},
+      {"explore --out out --fingers 6 --hardware contact.toml",
+       "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact between "
+       "them in one of the routings that are explored"},
+      {"explore --out out --model cause.toml", cause},
+      {"rank TR1 --model cause.toml", cause},
   });
 }
 
@@ -92,18 +84,17 @@ TEST(EmptyHardwareFile, IsThePapersHardware) {
   fill(folder);
   ProcessOptions options;
   options.directory = folder.path();
-  const ProcessResult result = reeve({"show", "TR1", "--hardware", "empty.toml"}, options);
+  const ProcessResult result = reeve("show TR1 --hardware empty.toml", options);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  EXPECT_EQ(result.out, reeve({"show", "TR1"}).out);
+  EXPECT_EQ(result.out, reeve("show TR1").out);
 }
 
 TEST(BadCatalogue, IsNamedByEverySubcommandThatReadsIt) {
   const auto with = [](const std::string& catalogue) {
     return std::map<std::string, std::string>{{"REEVE_CATALOG", catalogue}};
   };
-  for (const Arguments& arguments : {Arguments{"show", "M-1-F"}, Arguments{"rank", "--catalog"},
-                                     Arguments{"explore", "--out", "out"}, Arguments{"check"}}) {
+  for (const Arguments arguments : {"show M-1-F", "rank --catalog", "explore --out out", "check"}) {
     expect_all_bad({
         {arguments, "catalogue missing: cannot be read: No such file or directory",
          with("missing")},

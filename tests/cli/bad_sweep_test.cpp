@@ -12,13 +12,13 @@ namespace {
 BadLine swept(const std::string& range, const std::string& message, Arguments more = {}) {
   Arguments line{"rank", "TR1", "TR7", "--out", "out", "--sweep", range};
   line.insert(line.end(), more.begin(), more.end());
-  return {line, message, {}};
+  return {line, message};
 }
 
 BadLine explored(const std::string& range, const std::string& message, Arguments more = {}) {
   Arguments line{"explore", "--out", "out", "--sweep", range};
   line.insert(line.end(), more.begin(), more.end());
-  return {line, message, {}};
+  return {line, message};
 }
 
 const std::string bounds =

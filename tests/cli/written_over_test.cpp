@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Arguments = std::vector<std::string>;
-
 const std::string hardware = "[tube]\nmu = 0.1\n";
 const std::string prices = "unit = \"EUR\"\nsheath = 1\n";
 const std::string data = "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n";
@@ -88,11 +86,11 @@ TEST(WrittenOver, IsNoFileThatAnOptionNames) {
 }
 
 TEST(WrittenOver, IsNoHardwareOfReadings) {
-  for (const Arguments& output : {Arguments{"--save-model", "h.toml"}, {"--out", "h.toml/.."}}) {
+  for (const Arguments& output : {Arguments("--save-model h.toml"), {"--out", "h.toml/.."}}) {
     const TemporaryFolder folder;
     folder.write("h.toml", hardware);
     folder.write("readings.csv", data);
-    Arguments command{"diagnose", "readings.csv", "--hardware", "h.toml"};
+    Arguments command("diagnose readings.csv --hardware h.toml");
     command.insert(command.end(), output.begin(), output.end());
     EXPECT_EQ(run_in(folder, command).exit_code, 2);
     EXPECT_TRUE(read_text(folder.path() / "h.toml") == hardware);
@@ -119,7 +117,7 @@ TEST(WrittenOver, IsNoFileThatALinkLeadsTo) {
 
 TEST(WrittenOver, IsNoStoreAlsoWhileThereIsNoneYet) {
   const TemporaryFolder folder;
-  const Arguments command{"explore", "--store", "o/../o/designs.csv", "--out", "o"};
+  const Arguments command("explore --store o/../o/designs.csv --out o");
   const std::string refused =
       "reeve: --out 'o': 'o/designs.csv' would be written over the store: expected another place\n";
   EXPECT_EQ(run_in(folder, command).err, refused);
@@ -139,7 +137,7 @@ TEST(WrittenOver, IsNoShardThatIsMerged) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "m");
   const std::vector<Arguments> shards{
-      {"explore", "--shard", "1/2", "--out", "a"},
+      "explore --shard 1/2 --out a",
       {"explore", "--shard", "2/2", "--out", "b", "--store", "m/designs.csv"}};
   for (const Arguments& shard : shards) ASSERT_EQ(run_in(folder, shard).exit_code, 0);
   const std::string store = read_text(folder.path() / "m" / "designs.csv");

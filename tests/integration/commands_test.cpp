@@ -13,19 +13,19 @@ namespace reeve::testing {
 namespace {
 
 TEST(Rank, FindsTr7BestAndExitsWithZero) {
-  const ProcessResult result = reeve({"rank", "--catalog", "--format", "json"});
+  const ProcessResult result = reeve("rank --catalog --format json");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(Json::parse(result.out)["designs"][0]["name"], "TR7");
 }
 
 TEST(Rank, GivesTheSameDesignsAsTableCsvAndJson) {
-  const Json json = Json::parse(reeve({"rank", "TR1", "TR3", "TR5", "--format", "json"}).out);
-  const std::string csv = reeve({"rank", "TR1", "TR3", "TR5", "--format", "csv"}).out;
+  const Json json = Json::parse(reeve("rank TR1 TR3 TR5 --format json").out);
+  const std::string csv = reeve("rank TR1 TR3 TR5 --format csv").out;
   std::vector<std::string> order;
   for (const Json& design : json["designs"]) order.push_back(design["routing"]);
   EXPECT_EQ(words(csv), order);
-  const std::string table = reeve({"rank", "TR1", "TR3", "TR5"}).out;
+  const std::string table = reeve("rank TR1 TR3 TR5").out;
   std::size_t at = 0;
   for (const std::string& word : order) {
     at = table.find(word, at);
@@ -35,13 +35,13 @@ TEST(Rank, GivesTheSameDesignsAsTableCsvAndJson) {
 
 // Where the bench takes the whole motor tension, all strands are slack.
 TEST(Rank, PutsADesignWithSlackStrandsLast) {
-  const std::string csv = reeve({"rank", "M-F+M-1-F", "M-1-F", "--format", "csv"}).out;
+  const std::string csv = reeve("rank M-F+M-1-F M-1-F --format csv").out;
   EXPECT_EQ(words(csv), (std::vector<std::string>{"M-1-F", "M-F+M-1-F"}));
   EXPECT_EQ(csv.find("nan"), std::string::npos);
 }
 
 TEST(Show, TakesNamesInAnyCaseAndWords) {
-  const std::string expected = reeve({"show", "TR5", "--format", "json"}).out;
+  const std::string expected = reeve("show TR5 --format json").out;
   for (const char* routing : {"tr5", "Tr5", "tR5", "M-1-P-2-M"}) {
     const ProcessResult result = reeve({"show", routing, "--format", "json"});
     EXPECT_EQ(result.exit_code, 0);
@@ -50,7 +50,7 @@ TEST(Show, TakesNamesInAnyCaseAndWords) {
 }
 
 TEST(Show, NamesTheCanonicalWordWhereItIsAnother) {
-  const Json json = Json::parse(reeve({"show", "F-2-T-1-M", "--format", "json"}).out);
+  const Json json = Json::parse(reeve("show F-2-T-1-M --format json").out);
   EXPECT_EQ(json["routing"], "F-2-T-1-M");
   EXPECT_EQ(json["canonical"], "M-1-T-2-F");
   EXPECT_EQ(json["name"], "TR1");
@@ -59,7 +59,7 @@ TEST(Show, NamesTheCanonicalWordWhereItIsAnother) {
 const std::string example_model = std::string(REEVE_CATALOG_DIR) + "/model/example.toml";
 
 TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
-  for (const Arguments& command : {Arguments{"show", "TR5"}, Arguments{"rank", "TR5", "TR7"}}) {
+  for (const Arguments command : {"show TR5", "rank TR5 TR7"}) {
     Arguments arguments = command;
     arguments.insert(arguments.end(), {"--model", example_model});
     const ProcessResult result = reeve(arguments);
@@ -80,9 +80,8 @@ TEST(Model, OfAFingerThatNoRoutingHasIsNoted) {
       folder.write("m.toml", "[[effect]]\ncause = \"sheath_angle\"\nfinger = 3\nangle_rad = 2\n")
           .string();
   const std::string because = " changes nothing: no routing here has a finger 3\n";
-  for (const Arguments& command :
-       {Arguments{"show", "TR1"}, Arguments{"rank", "TR1", "TR3"},
-        Arguments{"size", "TR1", "--vary", "tip_angle=1..4", "--nominal", "--starts", "1"}}) {
+  for (const Arguments command :
+       {"show TR1", "rank TR1 TR3", "size TR1 --vary tip_angle=1..4 --nominal --starts 1"}) {
     const auto printed = [&](const std::string& option, const std::string& file) {
       Arguments arguments = command;
       arguments.insert(arguments.end(), {option, file});
@@ -131,7 +130,7 @@ TEST(Model, NamesRoutingsAsTheCommandLineDoes) {
 }
 
 TEST(Check, OfTheShippedCatalogueExitsWithZero) {
-  const ProcessResult result = reeve({"check"});
+  const ProcessResult result = reeve("check");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_NE(result.out.find(" 0 differ\n"), std::string::npos);
@@ -151,7 +150,7 @@ TEST(Check, ExitsWithOneIfAPrintedNumberIsAnother) {
   }
   ProcessOptions options;
   options.environment["REEVE_CATALOG"] = folder.path().string();
-  const ProcessResult result = reeve({"check", "--format", "json"}, options);
+  const ProcessResult result = reeve("check --format json", options);
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err, "");
   const Json json = Json::parse(result.out);
@@ -164,7 +163,7 @@ TEST(Check, ExitsWithOneIfAPrintedNumberIsAnother) {
 }
 
 TEST(Version, NamesReleaseAndCommit) {
-  const ProcessResult result = reeve({"--version"});
+  const ProcessResult result = reeve("--version");
   EXPECT_EQ(result.exit_code, 0);
   const bool has_history = std::filesystem::exists(std::string(REEVE_SOURCE_DIR) + "/.git");
   const std::regex expected(
@@ -222,12 +221,11 @@ TEST(Version, TellsProgramsWithOtherChangesApart) {
 }
 
 TEST(Help, MentionsEveryOption) {
-  const Arguments generator{"--fingers", "--parts",    "--tips",   "--joins",
-                            "--ends",    "--anchored", "--blocks", "--distinct-fingers"};
-  const Arguments ranking{"--grasps", "--objectives", "--score",   "--uncertainty",
-                          "--draws",  "--seed",       "--threads", "--hardware",
-                          "--model",  "--format",     "--ladder",  "--within",
-                          "--cost",   "--sweep",      "--columns", "--text-width"};
+  const Arguments generator(
+      "--fingers --parts --tips --joins --ends --anchored --blocks --distinct-fingers");
+  const Arguments ranking(
+      "--grasps --objectives --score --uncertainty --draws --seed --threads --hardware "
+      "--model --format --ladder --within --cost --sweep --columns --text-width");
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
        {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--cost",
@@ -261,7 +259,7 @@ TEST(Help, MentionsEveryOption) {
   add(2, ranking);
   add(2, generator);
   add(3, generator);
-  const std::string overview = reeve({"--help"}).out;
+  const std::string overview = reeve("--help").out;
   for (const auto& [command, options] : commands) {
     EXPECT_NE(overview.find("\n  " + command + " "), std::string::npos) << command;
     const ProcessResult help = reeve({command, "--help"});
@@ -282,9 +280,8 @@ TEST(Help, MentionsEveryOption) {
 }
 
 TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
-  const Explored explored({"--top", "1", "--objectives",
-                           "uniformity,efficiency,sheaths,pulleys,knots", "--uncertainty",
-                           "--draws", "20"});
+  const Explored explored(
+      "--top 1 --objectives uniformity,efficiency,sheaths,pulleys,knots --uncertainty --draws 20");
   const Json summary = explored.summary();
   ASSERT_GT(summary["front"].size(), 1U);
   for (const Json& design : summary["front"]) {
@@ -294,14 +291,14 @@ TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
 }
 
 TEST(Explore, ThatKeepsNothingIsNotPartial) {
-  const Explored explored({"--constraint", "sheaths<=0", "--uncertainty", "--draws", "5"});
+  const Explored explored("--constraint sheaths<=0 --uncertainty --draws 5");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_FALSE(explored.summary()["partial"]);
   EXPECT_TRUE(explored.summary()["top"].empty());
 }
 
 TEST(Explore, SaysWhyAKnownRoutingHasNoRank) {
-  const Json without_pulleys = Explored({"--joins", "T", "--constraint", "sheaths<=1"}).summary();
+  const Json without_pulleys = Explored("--joins T --constraint sheaths<=1").summary();
   for (const Json& known : without_pulleys["known"]) {
     if (known["name"] == "TR7") {
       EXPECT_FALSE(known["generated"]);
@@ -315,14 +312,13 @@ TEST(Explore, SaysWhyAKnownRoutingHasNoRank) {
 }
 
 TEST(Explore, NotesThatIdenticalFingersAreToldApart) {
-  EXPECT_EQ(Explored({"--grasps", "paper"}).summary()["notes"].size(), 1U);
-  EXPECT_TRUE(Explored({"--grasps", "paper", "--distinct-fingers"}).summary()["notes"].empty());
+  EXPECT_EQ(Explored("--grasps paper").summary()["notes"].size(), 1U);
+  EXPECT_TRUE(Explored("--grasps paper --distinct-fingers").summary()["notes"].empty());
   EXPECT_TRUE(Explored({}).summary()["notes"].empty());
 }
 
 TEST(Rank, ComparesAMarginOnlyOverTheTwoMeans) {
-  const ProcessResult result =
-      reeve({"rank", "--catalog", "--margin", "--objectives", "force_transmission"});
+  const ProcessResult result = reeve("rank --catalog --margin --objectives force_transmission");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("--margin"), std::string::npos);
 }

@@ -19,7 +19,7 @@ bool says(const ProcessResult& result, const std::string& what) {
 }
 
 TEST(Decision, OfFiveFingersNamesTheFirstAndTheOneThatSomebodyWouldBuild) {
-  const Explored explored({"--fingers", "5"});
+  const Explored explored("--fingers 5");
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_TRUE(says(explored.result,
                    "First: 1b-P-2b-P-3b-P-1b+4-P-5-P-4, and 2 more with other bearings, which "
@@ -35,14 +35,14 @@ TEST(Decision, OfFiveFingersNamesTheFirstAndTheOneThatSomebodyWouldBuild) {
 }
 
 TEST(Decision, FollowsTheLossThatOneWouldBear) {
-  const Explored strict({"--fingers", "5", "--within", "0.5%"});
+  const Explored strict("--fingers 5 --within 0.5%");
   EXPECT_EQ(strict.summary()["ladder"]["affordable"]["sheaths"], 5);
-  const Explored loose({"--fingers", "5", "--within", "3%"});
+  const Explored loose("--fingers 5 --within 3%");
   EXPECT_EQ(loose.summary()["ladder"]["affordable"]["sheaths"], 1);
 }
 
 TEST(LadderFile, HasTheRungsOfTheSummary) {
-  const Explored explored({"--fingers", "3", "--ladder", "parts", "--top", "1"});
+  const Explored explored("--fingers 3 --ladder parts --top 1");
   const Json rungs = explored.summary()["ladder"]["rungs"];
   ASSERT_GT(rungs.size(), 2U);
   std::vector<std::string> expected;
@@ -80,7 +80,7 @@ TEST(Cost, IsAnObjectiveAConstraintAndALadder) {
 }
 
 TEST(Cost, IsMissingWhereThereAreNoPrices) {
-  const Explored explored({"--fingers", "2"});
+  const Explored explored("--fingers 2");
   const Json summary = explored.summary();
   EXPECT_TRUE(summary["top"][0]["cost"].is_null());
   for (const Json& best : summary["best"]) EXPECT_NE(best["objective"], "cost");
@@ -89,7 +89,7 @@ TEST(Cost, IsMissingWhereThereAreNoPrices) {
 }
 
 TEST(AlikeDesigns, AreOneLineInTheTableAndARowEachInTheFiles) {
-  const Explored explored({"--fingers", "2"});
+  const Explored explored("--fingers 2");
   EXPECT_TRUE(says(explored.result, "1 but for bearings that change nothing\n"));
   EXPECT_FALSE(says(explored.result, "\n   2      1  "));
   EXPECT_TRUE(says(explored.result,
@@ -111,7 +111,7 @@ TEST(AlikeDesigns, AreOneLineInTheTableAndARowEachInTheFiles) {
 }
 
 TEST(Constraint, ThatNothingMeetsSaysTheLeastAndExitsWithOne) {
-  const Explored explored({"--fingers", "2", "--constraint", "sheaths<=0"});
+  const Explored explored("--fingers 2 --constraint sheaths<=0");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_EQ(explored.result.err, "");
   EXPECT_TRUE(says(explored.result, "No design meets sheaths<=0: the least is 1\n"));
@@ -121,13 +121,13 @@ TEST(Constraint, ThatNothingMeetsSaysTheLeastAndExitsWithOne) {
 }
 
 TEST(Constraint, ThatNothingMeetsLeavesKnownRoutingsWithoutRankAndThePlotWithoutAnEdge) {
-  const Explored explored({"--fingers", "2", "--constraint", "sheaths<=0"});
+  const Explored explored("--fingers 2 --constraint sheaths<=0");
   EXPECT_TRUE(says(explored.result, "no rank since\n"));
   EXPECT_TRUE(says(explored.result,
                    "TR7   1-P-2-P-1     -      -             -       0.998       0.322  fails "
                    "sheaths<=0\n"));
   EXPECT_EQ(explored.file("index.html").find("dashed line"), std::string::npos);
-  EXPECT_NE(Explored({"--fingers", "2"}).file("index.html").find("dashed line"), std::string::npos);
+  EXPECT_NE(Explored("--fingers 2").file("index.html").find("dashed line"), std::string::npos);
 }
 
 TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
@@ -148,18 +148,17 @@ TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
 }
 
 TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
-  const Explored explored(
-      {"--fingers", "2", "--constraint", "sheaths<=1", "--constraint", "uniformity>=0.994"});
+  const Explored explored("--fingers 2 --constraint sheaths<=1 --constraint uniformity>=0.994");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_TRUE(says(explored.result, "both by none\n"));
   EXPECT_TRUE(says(explored.result, "Of the designs that meet all but sheaths<=1, the least is 2"));
 }
 
 TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
-  const ProcessResult result = reeve({"rank", "--catalog"});
+  const ProcessResult result = reeve("rank --catalog");
   EXPECT_TRUE(says(result, "What more sheaths buy: the best design with at most so many\n"));
   EXPECT_TRUE(says(result, "No design within 2 % of it has fewer sheaths\n"));
-  EXPECT_FALSE(says(reeve({"rank", "TR1"}), "First:"));
+  EXPECT_FALSE(says(reeve("rank TR1"), "First:"));
   const TemporaryFolder folder;
   reeve({"rank", "--catalog", "--out", folder.path().string()});
   EXPECT_EQ(words(read_text(folder.path() / "ladder.csv")),
@@ -167,7 +166,7 @@ TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
 }
 
 TEST(ExplorationPage, HasTheLadder) {
-  const Explored explored({"--fingers", "2"});
+  const Explored explored("--fingers 2");
   const std::string page = explored.file("index.html");
   EXPECT_NE(page.find("<section id=\"ladder\">"), std::string::npos);
   EXPECT_NE(page.find("With fewest sheaths within 2 % of it"), std::string::npos);

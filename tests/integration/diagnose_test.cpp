@@ -17,7 +17,6 @@ namespace reeve::testing {
 namespace {
 
 using namespace std::chrono_literals;
-using Arguments = std::vector<std::string>;
 using Json = nlohmann::ordered_json;
 
 const std::string golden = std::string(REEVE_SOURCE_DIR) + "/tests/golden/";

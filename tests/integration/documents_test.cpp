@@ -37,7 +37,7 @@ struct WrittenTables {
   WrittenTables() {
     ProcessOptions options;
     options.directory = folder.path();
-    EXPECT_EQ(reeve({"explore"}, options).exit_code, 0);
+    EXPECT_EQ(reeve("explore", options).exit_code, 0);
     csv = read_text(folder.path() / "out/explore/designs.csv");
     summary = Json::parse(read_text(folder.path() / "out/explore/summary.json"));
   }

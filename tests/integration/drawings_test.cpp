@@ -27,9 +27,8 @@ void expect_drawable(const std::string& dot) {
 }
 
 TEST(Drawing, IsAcceptedByGraphviz) {
-  for (const Arguments& routing : {Arguments{"TR5"}, Arguments{"TR7", "--held", "1"},
-                                   Arguments{"M-F"}, Arguments{"M-1b-B-2-F+M-3-M", "--held", "3"},
-                                   Arguments{"TR4", "--direction", "release", "--held", "none"}}) {
+  for (const Arguments routing : {"TR5", "TR7 --held 1", "M-F", "M-1b-B-2-F+M-3-M --held 3",
+                                  "TR4 --direction release --held none"}) {
     Arguments arguments{"show"};
     arguments.insert(arguments.end(), routing.begin(), routing.end());
     arguments.insert(arguments.end(), {"--format", "dot"});
@@ -42,9 +41,7 @@ TEST(Drawing, IsAcceptedByGraphviz) {
 TEST(Schematic, LiesBesideTheUsualResult) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "drawing.svg").string();
-  for (const Arguments& command :
-       {Arguments{"show", "TR5", "--held", "1"}, Arguments{"show", "M-F", "--format", "json"},
-        Arguments{"check"}}) {
+  for (const Arguments command : {"show TR5 --held 1", "show M-F --format json", "check"}) {
     Arguments drawing = command;
     drawing.insert(drawing.end(), {"--svg", file});
     const ProcessResult result = reeve(drawing);
@@ -58,7 +55,7 @@ TEST(Schematic, LiesBesideTheUsualResult) {
 TEST(Schematic, OfFloatingPartsShowsThem) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "drawing.svg").string();
-  for (const Arguments& options : {Arguments{}, Arguments{"--held", "2"}}) {
+  for (const Arguments& options : {Arguments{}, Arguments("--held 2")}) {
     Arguments command{"show", "M-Y1+1x-W1/2:1-2x+W1-Y1-3x", "--svg", file};
     command.insert(command.end(), options.begin(), options.end());
     EXPECT_EQ(reeve(command).exit_code, 0);

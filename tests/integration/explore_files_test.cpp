@@ -15,11 +15,12 @@ namespace reeve::testing {
 namespace {
 
 TEST(ExploreFiles, AreTheseAndNothingElse) {
-  const Explored explored({"--fingers", "2"});
+  const Explored explored("--fingers 2");
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "ladder.csv",
-                                         "pareto.csv", "sample.csv", "summary.json"}));
+  EXPECT_EQ(
+      explored.files(),
+      (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
   EXPECT_NE(
       explored.result.out.find(
           "Written: index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
@@ -31,21 +32,21 @@ TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {
   const TemporaryFolder folder;
   ProcessOptions options;
   options.directory = folder.path();
-  reeve({"explore", "--fingers", "3", "--out", "a/b"}, options);
+  reeve("explore --fingers 3 --out a/b", options);
   const std::string first = read_text(folder.path() / "a/b/designs.csv");
-  reeve({"explore", "--fingers", "2", "--out", "a/b"}, options);
+  reeve("explore --fingers 2 --out a/b", options);
   EXPECT_NE(read_text(folder.path() / "a/b/designs.csv"), first);
   EXPECT_EQ(read_text(folder.path() / "a/b/designs.csv"),
-            Explored({"--fingers", "2"}).file("designs.csv"));
+            Explored("--fingers 2").file("designs.csv"));
 }
 
 TEST(ExploreFiles, HoldWhatJsonOnStdoutHolds) {
-  const Explored explored({"--fingers", "2", "--format", "json"});
+  const Explored explored("--fingers 2 --format json");
   EXPECT_EQ(explored.result.out, explored.file("summary.json"));
 }
 
 TEST(ExploreFiles, AgreeWithEachOther) {
-  const Explored explored({"--fingers", "3", "--top", "20"});
+  const Explored explored("--fingers 3 --top 20");
   const Json summary = explored.summary();
   EXPECT_EQ(words(explored.file("designs.csv")).size(), 20U);
   ASSERT_EQ(summary["top"].size(), 20U);
@@ -108,8 +109,8 @@ TEST(ExplorePage, GivesTheCommandThatGivesItAgain) {
 }
 
 TEST(ExploreShards, AddUpToTheWhole) {
-  const Json whole = Explored({"--fingers", "3"}).summary();
-  const Explored whole_files({"--fingers", "3"});
+  const Json whole = Explored("--fingers 3").summary();
+  const Explored whole_files("--fingers 3");
   std::uint64_t generated = 0;
   std::uint64_t evaluated = 0;
   std::uint64_t rejected = 0;
@@ -135,15 +136,14 @@ TEST(ExploreShards, AddUpToTheWhole) {
 }
 
 TEST(ExploreShards, MayOutnumberTheRoutings) {
-  const Json summary = Explored({"--fingers", "1", "--parts", "paper", "--shard", "6/7"}).summary();
+  const Json summary = Explored("--fingers 1 --parts paper --shard 6/7").summary();
   EXPECT_LE(summary["generated"], 1);
   EXPECT_FALSE(summary["partial"]);
 }
 
 TEST(ExploreCounts, AgreeWithCount) {
-  const Json summary = Explored({"--fingers", "3", "--distinct-fingers"}).summary();
-  const Json counts =
-      Json::parse(reeve({"count", "--fingers", "3", "--distinct-fingers", "--format", "json"}).out);
+  const Json summary = Explored("--fingers 3 --distinct-fingers").summary();
+  const Json counts = Json::parse(reeve("count --fingers 3 --distinct-fingers --format json").out);
   EXPECT_EQ(summary["generated"], counts["all"]);
   EXPECT_EQ(summary["evaluated"], counts["actuated"]);
   EXPECT_EQ(summary["rejected"]["not actuated"],
@@ -151,7 +151,7 @@ TEST(ExploreCounts, AgreeWithCount) {
 }
 
 Json counted(const Arguments& parts) {
-  Arguments command{"count", "--format", "json"};
+  Arguments command("count --format json");
   command.insert(command.end(), parts.begin(), parts.end());
   return Json::parse(reeve(command).out);
 }
@@ -168,8 +168,8 @@ TEST(Count, AllPartsAreTheFullOnesWithAnchoredTipsAndABlock) {
 }
 
 TEST(Count, SaysTreesWhereBlocksTieTendonsTogether) {
-  EXPECT_NE(reeve({"count", "--blocks", "1"}).out.find("every tree actuated"), std::string::npos);
-  EXPECT_NE(reeve({"count"}).out.find("every tendon actuated"), std::string::npos);
+  EXPECT_NE(reeve("count --blocks 1").out.find("every tree actuated"), std::string::npos);
+  EXPECT_NE(reeve("count").out.find("every tendon actuated"), std::string::npos);
 }
 
 }  // namespace

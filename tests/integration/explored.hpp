@@ -17,7 +17,6 @@
 namespace reeve::testing {
 
 using Json = nlohmann::ordered_json;
-using Arguments = std::vector<std::string>;
 
 inline const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
@@ -40,12 +39,12 @@ struct Explored {
   TemporaryFolder folder;
   ProcessResult result;
 
-  explicit Explored(std::vector<std::string> arguments, ProcessOptions options = {}) {
+  explicit Explored(Arguments arguments, ProcessOptions options = {}) {
     run(std::move(arguments), std::move(options));
   }
 
   // Again, into the same folder.
-  void run(std::vector<std::string> arguments, ProcessOptions options = {}) {
+  void run(Arguments arguments, ProcessOptions options = {}) {
     arguments.insert(arguments.begin(), {"explore", "--out", "out"});
     options.directory = folder.path();
     result = reeve(arguments, options);

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Export, WritesTheSameToAFileAndToStdout) {
   const TemporaryFolder folder;
-  const ProcessResult shown = reeve({"export", "TR7"});
+  const ProcessResult shown = reeve("export TR7");
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   const std::string file = (folder.path() / "tr7.xml").string();
   const ProcessResult written = reeve({"export", "1-P-2-P-1", "--format", "mjcf", "-o", file});
@@ -19,7 +19,7 @@ TEST(Export, WritesTheSameToAFileAndToStdout) {
   EXPECT_EQ(read_text(file), shown.out);
 }
 
-std::string head(const std::vector<std::string>& arguments) {
+std::string head(const Arguments& arguments) {
   const std::string text = reeve(arguments).out;
   return text.substr(0, text.find("-->"));
 }
@@ -63,7 +63,7 @@ TEST(Export, IsXmlWhateverTheHardwareIsCalled) {
 }
 
 TEST(Export, AMechanismHasItsOwnHardwareUnlessAnotherIsGiven) {
-  const std::string own = reeve({"export", "ExoGlovePoly"}).out;
+  const std::string own = reeve("export ExoGlovePoly").out;
   const std::string other =
       reeve({"export", "ExoGlovePoly", "--hardware",
              std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml"})
@@ -73,7 +73,7 @@ TEST(Export, AMechanismHasItsOwnHardwareUnlessAnotherIsGiven) {
 }
 
 TEST(Export, RefusesWhatItCannotExport) {
-  const auto complaint = [](std::vector<std::string> arguments) {
+  const auto complaint = [](Arguments arguments) {
     arguments.insert(arguments.begin(), "export");
     const ProcessResult result = reeve(arguments);
     EXPECT_EQ(result.exit_code, 2);

@@ -47,9 +47,9 @@ TEST(CheckOfAFamily, EndsWithOneOnlyOfWhatIsNotListed) {
   const EditedCatalogue edited("families/benches/pulley_turns_90.toml", ", open = ", ", where = ");
   ProcessOptions options;
   options.environment = {{"REEVE_CATALOG", edited.path().string()}};
-  EXPECT_EQ(reeve({"check", "--family", "benches"}, options).exit_code, 1);
-  EXPECT_EQ(reeve({"check", "--family", "hauls"}, options).exit_code, 0);
-  EXPECT_EQ(reeve({"check", "--family", "benches"}).exit_code, 0);
+  EXPECT_EQ(reeve("check --family benches", options).exit_code, 1);
+  EXPECT_EQ(reeve("check --family hauls", options).exit_code, 0);
+  EXPECT_EQ(reeve("check --family benches").exit_code, 0);
 }
 
 TEST(RankOfAFamily, RanksItsMechanismsWithSoManyFingersByTheirNames) {
@@ -80,7 +80,7 @@ TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
   EXPECT_FALSE(given.contains("own_hardware"));
   // Its word is nobody's own.
   EXPECT_FALSE(json_of({"show", "M-B-1x"}).contains("own_hardware"));
-  const std::string text = reeve({"show", "PulleyTurn"}).out;
+  const std::string text = reeve("show PulleyTurn").out;
   EXPECT_NE(text.find("With its own hardware, from the catalogue"), std::string::npos);
 }
 

@@ -18,9 +18,9 @@ namespace {
 using namespace std::chrono_literals;
 
 // Hours of work.
-const Arguments long_work{"--fingers", "9", "--parts", "full", "--threads", "2", "--top", "100"};
+const Arguments long_work("--fingers 9 --parts full --threads 2 --top 100");
 // Half a megabyte of designs and more of summary.
-const Arguments long_files{"--fingers", "4", "--parts", "full", "--top", "10000"};
+const Arguments long_files("--fingers 4 --parts full --top 10000");
 
 void expect_whole_csv(const std::string& csv, const std::string& first_line) {
   std::istringstream lines(csv);
@@ -43,8 +43,9 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
   EXPECT_NE(explored.result.out.find("\nPARTIAL: "), std::string::npos) << explored.result.out;
-  EXPECT_EQ(explored.files(), (Arguments{"designs.csv", "figures", "index.html", "ladder.csv",
-                                         "pareto.csv", "sample.csv", "summary.json"}));
+  EXPECT_EQ(
+      explored.files(),
+      (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
 
   const Json summary = explored.summary();
   EXPECT_TRUE(summary["partial"]);
@@ -90,12 +91,12 @@ TEST(HangUp, TwiceAtOnceIsOne) {
 
 // A reader that has opened a pipe and does not read it holds the page up.
 TEST(HangUp, AgainLaterEndsTheProcess) {
-  Explored explored({"--fingers", "2"});
+  Explored explored("--fingers 2");
   const std::filesystem::path pipe = explored.out() / "index.html";
   std::filesystem::remove(pipe);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
-  explored.run({"--fingers", "2"}, hung_up_twice(1500ms));
+  explored.run("--fingers 2", hung_up_twice(1500ms));
   EXPECT_EQ(explored.result.signal, SIGHUP);
   ::close(reader);
 }
@@ -109,7 +110,7 @@ TEST_P(StoppingSignal, EndsTheWaitForAnInput) {
     const int writer = has_writer ? ::open(pipe.c_str(), O_RDWR) : -1;
     ProcessOptions options = disturbed(GetParam(), after_it_catches(GetParam(), 0ms));
     options.directory = folder.path();
-    const ProcessResult result = reeve({"diagnose", "pipe"}, options);
+    const ProcessResult result = reeve("diagnose pipe", options);
     EXPECT_EQ(result.exit_code, 3) << has_writer;
     EXPECT_NE(result.err.find("interrupted: nobody writes to 'pipe'"), std::string::npos)
         << result.err;
@@ -144,9 +145,9 @@ TEST(HangUp, OfTheTerminalLeavesWholeFilesThatSayPartial) {
 }
 
 TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
-  const ProcessResult result = reeve({"rank", "--catalog", "--uncertainty", "--draws", "100000",
-                                      "--threads", "1", "--grasps", "none/1/2/1,2"},
-                                     disturbed(SIGINT, after_it_catches(SIGINT, 50ms)));
+  const ProcessResult result =
+      reeve("rank --catalog --uncertainty --draws 100000 --threads 1 --grasps none/1/2/1,2",
+            disturbed(SIGINT, after_it_catches(SIGINT, 50ms)));
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err, "reeve: interrupted\n");
@@ -154,9 +155,8 @@ TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
 
 // The exploration is done by then, the distributions are not.
 TEST(Interruption, WhileDrawingLeavesFilesThatSaySo) {
-  const Explored explored(
-      {"--fingers", "4", "--uncertainty", "--draws", "100000", "--threads", "1"},
-      disturbed(SIGINT, after_it_catches(SIGINT, 2s)));
+  const Explored explored("--fingers 4 --uncertainty --draws 100000 --threads 1",
+                          disturbed(SIGINT, after_it_catches(SIGINT, 2s)));
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_NE(explored.result.out.find("PARTIAL"), std::string::npos);
   EXPECT_TRUE(explored.summary()["partial"]);
@@ -184,7 +184,7 @@ TEST(Killing, WhileWritingLeavesNoPieceUnderAFinalName) {
       return false;
     });
     options.directory = folder.path();
-    Arguments arguments{"explore", "--out", "out"};
+    Arguments arguments("explore --out out");
     arguments.insert(arguments.end(), long_files.begin(), long_files.end());
     reeve(arguments, options);
     for (const char* name : {"designs.csv", "pareto.csv"}) {
@@ -200,7 +200,7 @@ TEST(Killing, WhileWritingLeavesNoPieceUnderAFinalName) {
 
 // The kernel kills it in the middle of a file, every time.
 TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
-  Explored explored({"--fingers", "2"});
+  Explored explored("--fingers 2");
   const std::string designs = explored.file("designs.csv");
   const std::string summary = explored.file("summary.json");
   ProcessOptions options;
@@ -227,11 +227,11 @@ TEST(Killing, InTheMiddleOfALateFileLeavesNone) {
 
 // A pipe that nobody reads holds it up behind the tables.
 TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
-  Explored explored({"--fingers", "2"});
+  Explored explored("--fingers 2");
   const std::string designs = explored.file("designs.csv");
   std::filesystem::remove(explored.out() / "index.html");
   ASSERT_EQ(::mkfifo((explored.out() / "index.html").c_str(), 0600), 0);
-  explored.run({"--fingers", "3"}, disturbed(SIGKILL, [&](const RunningProcess&) {
+  explored.run("--fingers 3", disturbed(SIGKILL, [&](const RunningProcess&) {
                  const std::string now = explored.file("designs.csv");
                  return !now.empty() && now != designs;
                }));
@@ -247,7 +247,7 @@ TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
 
 // The page of what is sized would go, and the folder could not be read again.
 TEST(MixedFolder, IsNotMadeBySizingIntoTheFolderThatIsSized) {
-  const Explored explored({"--fingers", "2"});
+  const Explored explored("--fingers 2");
   const ProcessResult size = reeve({"size", "--from", explored.out().string(), "--vary",
                                     "tip_angle=1..4", "--out", explored.out().string()});
   EXPECT_EQ(size.exit_code, 2);
@@ -256,8 +256,8 @@ TEST(MixedFolder, IsNotMadeBySizingIntoTheFolderThatIsSized) {
 }
 
 TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
-  const Explored two({"--fingers", "2"});
-  const Explored three({"--fingers", "3"});
+  const Explored two("--fingers 2");
+  const Explored three("--fingers 3");
   const Arguments size{"size",  "--from", two.out().string(), "--vary", "tip_angle=1..4",
                        "--top", "1",      "--nominal"};
   EXPECT_EQ(reeve(size).exit_code, 0);
@@ -284,9 +284,9 @@ TEST(ExplorationId, IsThatOfTheQuestion) {
   EXPECT_EQ(id({"--threads", "1", "--details", "2"}), plain);
   EXPECT_EQ(id({"--fingers", "2", "--constraint", "jams<=9"}), id({"--constraint", "jams<=9"}));
   for (const Arguments& other :
-       {Arguments{"--fingers", "3"}, Arguments{"--top", "999"}, Arguments{"--shard", "1/2"},
-        Arguments{"--grasps", "none"}, Arguments{"--constraint", "jams<=9"},
-        Arguments{"--uncertainty", "--draws", "2"}, Arguments{"--ladder", "parts"},
+       {Arguments("--fingers 3"), Arguments("--top 999"), Arguments("--shard 1/2"),
+        Arguments("--grasps none"), Arguments("--constraint jams<=9"),
+        Arguments("--uncertainty --draws 2"), Arguments("--ladder parts"),
         Arguments{"--hardware", REEVE_CATALOG_DIR "/hardware/example.toml"}}) {
     EXPECT_NE(id(other), plain) << other[0];
   }

@@ -37,7 +37,7 @@ TEST_F(Launched, WithoutMpiIsRefused) {
        {Variables{{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "0"}},
         Variables{{"PMI_SIZE", "2"}, {"PMI_RANK", "0"}},
         Variables{{"SLURM_STEP_NUM_TASKS", "2"}, {"PMIX_RANK", "0"}}}) {
-    const ProcessResult result = run({"explore", "--out", "out"}, launcher);
+    const ProcessResult result = run("explore --out out", launcher);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(
@@ -54,7 +54,7 @@ TEST_F(Launched, WithoutMpiIsRefused) {
 // The first one has said it; and a launcher ends all when one of them fails.
 TEST_F(Launched, TheOthersKeepQuiet) {
   const Variables second{{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "1"}};
-  for (const Arguments& arguments : {Arguments{"--version"}, Arguments{"explore", "--help"}}) {
+  for (const Arguments arguments : {"--version", "explore --help"}) {
     const ProcessResult result = run(arguments, second);
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.out + result.err, "");
@@ -65,8 +65,8 @@ TEST_F(Launched, TheOthersKeepQuiet) {
 // After a while, in which the first one would have said it, and all would have been ended.
 TEST_F(Launched, TheOthersSayAtLastWhatTheFirstDoesNot) {
   const auto start = std::chrono::steady_clock::now();
-  const ProcessResult result = run({"explore", "--nonsense"},
-                                   {{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "1"}});
+  const ProcessResult result =
+      run("explore --nonsense", {{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "1"}});
   EXPECT_GT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
@@ -76,8 +76,8 @@ TEST_F(Launched, TheOthersSayAtLastWhatTheFirstDoesNot) {
 
 // On a machine where it was built without MPI, while the first one has it: that one would wait.
 TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
-  const ProcessResult result = run({"explore", "--out", "out"},
-                                   {{"OMPI_COMM_WORLD_SIZE", "3"}, {"OMPI_COMM_WORLD_RANK", "2"}});
+  const ProcessResult result =
+      run("explore --out out", {{"OMPI_COMM_WORLD_SIZE", "3"}, {"OMPI_COMM_WORLD_RANK", "2"}});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(result.err.starts_with("reeve: rank 2 of 3, on ")) << result.err;
@@ -86,7 +86,7 @@ TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
 }
 
 TEST_F(Launched, AloneOrEachOnItsOwnNeedsNoMpi) {
-  const Arguments count{"count", "--fingers", "2"};
+  const Arguments count("count --fingers 2");
   const std::string expected = reeve(count).out;
   for (const Variables& alone :
        {Variables{{"OMPI_COMM_WORLD_SIZE", "1"}, {"OMPI_COMM_WORLD_RANK", "0"}},

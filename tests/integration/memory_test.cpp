@@ -148,9 +148,9 @@ TEST(OutOfMemoryInAStore, EndsWithAMessage) {
   const TemporaryFolder folder;
   ProcessOptions options;
   options.directory = folder.path();
-  const Arguments explore{"explore", "--threads", "1", "--out", "out", "--store", "s.db"};
+  const Arguments explore("explore --threads 1 --out out --store s.db");
   ASSERT_EQ(reeve(explore, options).exit_code, 0);
-  for (const Arguments& command : {explore, Arguments{"rank", "--store", "s.db"}}) {
+  for (const Arguments& command : {explore, Arguments("rank --store s.db")}) {
     int starved = 0;
     for (int n = 1; n < 140; ++n) {
       SCOPED_TRACE(command[0] + std::to_string(n));

@@ -53,7 +53,7 @@ class Merging : public ::testing::Test {
   }
 
   ProcessResult merge(const std::vector<int>& indices, Arguments options = {}) {
-    Arguments command{"merge", "--out", "out"};
+    Arguments command("merge --out out");
     for (const int index : indices) command.push_back("s" + std::to_string(index));
     command.insert(command.end(), options.begin(), options.end());
     return run(command, folder_.path());
@@ -132,14 +132,14 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_F(Merging, PrintsWhatTheWholePrints) {
-  const Explored whole({"--fingers", "3", "--format", "json"});
+  const Explored whole("--fingers 3 --format json");
   for (const int index : {1, 2}) explore_shard({"--fingers", "3"}, index, 2);
   const ProcessResult result = merge({1, 2}, {"--format", "json"});
   EXPECT_EQ(without_times(result.out), without_times(whole.result.out));
 }
 
 TEST_F(Merging, TakesNoHalf) {
-  const Arguments arguments{"--fingers", "3"};
+  const Arguments arguments("--fingers 3");
   for (const int index : {1, 2, 3}) explore_shard(arguments, index, 3);
   expect_bad({1, 3}, "shard 2/3 is missing");
   expect_bad({2}, "2 shards are missing: 1/3, 3/3");
@@ -177,8 +177,7 @@ TEST_F(Merging, RefusesAShardThatWasStopped) {
   options.directory = folder_.path();
   options.disturbance =
       Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::milliseconds(500))};
-  const ProcessResult stopped =
-      reeve({"explore", "--fingers", "9", "--shard", "1/2", "--out", "s1"}, options);
+  const ProcessResult stopped = reeve("explore --fingers 9 --shard 1/2 --out s1", options);
   ASSERT_EQ(stopped.exit_code, 3) << stopped.err;
   const ProcessResult result = merge({1});
   EXPECT_EQ(result.exit_code, 2);
@@ -188,7 +187,7 @@ TEST_F(Merging, RefusesAShardThatWasStopped) {
 
 TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
   for (const int index : {1, 2}) explore_shard({}, index, 2);
-  run({"explore", "--out", "s3"}, folder_.path());
+  run("explore --out s3", folder_.path());
   expect_bad({1, 3},
              "s3: there is no shard.json; expected the folder of an exploration with --shard");
   expect_bad({7}, "s7/shard.json: cannot be read: No such file or directory");
@@ -198,7 +197,7 @@ TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
   expect_bad({1, 2}, "s1: designs.csv and summary.json are of two explorations" + whole);
   fs::remove(folder_.path() / "s1/summary.json");
   expect_bad({1, 2}, "s1: there is no summary.json, which is written last" + whole);
-  const ProcessResult into = run({"merge", "s1", "s2", "--out", "s2"}, folder_.path());
+  const ProcessResult into = run("merge s1 s2 --out s2", folder_.path());
   EXPECT_EQ(into.exit_code, 2);
   EXPECT_NE(into.err.find("--out 's2': expected another folder"), std::string::npos) << into.err;
 }
@@ -239,9 +238,9 @@ TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
 
 // Lists that the shards printed are none of the whole, and its command is that of the first.
 TEST_F(Merging, DoesNotDependOnHowShardsWereShownAndNamed) {
-  const Arguments table{"--fingers", "2",     "--objectives", "uniformity,efficiency",
-                        "--format",  "latex", "--columns",    "name,routing",
-                        "--top",     "20",    "--text-width", "88mm"};
+  const Arguments table(
+      "--fingers 2 --objectives uniformity,efficiency --format latex --columns "
+      "name,routing --top 20 --text-width 88mm");
   explore_shard(table, 1, 2);
   explore_shard({"--fingers", "2", "--top", "20"}, 2, 2);
   for (const std::vector<int>& order : {std::vector{1, 2}, std::vector{2, 1}}) {
@@ -254,7 +253,7 @@ TEST_F(Merging, DoesNotDependOnHowShardsWereShownAndNamed) {
 
 TEST_F(Merging, TakesNoNameForNoFolder) {
   explore_shard({"--fingers", "2"}, 1, 1);
-  const ProcessResult result = run({"merge", "", "--out", "."}, folder_.path() / "s1");
+  const ProcessResult result = run("merge '' --out .", folder_.path() / "s1");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.err,
             "reeve: '': it is no name; expected that of a folder of explore --shard, or of a "
@@ -265,15 +264,14 @@ TEST_F(Merging, TakesNoNameForNoFolder) {
 TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
   explore_shard({}, 1, 1);
   EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));
-  run({"explore", "--out", "s1"}, folder_.path());
+  run("explore --out s1", folder_.path());
   EXPECT_FALSE(fs::exists(folder_.path() / "s1/shard.json"));
 }
 
 // How near others come is for the whole to say: to know it, all that is left out would be made.
 TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
   const ProcessResult result =
-      run({"explore", "--fingers", "4", "--constraint", "sheaths<=1", "--shard", "5/5"},
-          folder_.path());
+      run("explore --fingers 4 --constraint sheaths<=1 --shard 5/5", folder_.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_NE(
       result.out.find("Of the 228 that are actuated 228 fail by their parts alone; the other 0 "

@@ -42,7 +42,7 @@ std::string in_a_column(Arguments arguments) {
 }
 
 TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
-  const Arguments rank{"rank", "--catalog", "--columns", "routing,uniformity_worst,rank"};
+  const Arguments rank("rank --catalog --columns routing,uniformity_worst,rank");
   const auto in = [&](const char* format) {
     Arguments arguments = rank;
     arguments.insert(arguments.end(), {"--format", format});
@@ -68,11 +68,10 @@ TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
   const TemporaryFolder folder;
   ProcessOptions options;
   options.directory = folder.path();
-  for (const Arguments& command :
-       {Arguments{"rank", "--catalog", "--out", "page"}, Arguments{"explore", "--out", "page"},
-        Arguments{"explore", "--out", "page", "--columns",
-                  "routing,uniformity_mean,efficiency_mean"},
-        Arguments{"size", "TR5", "--vary", "sheath_angle=3..9", "--nominal", "--out", "page"}}) {
+  for (const Arguments command :
+       {"rank --catalog --out page", "explore --out page",
+        "explore --out page --columns routing,uniformity_mean,efficiency_mean",
+        "size TR5 --vary sheath_angle=3..9 --nominal --out page"}) {
     const auto with = [&](const std::string& width) {
       Arguments arguments = command;
       arguments.insert(arguments.end(), {"--format", "latex", "--text-width", width});
@@ -94,8 +93,7 @@ TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
 }
 
 TEST(TablesForPapers, OfSizesHaveThoseOfTheDimensionsOrOfTheRoutings) {
-  const Arguments size{"size",      "TR1",      "TR7", "--vary", "sheath_angle=3..9",
-                       "--nominal", "--columns"};
+  const Arguments size("size TR1 TR7 --vary sheath_angle=3..9 --nominal --columns");
   Arguments dimensions = size;
   dimensions.emplace_back("sized,dimension,slope_more");
   EXPECT_TRUE(has(printed(dimensions), "\nsized  dimension        slope, more\n"));

@@ -63,7 +63,7 @@ TEST(Compare, ReadsAPipe) {
   EXPECT_NE(result.out.find("6 readings in 3 runs"), std::string::npos);
 }
 
-const Arguments planned{"simulate", "--routings", "TR1,TR5,TR7", "--cycles", "0:3000"};
+const Arguments planned("simulate --routings TR1,TR5,TR7 --cycles 0:3000");
 
 ProcessResult simulate(const Arguments& options) {
   Arguments arguments = planned;
@@ -74,28 +74,30 @@ ProcessResult simulate(const Arguments& options) {
 TEST(Simulate, WritesTheSameBytesForTheSameSeedWhereverTheyGo) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "a.csv").string();
-  const ProcessResult printed = simulate({"--seed", "5"});
+  const ProcessResult printed = simulate("--seed 5");
   const ProcessResult written = simulate({"-o", file, "--seed", "5"});
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   EXPECT_EQ(written.exit_code, 0) << written.err;
   EXPECT_EQ(written.out,
             file + ": 240 simulated readings in 12 runs of 3 routings, with no cause\n");
   EXPECT_EQ(read_text(file), printed.out);
-  EXPECT_EQ(simulate({"--seed=5"}).out, printed.out);
-  EXPECT_NE(simulate({"--seed", "6"}).out, printed.out);
+  EXPECT_EQ(simulate("--seed=5").out, printed.out);
+  EXPECT_NE(simulate("--seed 6").out, printed.out);
 }
 
 TEST(Simulate, GivesEachSettingToTheCauseBeforeIt) {
   const std::string csv =
-      simulate({"--cause", "sensor_gain[T3]", "--set", "gain=1.08", "--cause", "wear", "--set",
-                "change=-0.4", "--set", "cycles=300", "--cause", "seized_contact[tr5,T1-T2]"})
+      simulate(
+          "--cause sensor_gain[T3] --set gain=1.08 --cause wear --set change=-0.4 "
+          "--set cycles=300 --cause seized_contact[tr5,T1-T2]")
           .out;
   for (const char* line :
        {"\n# hidden cause: sensor_gain[T3] (gain = 1.08)\n",
         "\n# hidden cause: wear (change = -0.4, cycles = 300)\n",
         "\n# hidden cause: seized_contact[M-1-P-2-M,T1-T2]\n",
         "\n# command: reeve simulate --routings TR1,TR5,TR7 --cycles 0:3000 --cause "
-        "'sensor_gain[T3]' --set gain=1.08 --cause wear --set change=-0.4 --set cycles=300 "
+        "'sensor_gain[T3]' --set gain=1.08 --cause wear --set change=-0.4 "
+        "--set cycles=300 "
         "--cause 'seized_contact[tr5,T1-T2]'\n"}) {
     EXPECT_NE(csv.find(line), std::string::npos) << line << csv.substr(0, 1000);
   }
@@ -115,7 +117,7 @@ TEST(Simulate, WritesWhatCompareReadsAndFindsToBeTheModelWithoutNoise) {
 }
 
 TEST(Simulate, WithPowerSaysHowOftenTheHiddenCauseIsFound) {
-  const Arguments options{"--cause", "sensor_gain[T3]", "--set", "gain=1.3", "--power", "3"};
+  const Arguments options("--cause sensor_gain[T3] --set gain=1.3 --power 3");
   Arguments as_json = options;
   as_json.insert(as_json.end(), {"--format", "json"});
   const ProcessResult result = simulate(as_json);

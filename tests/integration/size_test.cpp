@@ -59,8 +59,9 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
   const std::string file = (sized.folder.path() / "hand.toml").string();
   const ProcessResult shown = reeve({"show", "TR1", "--hardware", file});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
-  sized.run({"TR1", "--vary", "closing[2]=0.5..2", "--goal", "round_trip_efficiency", "--nominal",
-             "--starts", "1", "--save-hardware", "c.toml"});
+  sized.run(
+      "TR1 --vary closing[2]=0.5..2 --goal round_trip_efficiency --nominal "
+      "--starts 1 --save-hardware c.toml");
   const std::string closes = read_text(sized.folder.path() / "c.toml");
   EXPECT_EQ(closes.find("closing"), closes.rfind("closing"));
   EXPECT_NE(closes.find("[finger.2]\nclosing"), std::string::npos) << closes;
@@ -69,12 +70,12 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
 TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
   Sized sized({});
   sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n");
-  sized.run({"TR1", "--hardware", "h.toml", "--nominal", "--save-hardware", "sized.toml"});
+  sized.run("TR1 --hardware h.toml --nominal --save-hardware sized.toml");
   ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
   EXPECT_NE(sized.result.out.find("tip_angle[1,2]"), std::string::npos);
   EXPECT_NE(sized.result.out.find("\nHardware file: sized.toml\n"), std::string::npos);
   const std::string once = sized.result.out.substr(0, sized.result.out.find("\nHardware"));
-  sized.run({"TR1", "--hardware", "sized.toml", "--nominal"});
+  sized.run("TR1 --hardware sized.toml --nominal");
   EXPECT_EQ(sized.result.exit_code, 0);
   EXPECT_NE(sized.result.out.find("(+0.0 %)"), std::string::npos) << sized.result.out;
   EXPECT_NE(once, sized.result.out);
@@ -146,9 +147,8 @@ TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {
   Sized sized({});
   ProcessOptions options;
   options.directory = sized.folder.path();
-  ASSERT_EQ(reeve({"explore", "--out", "explored", "--grasps", "paper"}, options).exit_code, 0);
-  const Arguments size{"--from",    "explored", "--top", "3", "--vary", "sheath_angle=3..9",
-                       "--nominal", "--format", "json"};
+  ASSERT_EQ(reeve("explore --out explored --grasps paper", options).exit_code, 0);
+  const Arguments size("--from explored --top 3 --vary sheath_angle=3..9 --nominal --format json");
   sized.run(size);
   ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
   Json json = sized.json();
@@ -171,9 +171,8 @@ TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {
 }
 
 TEST(Size, WritesTheSameBytesForAnyNumberOfThreads) {
-  const Arguments line{
-      "TR5", "TR6",      "--vary", "sheath_angle=3..9", "--vary", "strand_mm=50..90", "--draws",
-      "8",   "--format", "json",   "--threads"};
+  const Arguments line(
+      "TR5 TR6 --vary sheath_angle=3..9 --vary strand_mm=50..90 --draws 8 --format json --threads");
   const auto with = [&](const std::string& threads) {
     Arguments arguments = line;
     arguments.push_back(threads);

@@ -38,7 +38,7 @@ class DamagedStore : public Stored {
     EXPECT_TRUE(read_text(store()) == bytes);
   }
 
-  Arguments asked_{"--constraint", "jams<=1"};
+  Arguments asked_("--constraint jams<=1");
   std::string whole_;
 };
 
@@ -138,7 +138,7 @@ TEST_F(DamagedStore, IsNotWrittenWhereItsFreePagesAreNotFree) {
 // The log of a run that was killed holds its last save.
 TEST_F(DamagedStore, KeepsItsLogWhereItIsRefused) {
   fs::remove(store());
-  const Arguments work{"--fingers", "5", "--parts", "full"};
+  const Arguments work("--fingers 5 --parts full");
   explore(work, disturbed(SIGKILL, [&](const RunningProcess&) { return generated() > 0; }));
   const std::string bytes = read_text(store());
   const std::string log = read_text(folder_.path() / "s.db-wal");

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 // A dozen batches.
-const Arguments some_work{"--fingers", "5", "--parts", "full", "--top", "50"};
+const Arguments some_work("--fingers 5 --parts full --top 50");
 // Hours.
-const Arguments hours_of_work{"--fingers", "9", "--parts", "full", "--top", "50", "--threads", "2"};
+const Arguments hours_of_work("--fingers 9 --parts full --top 50 --threads 2");
 
 TEST_F(Stored, GoesOnAfterKillsToTheBytesOfTheWhole) {
   const Explored whole(some_work);
@@ -118,18 +118,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_F(Stored, RefusesOtherSettingsByNamingThem) {
-  EXPECT_EQ(explore({"--fingers", "3"}).exit_code, 0);
+  EXPECT_EQ(explore("--fingers 3").exit_code, 0);
   const std::string bytes = read_text(store());
   const std::string other = "; expected the same, or another file";
-  expect_bad(explore({"--fingers", "3", "--top", "20", "--constraint", "jams<=1"}),
+  expect_bad(explore("--fingers 3 --top 20 --constraint jams<=1"),
              "--store: s.db: it is of an exploration with other settings: constraints ([], and not "
              "[\"jams<=1\"]), top (1000, and not 20)" +
                  other);
   expect_bad(explore({"--fingers", "3", "--hardware", REEVE_CATALOG_DIR "/hardware/example.toml"}),
              "--store: s.db: it is of an exploration with other settings: hardware" + other);
-  expect_bad(explore({"--fingers", "3", "--shard", "1/2"}),
+  expect_bad(explore("--fingers 3 --shard 1/2"),
              "--store: s.db: it has shard 1/1; expected shards of 2, or another file");
-  expect_bad(explore({"--fingers", "3", "--keep", "all"}),
+  expect_bad(explore("--fingers 3 --keep all"),
              "--store: s.db: it keeps the best alone; expected to go on keeping these, or another "
              "file");
   EXPECT_TRUE(read_text(store()) == bytes);
@@ -144,7 +144,7 @@ TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("with another version of reeve: 0.0.1, and not "), std::string::npos)
       << result.err;
-  const ProcessResult ranked = run({"rank", "--store", "s.db"});
+  const ProcessResult ranked = run("rank --store s.db");
   EXPECT_EQ(ranked.exit_code, 2);
   EXPECT_NE(ranked.err.find("s.db: it was made by another version of reeve"), std::string::npos)
       << ranked.err;
@@ -164,7 +164,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   EXPECT_TRUE(read_text(store()) == cats);
   fs::remove(store());
   folder_.write("s.db", "");
-  expect_bad(run({"rank", "--store", "s.db"}),
+  expect_bad(run("rank --store s.db"),
              "s.db: explore has saved nothing in it yet; expected what it stored");
   fs::remove(store());
   fs::create_directory(store());
@@ -176,7 +176,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
     expect_bad(explore({}), start + "it is a store of version " + other +
                                 "; expected version 3, which this program reads");
   }
-  expect_bad(run({"explore", "--store", "no/s.db"}),
+  expect_bad(run("explore --store no/s.db"),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");
 }
 
@@ -188,9 +188,8 @@ TEST_F(Stored, RefusesAPlaceThatIsNoFile) {
     expect_bad(run({"explore", "--store", place}), "--store: " + place + ": " + expected);
     expect_bad(run({"rank", "--store", place}), place + ": " + expected);
   }
-  expect_bad(run({"explore", "--store", ""}),
-             "--store: '': it is no name; expected that of a file");
-  expect_bad(run({"rank", "--store", "no.db"}),
+  expect_bad(run("explore --store ''"), "--store: '': it is no name; expected that of a file");
+  expect_bad(run("rank --store no.db"),
              "no.db: there is no such file; expected what reeve explore stored");
 }
 
@@ -198,8 +197,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
   EXPECT_EQ(explore({}).exit_code, 0);
   execute(store(), "UPDATE shards SET total = 1");
   expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
-  for (const ProcessResult& result :
-       {run({"rank", "--store", "s.db"}), run({"merge", "s.db", "--out", "m"})}) {
+  for (const ProcessResult& result : {run("rank --store s.db"), run("merge s.db --out m")}) {
     expect_bad(result, "s.db: shard 1 of 1: expected counts of routings that can be");
   }
   execute(store(), "UPDATE shards SET total = 126");
@@ -213,7 +211,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
 
 // Values and words that might as well be there, rows that are gone.
 TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
-  EXPECT_EQ(explore({"--constraint", "jams<=1"}).exit_code, 0);
+  EXPECT_EQ(explore("--constraint jams<=1").exit_code, 0);
   fs::copy_file(store(), folder_.path() / "whole.db");
   const std::string message =
       "s.db: shard 1 of 1: expected what explore saved of it: the file is damaged, or was changed";
@@ -227,9 +225,9 @@ TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
     SCOPED_TRACE(sql);
     fs::copy_file(folder_.path() / "whole.db", store(), fs::copy_options::overwrite_existing);
     execute(store(), sql);
-    expect_bad(explore({"--constraint", "jams<=1"}), "--store: " + message);
-    expect_bad(run({"rank", "--store", "s.db"}), message);
-    expect_bad(run({"merge", "s.db", "--out", "m"}), message);
+    expect_bad(explore("--constraint jams<=1"), "--store: " + message);
+    expect_bad(run("rank --store s.db"), message);
+    expect_bad(run("merge s.db --out m"), message);
   }
 }
 
@@ -240,11 +238,11 @@ TEST_F(Stored, RefusesDesignsThatAreNotAsTheyWereSaved) {
   for (const Arguments& arguments : {Arguments{}, hand}) {
     fs::remove(store());
     EXPECT_EQ(explore(arguments, {}, {"--keep", "all"}).exit_code, 0);
-    EXPECT_EQ(run({"rank", "--store", "s.db"}).exit_code, 0);
+    EXPECT_EQ(run("rank --store s.db").exit_code, 0);
     for (const char* sql : {"UPDATE designs SET sheaths = 9 WHERE place = 5",
                             "DELETE FROM designs WHERE place = 1"}) {
       execute(store(), sql);
-      expect_bad(run({"rank", "--store", "s.db"}),
+      expect_bad(run("rank --store s.db"),
                  "s.db: the table designs: expected what explore saved there: the file is damaged, "
                  "or was changed");
     }
@@ -256,9 +254,7 @@ TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
   EXPECT_EQ(explore({}).exit_code, 0);
   fs::copy_file(store(), folder_.path() / "whole.db");
   folder_.write("rough.toml", "[sheath]\nmu = 0.3\n");
-  EXPECT_EQ(run({"explore", "--hardware", "rough.toml", "--out", "other", "--store", "other.db"})
-                .exit_code,
-            0);
+  EXPECT_EQ(run("explore --hardware rough.toml --out other --store other.db").exit_code, 0);
   const std::string rows_of_another =
       "ATTACH '" + (folder_.path() / "other.db").string() + "' AS other;";
   std::string all_tables;
@@ -277,8 +273,8 @@ TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
         "s.db: shard 1 of 1: expected what explore saved of it: the file is damaged, or was "
         "changed";
     expect_bad(explore({}), "--store: " + message);
-    expect_bad(run({"rank", "--store", "s.db", "--objectives", "sheaths"}), message);
-    expect_bad(run({"merge", "s.db", "--out", "m"}), message);
+    expect_bad(run("rank --store s.db --objectives sheaths"), message);
+    expect_bad(run("merge s.db --out m"), message);
   }
 }
 
@@ -303,8 +299,8 @@ TEST_F(Stored, NoticesThatItIsRemovedOrReplaced) {
 
 // As a kill does within a transaction that has a journal: rows are changed, and to be changed back.
 TEST_F(Stored, IsReadAfterAKillThatLeavesAJournal) {
-  EXPECT_EQ(explore({"--fingers", "3"}).exit_code, 0);
-  const std::string ranked = run({"rank", "--store", "s.db"}).out;
+  EXPECT_EQ(explore("--fingers 3").exit_code, 0);
+  const std::string ranked = run("rank --store s.db").out;
   const std::string killed = (folder_.path() / "killed.db").string();
   const ProcessResult result = run_process(
       {"sqlite3", store().string(), "PRAGMA cache_size = 1", "BEGIN",
@@ -313,16 +309,15 @@ TEST_F(Stored, IsReadAfterAKillThatLeavesAJournal) {
        ".shell cp " + store().string() + "-journal " + killed + "-journal", "ROLLBACK"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   ASSERT_NE(read_text(killed), read_text(store()));
-  EXPECT_EQ(run({"rank", "--store", "killed.db"}).out, ranked);
+  EXPECT_EQ(run("rank --store killed.db").out, ranked);
   EXPECT_FALSE(fs::exists(killed + "-journal"));
 }
 
 TEST_F(Stored, RefusesAFileThatWasCutOff) {
   EXPECT_EQ(explore(some_work).exit_code, 0);
   fs::resize_file(store(), fs::file_size(store()) / 2);
-  for (const Arguments& command :
-       {Arguments{"explore", "--store", "s.db"}, Arguments{"rank", "--store", "s.db"},
-        Arguments{"merge", "s.db", "--out", "m"}}) {
+  for (const Arguments command :
+       {"explore --store s.db", "rank --store s.db", "merge s.db --out m"}) {
     const ProcessResult result = run(command);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("s.db: it is damaged or cut off ("), std::string::npos) << result.err;
@@ -341,7 +336,7 @@ ProcessResult as_nobody(const Arguments& arguments, const fs::path& directory) {
 }
 
 TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
-  EXPECT_EQ(explore({"--fingers", "4"}).exit_code, 0);
+  EXPECT_EQ(explore("--fingers 4").exit_code, 0);
   fs::permissions(store(), fs::perms(0444));
   fs::remove_all(folder_.path() / "out");
   fs::create_directory(folder_.path() / "out");
@@ -352,27 +347,26 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   };
   // Where the checkout lies in a folder of root's alone, nobody else can run the program; that such
   // a file is refused shows where the tests are not run as root, too.
-  if (as_usual({"--version"}).exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
-  const ProcessResult result =
-      as_usual({"explore", "--fingers", "4", "--out", "out", "--store", "s.db"});
+  if (as_usual("--version").exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
+  const ProcessResult result = as_usual("explore --fingers 4 --out out --store s.db");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("--store: s.db: it cannot be written ("), std::string::npos)
       << result.err;
-  const ProcessResult ranked = as_usual({"rank", "--store", "s.db"});
+  const ProcessResult ranked = as_usual("rank --store s.db");
   EXPECT_EQ(ranked.exit_code, 0) << ranked.err;
   fs::permissions(folder_.path(), fs::perms(0755));
 }
 
 // As whoever looks at it does when the log is set up or taken down.
 TEST_F(Stored, WaitsForWhoHoldsItForAMoment) {
-  explore({"--fingers", "2"});
+  explore("--fingers 2");
   const std::string held = (folder_.path() / "held").string();
   ProcessResult result;
   run_process({"sqlite3", store().string(), "PRAGMA journal_mode = WAL", "BEGIN IMMEDIATE",
                ".shell touch '" + held + "'; sleep 0.2"},
               disturbed(0, [&](const RunningProcess&) {
                 if (!fs::exists(held)) return false;
-                result = explore({"--fingers", "2"});
+                result = explore("--fingers 2");
                 return true;
               }));
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -385,7 +379,7 @@ TEST_F(Stored, RefusesASecondWriterAndLetsOthersRead) {
   explore(hours_of_work, disturbed(SIGINT, [&](const RunningProcess&) {
             if (generated() == 0) return false;
             second = explore(hours_of_work);
-            reader = run({"rank", "--store", "s.db", "--format", "json"});
+            reader = run("rank --store s.db --format json");
             return true;
           }));
   expect_bad(second, "--store: s.db: another process is writing it");

@@ -22,7 +22,7 @@ struct AskedCase {
   Arguments asked;
 };
 
-const Arguments kept{"--fingers", "4", "--top", "40", "--constraint", "sheaths<=6"};
+const Arguments kept("--fingers 4 --top 40 --constraint sheaths<=6");
 
 class RankedStore : public Stored, public ::testing::WithParamInterface<AskedCase> {
  protected:
@@ -33,7 +33,7 @@ class RankedStore : public Stored, public ::testing::WithParamInterface<AskedCas
   }
 
   std::string explored() const {
-    Arguments arguments{"--fingers", "4"};
+    Arguments arguments("--fingers 4");
     for (const std::string& argument : GetParam().asked) arguments.push_back(argument);
     for (const char* option : {"--top", "--constraint"}) {
       const auto given = std::find(arguments.begin(), arguments.end(), option);
@@ -108,10 +108,10 @@ class RankedFew : public RankedStore {};
 
 // There are 54 designs.
 TEST_P(RankedFew, IsExactSinceNoneWasLeftOut) {
-  ASSERT_EQ(explore({"--fingers", "2", "--top", "60"}).exit_code, 0);
+  ASSERT_EQ(explore("--fingers 2 --top 60").exit_code, 0);
   ASSERT_TRUE(Json::parse(ranked("json").out)["exact"]);
   EXPECT_EQ(ranked("table").out.find("not exact"), std::string::npos);
-  Arguments arguments{"--fingers", "2", "--top", "60"};
+  Arguments arguments("--fingers 2 --top 60");
   arguments.insert(arguments.end(), GetParam().asked.begin(), GetParam().asked.end());
   EXPECT_TRUE(ranked("csv").out == without_id(Explored(arguments).file("designs.csv")));
 }
@@ -128,7 +128,7 @@ TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
     asked.insert(asked.begin(), {"rank", "--store", "s.db", "--format", "json"});
     return Json::parse(run(asked).out)["exact"].get<bool>();
   };
-  ASSERT_EQ(explore({"--constraint", "sheaths<=1"}).exit_code, 0);
+  ASSERT_EQ(explore("--constraint sheaths<=1").exit_code, 0);
   EXPECT_TRUE(exact({"--objectives", "travel"}));
   EXPECT_TRUE(exact({"--constraint", "sheaths<=1", "--constraint", "pulleys<=0"}));
   EXPECT_FALSE(exact({"--objectives", "travel", "--constraint", "sheaths<=2"}));
@@ -136,7 +136,7 @@ TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
 
 // The same words bound another score.
 TEST_F(Stored, IsNotExactUnderABoundOnAnotherScore) {
-  ASSERT_EQ(explore({"--score", "uniformity=1", "--constraint", "score>=0.5"}).exit_code, 0);
+  ASSERT_EQ(explore("--score uniformity=1 --constraint score>=0.5").exit_code, 0);
   const auto ranked = [&](const char* score) {
     return Json::parse(run({"rank", "--store", "s.db", "--score", score, "--format", "json"}).out);
   };
@@ -145,15 +145,14 @@ TEST_F(Stored, IsNotExactUnderABoundOnAnotherScore) {
 }
 
 TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
-  ASSERT_EQ(explore({"--objectives", "knots", "--top", "53"}).exit_code, 0);
-  const Json ranked = Json::parse(
-      run({"rank", "--store", "s.db", "--objectives", "travel", "--format", "json"}).out);
+  ASSERT_EQ(explore("--objectives knots --top 53").exit_code, 0);
+  const Json ranked = Json::parse(run("rank --store s.db --objectives travel --format json").out);
   EXPECT_EQ(ranked["kept"], 53);
   EXPECT_FALSE(ranked["exact"]);
 }
 
 TEST_F(Stored, WithAllDesignsSaysThatAllWereEvaluated) {
-  const Arguments asked{"--fingers", "3", "--constraint", "sheaths<=1"};
+  const Arguments asked("--fingers 3 --constraint sheaths<=1");
   EXPECT_NE(explore(asked).out.find("\nOf the 426 that are actuated 394 fail by their parts alone; "
                                     "the other 32 evaluated, "),
             std::string::npos);
@@ -165,7 +164,7 @@ TEST_F(Stored, WithAllDesignsSaysThatAllWereEvaluated) {
 TEST_F(Stored, SaysThatDesignsHaveNoCostOrMotorForce) {
   ASSERT_EQ(explore({}).exit_code, 0);
   const auto expect_refused = [&](const Arguments& asked, const std::string& message) {
-    Arguments command{"rank", "--store", "s.db"};
+    Arguments command("rank --store s.db");
     command.insert(command.end(), asked.begin(), asked.end());
     expect_bad(run(command), message);
   };
@@ -186,10 +185,9 @@ TEST_F(Stored, SaysThatDesignsHaveNoCostOrMotorForce) {
 
 // A rung of the ladder that others equal is among those that are counted and not kept.
 TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
-  const Arguments arguments{"--fingers",    "3",     "--parts", "paper",
-                            "--objectives", "knots", "--top",   "10"};
+  const Arguments arguments("--fingers 3 --parts paper --objectives knots --top 10");
   ASSERT_EQ(explore(arguments).exit_code, 0);
-  const Json ranked = Json::parse(run({"rank", "--store", "s.db", "--format", "json"}).out);
+  const Json ranked = Json::parse(run("rank --store s.db --format json").out);
   EXPECT_TRUE(ranked["exact"]);
   EXPECT_EQ(ranked["front_equals_left_out"],
             Json::parse(read_text(folder_.path() / "out/summary.json"))["front_equals_left_out"]);
@@ -198,10 +196,9 @@ TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
 // Whatever the exploration was ranked by, each design is kept with all its objectives.
 TEST_F(Stored, MeetsConstraintsOnWhatWasNotRanked) {
   ASSERT_EQ(explore({}).exit_code, 0);
-  const Json json =
-      Json::parse(run({"rank", "--store", "s.db", "--objectives", "round_trip_efficiency",
-                       "--constraint", "travel<=1", "--format", "json"})
-                      .out);
+  const Json json = Json::parse(
+      run("rank --store s.db --objectives round_trip_efficiency --constraint travel<=1 --format json")
+          .out);
   ASSERT_FALSE(json["top"].empty());
   double before = 1;
   for (const Json& design : json["top"]) {
@@ -214,16 +211,16 @@ TEST_F(Stored, MeetsConstraintsOnWhatWasNotRanked) {
 
 TEST_F(Stored, IsRankedByItsOwnHardwareAlone) {
   ASSERT_EQ(explore({}).exit_code, 0);
-  const ProcessResult result = run({"rank", "--store", "s.db", "--grasps", "none"});
+  const ProcessResult result = run("rank --store s.db --grasps none");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("--grasps: a store has been evaluated already; expected with --store"),
             std::string::npos)
       << result.err;
-  EXPECT_EQ(run({"rank", "TR1", "--top", "3"}).exit_code, 2);
+  EXPECT_EQ(run("rank TR1 --top 3").exit_code, 2);
 }
 
 TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
-  const Arguments arguments{"--fingers", "4", "--top", "25"};
+  const Arguments arguments("--fingers 4 --top 25");
   const Explored whole(arguments);
   const auto shard = [&](const std::string& index, const std::string& file) {
     Arguments command{"explore", "--out", "o" + index, "--shard", index + "/3", "--store", file};
@@ -233,9 +230,9 @@ TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
   shard("1", "a.db");
   shard("2", "b.db");
   shard("3", "a.db");
-  const ProcessResult missing = run({"merge", "a.db", "--out", "out"});
+  const ProcessResult missing = run("merge a.db --out out");
   expect_bad(missing, "shard 2/3 is missing");
-  expect_bad(run({"merge", "b.db", "o2", "a.db", "--out", "out"}),
+  expect_bad(run("merge b.db o2 a.db --out out"),
              "o2/shard.json: shard 2/3 is there twice, also as b.db");
   // A folder will do as well.
   for (const char* second : {"b.db", "o2"}) {
@@ -255,8 +252,8 @@ TEST_F(Stored, IsNotRankedBeforeItsFirstSave) {
   execute(store(), "DELETE FROM shards");
   const std::string expected =
       "reeve: s.db: explore has saved nothing in it yet; expected a store after its first save\n";
-  EXPECT_EQ(complaint(run({"rank", "--store", "s.db"})), expected);
-  EXPECT_EQ(complaint(run({"merge", "s.db", "--out", "merged"})), expected);
+  EXPECT_EQ(complaint(run("rank --store s.db")), expected);
+  EXPECT_EQ(complaint(run("merge s.db --out merged")), expected);
 }
 
 // Whoever finds the fault, SQLite or the parser of words.
@@ -265,7 +262,7 @@ TEST_F(Stored, ThatIsDamagedIsNamedOnce) {
   const auto once = [](const std::string& err) { return count(err, "s.db") == 1; };
   const auto changed = [&](const std::string& sql) {
     execute(store(), sql);
-    return complaint(run({"rank", "--store", "s.db"}));
+    return complaint(run("rank --store s.db"));
   };
   const std::string word = changed("UPDATE archive SET routing = 'M-9-Q' WHERE number = 0");
   EXPECT_TRUE(once(word) && word.find("is damaged") != std::string::npos) << word;
@@ -278,8 +275,7 @@ TEST_F(Stored, ThatIsDamagedIsNamedOnce) {
 class StoreLines : public Stored {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run({"explore", "--fingers", "3", "--out", "out", "--store", "five.db"}).exit_code,
-              0);
+    ASSERT_EQ(run("explore --fingers 3 --out out --store five.db").exit_code, 0);
     summary_ = Json::parse(read_text(folder_.path() / "out/summary.json"));
   }
 

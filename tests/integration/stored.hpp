@@ -53,7 +53,7 @@ class Stored : public ::testing::Test {
   // Into the store, which is written after every batch.
   ProcessResult explore(const Arguments& arguments, ProcessOptions options = {},
                         const Arguments& besides = {}) const {
-    Arguments command{"explore", "--out", "out", "--store", "s.db", "--store-every", "0"};
+    Arguments command("explore --out out --store s.db --store-every 0");
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), besides.begin(), besides.end());
     return run(command, std::move(options));

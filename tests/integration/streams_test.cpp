@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 TEST(Progress, IsSilentWhereStderrIsNoTerminal) {
   ProcessOptions options;
   options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
-  const Explored explored({"--fingers", "9", "--top", "10"}, options);
+  const Explored explored("--fingers 9 --top 10", options);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
 }
@@ -31,7 +31,7 @@ TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
                                     }};
-  const Explored explored({"--fingers", "9", "--top", "10"}, options);
+  const Explored explored("--fingers 9 --top 10", options);
   ASSERT_FALSE(explored.result.timed_out);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_TRUE(explored.result.err.starts_with("\rexploring [>")) << explored.result.err;
@@ -48,13 +48,13 @@ TEST(Progress, IsSilentOnATerminalThatKnowsNoCodes) {
   options.stderr_is_terminal = true;
   options.environment["TERM"] = "dumb";
   options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
-  EXPECT_EQ(Explored({"--fingers", "9", "--top", "10"}, options).result.err, "");
+  EXPECT_EQ(Explored("--fingers 9 --top 10", options).result.err, "");
 }
 
 TEST(Progress, LeavesNoTraceOfShortWork) {
   ProcessOptions options;
   options.stderr_is_terminal = true;
-  EXPECT_EQ(Explored({"--fingers", "2"}, options).result.err, "");
+  EXPECT_EQ(Explored("--fingers 2", options).result.err, "");
 }
 
 TEST(FullStdout, IsAnError) {
@@ -62,10 +62,8 @@ TEST(FullStdout, IsAnError) {
   ProcessOptions options;
   options.directory = folder.path();
   options.stdout_to = "/dev/full";
-  for (const Arguments& arguments :
-       {Arguments{"show", "TR1"}, Arguments{"show", "TR1", "--format", "dot"},
-        Arguments{"rank", "--catalog"}, Arguments{"count"}, Arguments{"check"},
-        Arguments{"explore", "--out", "out"}}) {
+  for (const Arguments arguments : {"show TR1", "show TR1 --format dot", "rank --catalog", "count",
+                                    "check", "explore --out out"}) {
     SCOPED_TRACE(arguments[0]);
     const ProcessResult result = reeve(arguments, options);
     EXPECT_EQ(result.exit_code, 3);
@@ -74,7 +72,7 @@ TEST(FullStdout, IsAnError) {
 }
 
 TEST(FullStdout, IsAmongTheExitCodesOfTheHelp) {
-  const std::string help = reeve({"--help"}).out;
+  const std::string help = reeve("--help").out;
   EXPECT_NE(help.find("3 interrupted, standard output cannot be written, not enough memory"),
             std::string::npos)
       << help;
@@ -83,8 +81,8 @@ TEST(FullStdout, IsAmongTheExitCodesOfTheHelp) {
 TEST(FullStdout, IsAnErrorForHelpAndVersionToo) {
   ProcessOptions options;
   options.stdout_to = "/dev/full";
-  EXPECT_EQ(reeve({"--help"}, options).exit_code, 3);
-  EXPECT_EQ(reeve({"--version"}, options).exit_code, 3);
+  EXPECT_EQ(reeve("--help", options).exit_code, 3);
+  EXPECT_EQ(reeve("--version", options).exit_code, 3);
 }
 
 TEST(ClosedPipe, EndsTheProgramQuietly) {
@@ -102,9 +100,9 @@ TEST(WrittenFile, GoesThroughDevicesLinksAndDescriptors) {
   ProcessOptions options;
   options.directory = folder.path();
   for (const Arguments& command :
-       {Arguments{"simulate", "--routings", "TR5", "-o"}, Arguments{"show", "TR5", "--svg"},
-        Arguments{"check", "--svg"},
-        Arguments{"size", "TR5", "--vary", "sheath_angle=3..9", "--nominal", "--save-hardware"},
+       {Arguments("simulate --routings TR5 -o"), Arguments("show TR5 --svg"),
+        Arguments("check --svg"),
+        Arguments("size TR5 --vary sheath_angle=3..9 --nominal --save-hardware"),
         Arguments{"diagnose", readings, "--save-model"}}) {
     SCOPED_TRACE(command[0]);
     const auto with = [&](const std::string& file) {
@@ -137,7 +135,7 @@ TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
   ProcessOptions options;
   options.directory = folder.path();
   for (const Arguments& command :
-       {Arguments{"explore"}, Arguments{"show", "TR1"}, Arguments{"rank", "TR1", "TR7"},
+       {Arguments{"explore"}, Arguments("show TR1"), Arguments("rank TR1 TR7"),
         Arguments{"compare", readings}, Arguments{"diagnose", readings}}) {
     SCOPED_TRACE(command[0]);
     for (const auto& [out, reason] : std::vector<std::pair<std::string, std::string>>{
@@ -192,9 +190,8 @@ class Pipe : public ::testing::Test {
 
 TEST_F(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
   options_.disturbance = Disturbance{SIGTERM, said_something};
-  for (const Arguments& command :
-       {Arguments{"compare", "pipe"}, Arguments{"import", "pipe", "--routing", "TR1", "-o", "x"},
-        Arguments{"show", "TR1", "--hardware", "pipe"}}) {
+  for (const Arguments command :
+       {"compare pipe", "import pipe --routing TR1 -o x", "show TR1 --hardware pipe"}) {
     const ProcessResult result = reeve(command, options_);
     EXPECT_EQ(result.signal, SIGTERM);
     EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody has written to yet\n");
@@ -203,7 +200,7 @@ TEST_F(Pipe, ThatNobodyWritesToIsSaidToBeWaitedFor) {
 
 TEST_F(Pipe, ThatNobodyReadsIsSaidToBeWaitedFor) {
   options_.disturbance = Disturbance{SIGTERM, said_something};
-  const ProcessResult result = reeve({"show", "TR1", "--svg", "pipe"}, options_);
+  const ProcessResult result = reeve("show TR1 --svg pipe", options_);
   EXPECT_EQ(result.signal, SIGTERM);
   EXPECT_EQ(result.err, "reeve: waiting for 'pipe': a pipe that nobody reads yet\n");
 }

@@ -76,7 +76,7 @@ TEST(Colour, IsLeftOutWhereItIsNotWanted) {
 
 TEST(Colour, IsNeverTheOnlySign) {
   for (const Arguments& command :
-       {Arguments{"check"}, Arguments{"show", "TR5"}, Arguments{"compare", readings}}) {
+       {Arguments{"check"}, Arguments("show TR5"), Arguments{"compare", readings}}) {
     const std::string coloured = on_terminal(command, 1000);
     EXPECT_TRUE(has_colour(coloured));
     EXPECT_EQ(without_colour(coloured), piped(command));
@@ -128,7 +128,7 @@ TEST(Progress, FitsTheWindow) {
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
                                     }};
-  const Explored explored({"--fingers", "9", "--top", "10"}, options);
+  const Explored explored("--fingers 9 --top 10", options);
   const std::string& err = explored.result.err;
   const std::string line = err.substr(1, err.find('\x1b') - 1);
   EXPECT_TRUE(
@@ -145,7 +145,7 @@ TEST(Pages, AreAnnounced) {
   const std::string out = (folder.path() / "page").string();
   const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
   for (const Arguments& arguments :
-       {Arguments{"show", "TR7"}, {"rank", "TR1", "TR7"}, {"diagnose", data}}) {
+       {Arguments("show TR7"), {"rank", "TR1", "TR7"}, {"diagnose", data}}) {
     const std::string alone = reeve(arguments).out;
     Arguments with_page = arguments;
     with_page.insert(with_page.end(), {"--out", out});

@@ -41,9 +41,9 @@ Json bands_by_word(const Json& designs) {
 
 // `size` makes the 5 % quantile of its goal the thing to be great.
 TEST(Bands, HaveTheQuantileByWhichSizingIsRobust) {
-  const Arguments draws{"--draws", "40", "--seed", "3", "--format", "json"};
-  Arguments ranking{"rank", "TR1", "--uncertainty"};
-  Arguments sizing{"size", "TR1", "--goal", "efficiency_mean", "--vary", "tip_angle=1..4"};
+  const Arguments draws("--draws 40 --seed 3 --format json");
+  Arguments ranking("rank TR1 --uncertainty");
+  Arguments sizing("size TR1 --goal efficiency_mean --vary tip_angle=1..4");
   ranking.insert(ranking.end(), draws.begin(), draws.end());
   sizing.insert(sizing.end(), draws.begin(), draws.end());
   const Json band = Json::parse(reeve(ranking).out)["designs"][0]["bands"]["efficiency_mean"];
@@ -52,7 +52,7 @@ TEST(Bands, HaveTheQuantileByWhichSizingIsRobust) {
 }
 
 TEST(Bands, AreTheSameInCsvAndJson) {
-  const Arguments rank{"rank", "--catalog", "--uncertainty", "--draws", "30", "--format"};
+  const Arguments rank("rank --catalog --uncertainty --draws 30 --format");
   Arguments as_json = rank;
   Arguments as_csv = rank;
   as_json.push_back("json");
@@ -77,13 +77,13 @@ TEST(Bands, AreTheSameInCsvAndJson) {
 }
 
 TEST(Bands, OfADesignAreTheSameInItsShardAndForAnyThreads) {
-  const Arguments common{"--uncertainty", "--draws", "15"};
+  const Arguments common("--uncertainty --draws 15");
   const auto run = [&](Arguments more) {
     more.insert(more.end(), common.begin(), common.end());
     return Explored(more).summary();
   };
-  const Json whole = run({"--threads", "1"});
-  EXPECT_EQ(run({"--threads", "3"})["top"], whole["top"]);
+  const Json whole = run("--threads 1");
+  EXPECT_EQ(run("--threads 3")["top"], whole["top"]);
   const Json all = bands_by_word(whole["top"]);
   std::size_t seen = 0;
   for (const char* shard : {"1/3", "2/3", "3/3"}) {
@@ -97,8 +97,8 @@ TEST(Bands, OfADesignAreTheSameInItsShardAndForAnyThreads) {
 }
 
 TEST(Bands, AreThereForKnownRoutingsBeyondTheList) {
-  const Json all = bands_by_word(Explored({"--uncertainty", "--draws", "9"}).summary()["top"]);
-  const Json few = Explored({"--uncertainty", "--draws", "9", "--top", "1"}).summary();
+  const Json all = bands_by_word(Explored("--uncertainty --draws 9").summary()["top"]);
+  const Json few = Explored("--uncertainty --draws 9 --top 1").summary();
   ASSERT_EQ(few["known"].size(), 7U);
   for (const Json& known : few["known"]) {
     EXPECT_EQ(known["bands"], all[known["routing"].get<std::string>()]) << known["name"];
@@ -106,8 +106,7 @@ TEST(Bands, AreThereForKnownRoutingsBeyondTheList) {
 }
 
 TEST(SharedPlaces, AreSaidInWordsAndInTheTable) {
-  const std::string text =
-      reeve({"rank", "TR7", "1-P-2b-P-1", "TR1", "--uncertainty", "--draws", "9"}).out;
+  const std::string text = reeve("rank TR7 1-P-2b-P-1 TR1 --uncertainty --draws 9").out;
   EXPECT_NE(text.find("First place is shared by TR7 and 1-P-2b-P-1, which are equal in all that is "
                       "ranked; it is shared in 100.0 % of the draws"),
             std::string::npos)
@@ -150,7 +149,7 @@ TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
 }
 
 TEST(Sweep, OfAnExplorationIsOfTheFirstTheLadderAndTheFront) {
-  const Explored explored({"--sweep", "tube_mu=0.05..0.2"});
+  const Explored explored("--sweep tube_mu=0.05..0.2");
   const Json summary = explored.summary();
   std::vector<std::string> words;
   for (const Json& design : summary["sweep"]["designs"]) words.push_back(design["routing"]);
@@ -164,7 +163,7 @@ TEST(Sweep, OfAnExplorationIsOfTheFirstTheLadderAndTheFront) {
 }
 
 TEST(Sweep, OfNothingIsEmpty) {
-  const Explored explored({"--constraint", "sheaths<=0", "--sweep", "mu=0..0.3"});
+  const Explored explored("--constraint sheaths<=0 --sweep mu=0..0.3");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_TRUE(explored.summary()["sweep"]["designs"].empty());
 }

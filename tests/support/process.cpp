@@ -20,6 +20,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -167,7 +168,12 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   return result;
 }
 
-ProcessResult reeve(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+Arguments::Arguments(const char* line) {
+  std::istringstream words(line);
+  for (std::string word; words >> word;) push_back(word == "''" ? "" : word);
+}
+
+ProcessResult reeve(const Arguments& arguments, const ProcessOptions& options) {
   std::vector<std::string> command{REEVE_EXECUTABLE};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_process(command, options);

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeve::testing {
@@ -51,12 +52,19 @@ struct ProcessResult {
   std::string err;
 };
 
+// Words of a command: a list, or a line that is split at its spaces, where '' is an empty word.
+struct Arguments : std::vector<std::string> {
+  using vector::vector;
+  Arguments(std::vector<std::string> words) : vector(std::move(words)) {}
+  Arguments(const char* line);
+};
+
 // Throws std::runtime_error if it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& command,
                           const ProcessOptions& options = {});
 
 // The executable of this build, with its own catalogue unless the environment names another.
-ProcessResult reeve(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
+ProcessResult reeve(const Arguments& arguments, const ProcessOptions& options = {});
 
 // Whether the process handles the signal by now.
 bool catches(pid_t process, int signal);
