@@ -174,28 +174,23 @@ Document check_sheet(const CheckReport& report) {
 
 std::string check_json(const CheckReport& report) {
   Json json;
-  json["checks"] = Json::array();
-  for (const CheckItem& item : report.items) {
-    json["checks"].push_back(item_json(item));
-  }
-  json["misprints"] = Json::array();
-  for (const CheckedMisprint& misprint : report.misprints) {
-    json["misprints"].push_back({{"family", misprint.family},
-                                 {"routing", misprint.routing},
-                                 {"source", misprint.source},
-                                 {"text", misprint.text}});
-  }
+  json["checks"] = list_json(report.items, item_json);
+  json["misprints"] = list_json(report.misprints, [](const CheckedMisprint& misprint) {
+    return Json{{"family", misprint.family},
+                {"routing", misprint.routing},
+                {"source", misprint.source},
+                {"text", misprint.text}};
+  });
   for (const CheckStatus status : check_statuses) {
     json[status_name(status)] = report.count(status);
   }
-  json["families"] = Json::array();
-  for (const std::string& family : report.families()) {
+  json["families"] = list_json(report.families(), [&](const std::string& family) {
     Json counts{{"family", family}};
     for (const CheckStatus status : check_statuses) {
       counts[status_name(status)] = report.count(status, family);
     }
-    json["families"].push_back(counts);
-  }
+    return counts;
+  });
   json["version"] = version_json();
   return print(json);
 }

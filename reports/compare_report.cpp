@@ -74,10 +74,8 @@ Json quantity_json(const QuantitySummary& summary) {
   if (summary.all.count == 0) return nullptr;
   Json json{{"all", residuals_json(summary.all)}};
   for (const Grouping& grouping : groupings) {
-    Json& groups = json[std::string("by_") + grouping.name] = Json::array();
-    for (const ResidualSummary& group : summary.*grouping.summaries) {
-      groups.push_back(residuals_json(group));
-    }
+    json[std::string("by_") + grouping.name] =
+        list_json(summary.*grouping.summaries, residuals_json);
   }
   return json;
 }
@@ -93,8 +91,7 @@ Json data_json(const CompareReport& report) {
     const std::string& name = report.names[i];
     json["routings"].push_back({{"routing", data.routings[i].word}, {"name", text_or_null(name)}});
   }
-  json["channels"] = Json::array();
-  for (const Channel& channel : data.channels) json["channels"].push_back(channel.name);
+  json["channels"] = list_json(data.channels, [](const Channel& channel) { return channel.name; });
   json["covariates"] = data.covariates;
   return json;
 }
@@ -135,8 +132,7 @@ std::string compare_json(const CompareReport& report) {
             {"fitted", false},
             {"tension", quantity_json(report.comparison.tension)},
             {"share", quantity_json(report.comparison.share)}};
-  json["notes"] = Json::array();
-  add_notes(json["notes"], all_notes(report));
+  json["notes"] = notes_json(all_notes(report));
   json["settings"] = {{"hardware", to_json(report.model.hardware)},
                       {"model", model_json(report.model, 0)}};
   json["version"] = version_json();

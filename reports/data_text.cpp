@@ -50,11 +50,10 @@ Section notes_section(const std::vector<DataNote>& notes) {
   return section;
 }
 
-void add_notes(Json& list, const std::vector<DataNote>& notes) {
-  for (const DataNote& note : notes) {
-    list.push_back(
-        {{"kind", note_kind_name(note.kind)}, {"text", note.text}, {"lines", note.lines}});
-  }
+Json notes_json(const std::vector<DataNote>& notes) {
+  return list_json(notes, [](const DataNote& note) {
+    return Json{{"kind", note_kind_name(note.kind)}, {"text", note.text}, {"lines", note.lines}};
+  });
 }
 
 }  // namespace reeve::reports

@@ -29,7 +29,6 @@ std::string group_field(const MeasuredData& data, const Reading& reading);
 
 // One line each.
 Section notes_section(const std::vector<DataNote>& notes);
-// Appends to a list.
-void add_notes(Json& list, const std::vector<DataNote>& notes);
+Json notes_json(const std::vector<DataNote>& notes);
 
 }  // namespace reeve::reports

@@ -166,15 +166,11 @@ Json stroke_reach_json(const StrokeReach& reach) {
   return {{"stroke_mm", reach.stroke_mm}, {"closure", reach.closure}, {"closed", reach.closed}};
 }
 
-Json fingers_json(const ShownHand& hand) {
-  Json json = Json::array();
-  for (const ShownHandFinger& finger : hand.fingers) {
-    json.push_back({{"finger", finger.finger},
-                    {"wanted_N", finger.wanted_N},
-                    {"excursion_mm", finger.excursion_mm},
-                    {"closed", finger.closed}});
-  }
-  return json;
+Json hand_finger_json(const ShownHandFinger& finger) {
+  return {{"finger", finger.finger},
+          {"wanted_N", finger.wanted_N},
+          {"excursion_mm", finger.excursion_mm},
+          {"closed", finger.closed}};
 }
 
 Json force_json(const ShownFingerForce& force, bool has_force) {
@@ -189,19 +185,16 @@ Json force_json(const ShownFingerForce& force, bool has_force) {
 
 Json grasps_json(const ShownHand& hand) {
   const bool has_force = std::isfinite(hand.demand.force_N);
-  Json json = Json::array();
-  for (const ShownHandGrasp& grasp : hand.grasps) {
-    Json entry{{"held", held_fingers(grasp.grasp)},
-               {"motor_force_N", number(grasp.motor_force_N)},
-               {"frictionless_N", number(grasp.frictionless_N)},
-               {"weakest", grasp.weakest}};
-    entry["fingers"] = Json::array();
-    for (const ShownFingerForce& force : grasp.fingers) {
-      entry["fingers"].push_back(force_json(force, has_force));
-    }
-    json.push_back(entry);
-  }
-  return json;
+  const auto of_finger = [&](const ShownFingerForce& force) {
+    return force_json(force, has_force);
+  };
+  return list_json(hand.grasps, [&](const ShownHandGrasp& grasp) {
+    return Json{{"held", held_fingers(grasp.grasp)},
+                {"motor_force_N", number(grasp.motor_force_N)},
+                {"frictionless_N", number(grasp.frictionless_N)},
+                {"weakest", grasp.weakest},
+                {"fingers", list_json(grasp.fingers, of_finger)}};
+  });
 }
 
 Json enough(double asked, const std::optional<double>& limit) {
@@ -261,7 +254,7 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
 }
 
 void add_hand(Json& target, const ShownHand& hand) {
-  target["fingers"] = fingers_json(hand);
+  target["fingers"] = list_json(hand.fingers, hand_finger_json);
   target["grasps"] = grasps_json(hand);
   target["motor"] = motor_json(hand);
 }

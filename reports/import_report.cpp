@@ -144,16 +144,14 @@ std::string import_json(const ImportReport& report) {
               {"seconds_logged", logged_seconds(report)},
               {"usual_step_s", report.steady.usual_step_s},
               {"motion", motion_name(report.steady.motion)}}}};
-  json["readings"] = Json::array();
-  for (const SteadyReading& reading : report.steady.readings) {
-    json["readings"].push_back(reading_json(report, reading));
-  }
+  json["readings"] = list_json(report.steady.readings, [&](const SteadyReading& reading) {
+    return reading_json(report, reading);
+  });
   const std::vector<std::size_t> counts = count_uses(report.steady.uses);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     json["samples"][sample_use_name(all_sample_uses[i])] = counts[i];
   }
-  json["notes"] = Json::array();
-  add_notes(json["notes"], all_import_notes(report));
+  json["notes"] = notes_json(all_import_notes(report));
   json["settings"] = settings_of_import(report);
   json["version"] = version_json();
   return print(json);

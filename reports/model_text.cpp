@@ -68,10 +68,8 @@ std::string absent_finger_note(const std::string& what, int finger) {
 Json model_json(const Model& model, std::uint64_t unconverged) {
   if (model.effects.empty()) return nullptr;
   Json json;
-  json["effects"] = Json::array();
-  for (const Effect& effect : model.effects) {
-    json["effects"].push_back(effect_json(effect, model.hardware));
-  }
+  json["effects"] = list_json(
+      model.effects, [&](const Effect& effect) { return effect_json(effect, model.hardware); });
   for (const ConditionRow& row : condition_table()) {
     json["conditions"][row.name] = number(model.conditions.*row.value);
   }

@@ -76,24 +76,22 @@ Document power_sheet(const PowerReport& report) {
 std::string power_json(const PowerReport& report) {
   const SimulationReport& experiment = report.experiment;
   Json json{{"simulated", true}, {"experiments", report.trials.size()}};
-  json["hidden"] = Json::array();
-  for (const Effect& effect : experiment.model.effects) {
-    json["hidden"].push_back(
-        {{"cause", effect_name(effect)}, {"size", size_text(effect, experiment.model.hardware)}});
-  }
+  json["hidden"] = list_json(experiment.model.effects, [&](const Effect& effect) {
+    return Json{{"cause", effect_name(effect)},
+                {"size", size_text(effect, experiment.model.hardware)}};
+  });
   for (const FindingShare& share : finding_shares(report.trials)) {
     json["findings"][finding_name(share.finding)] = {{"count", share.count},
                                                      {"share", share.share},
                                                      {"low", share.interval.low},
                                                      {"high", share.interval.high}};
   }
-  json["trials"] = Json::array();
-  for (const PowerTrial& trial : report.trials) {
-    json["trials"].push_back({{"seed", trial.seed},
-                              {"finding", finding_name(trial.finding)},
-                              {"causes", trial.named},
-                              {"indistinguishable", trial.indistinguishable}});
-  }
+  json["trials"] = list_json(report.trials, [](const PowerTrial& trial) {
+    return Json{{"seed", trial.seed},
+                {"finding", finding_name(trial.finding)},
+                {"causes", trial.named},
+                {"indistinguishable", trial.indistinguishable}};
+  });
   json["settings"] = {{"command", experiment.command},
                       {"noise_relative", experiment.noise.relative},
                       {"noise_absolute_N", experiment.noise.absolute_N},

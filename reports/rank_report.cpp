@@ -48,36 +48,28 @@ Json strand_json(const StrandShare& strand) {
 }
 
 Json shares_json(const RoutingShares& routing) {
-  Json json{{"routing", routing.word},
-            {"name", text_or_null(routing.name)},
-            {"published_source", text_or_null(routing.published_source)},
-            {"readings", routing.readings}};
-  json["strands"] = Json::array();
-  for (const StrandShare& strand : routing.strands) json["strands"].push_back(strand_json(strand));
-  return json;
+  return {{"routing", routing.word},
+          {"name", text_or_null(routing.name)},
+          {"published_source", text_or_null(routing.published_source)},
+          {"readings", routing.readings},
+          {"strands", list_json(routing.strands, strand_json)}};
 }
 
 Json distribution_json(const TensionDistribution& distribution) {
   const bool one = distribution.kind == FrictionKind::coefficient;
-  Json json{{"mu", one ? Json(distribution.tube_mu) : Json(nullptr)},
-            {"friction", word(distribution.kind)},
-            {"tube_mu", distribution.tube_mu},
-            {"sheath_mu", distribution.sheath_mu},
-            {"held", held_fingers(distribution.grasp)}};
-  json["rms_measured"] = value_or_null(distribution.rms_measured, number);
-  json["share_error"] = value_or_null(distribution.share_errors.model, number);
-  json["published_share_error"] = value_or_null(distribution.share_errors.published, number);
-  json["routings"] = Json::array();
-  for (const RoutingShares& routing : distribution.routings) {
-    json["routings"].push_back(shares_json(routing));
-  }
-  return json;
+  return {{"mu", one ? Json(distribution.tube_mu) : Json(nullptr)},
+          {"friction", word(distribution.kind)},
+          {"tube_mu", distribution.tube_mu},
+          {"sheath_mu", distribution.sheath_mu},
+          {"held", held_fingers(distribution.grasp)},
+          {"rms_measured", value_or_null(distribution.rms_measured, number)},
+          {"share_error", value_or_null(distribution.share_errors.model, number)},
+          {"published_share_error", value_or_null(distribution.share_errors.published, number)},
+          {"routings", list_json(distribution.routings, shares_json)}};
 }
 
 Json shared_data_json(const SharedData& data) {
-  Json json{{"file", data.file}, {"simulated", data.simulated}, {"notes", Json::array()}};
-  add_notes(json["notes"], data.notes);
-  return json;
+  return {{"file", data.file}, {"simulated", data.simulated}, {"notes", notes_json(data.notes)}};
 }
 
 std::string name_of(const RankReport& report, const std::string& word) {
@@ -105,31 +97,23 @@ Section margin_section(const RankReport& report) {
       {}};
 }
 
-Json margins_json(const std::vector<Margin>& margins) {
-  Json json = Json::array();
-  for (const Margin& margin : margins) {
-    json.push_back({{"over", margin.challenger},
-                    {"lead", margin.nominal_lead},
-                    {"least_lead", margin.least_lead},
-                    {"at",
-                     {{"tube_mu", margin.at.tube.mu},
-                      {"sheath_mu", margin.at.sheath.mu},
-                      {"bearing_mu", margin.at.bearing.mu},
-                      {"sheath_angle_rad", margin.at.sheath.angle_rad}}}});
-  }
-  return json;
+Json margin_json(const Margin& margin) {
+  return {{"over", margin.challenger},
+          {"lead", margin.nominal_lead},
+          {"least_lead", margin.least_lead},
+          {"at",
+           {{"tube_mu", margin.at.tube.mu},
+            {"sheath_mu", margin.at.sheath.mu},
+            {"bearing_mu", margin.at.bearing.mu},
+            {"sheath_angle_rad", margin.at.sheath.angle_rad}}}};
 }
 
 void add_details(Json& json, const RankDetails& details) {
   json["best"] = to_json(details.best);
-  json["routings"] = Json::array();
-  for (const ShownRouting& routing : details.routings) json["routings"].push_back(to_json(routing));
-  json["tension_distributions"] = Json::array();
-  for (const TensionDistribution& distribution : details.distributions.list) {
-    json["tension_distributions"].push_back(distribution_json(distribution));
-  }
-  json["measured_data"] =
-      details.distributions.data ? shared_data_json(*details.distributions.data) : Json(nullptr);
+  json["routings"] =
+      list_json(details.routings, [](const ShownRouting& routing) { return to_json(routing); });
+  json["tension_distributions"] = list_json(details.distributions.list, distribution_json);
+  json["measured_data"] = value_or_null(details.distributions.data, shared_data_json);
 }
 
 }  // namespace
@@ -181,7 +165,7 @@ std::string rank_json(const RankReport& report) {
   json["settings"]["sweep"] =
       sweep_settings(report.sweep ? std::optional(report.sweep->sweep.over) : std::nullopt);
   json["ladder"] = ladder_json(report.ladder);
-  if (report.margins) json["margins"] = margins_json(*report.margins);
+  if (report.margins) json["margins"] = list_json(*report.margins, margin_json);
   if (report.details) add_details(json, *report.details);
   if (report.sweep) json["sweep"] = sweep_json(*report.sweep);
   json["version"] = version_json();

@@ -154,12 +154,10 @@ std::string letter_key(const Network& network) {
 }
 
 Json letter_key_json(const Network& network) {
-  Json json = Json::array();
-  for (const MotorSide& side : motor_sides(network)) {
-    json.push_back({{"segment", segment_name(network.segments[side.motor_side])},
-                    {"beside", segment_name(network.segments[side.hand])}});
-  }
-  return json;
+  return list_json(motor_sides(network), [&](const MotorSide& side) {
+    return Json{{"segment", segment_name(network.segments[side.motor_side])},
+                {"beside", segment_name(network.segments[side.hand])}};
+  });
 }
 
 }  // namespace
@@ -217,10 +215,8 @@ Json to_json(const ShownRouting& report) {
             {"motor_sides", letter_key_json(report.network)},
             {"trees", tree_count(report.network)}};
   if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
-  json["grasps"] = Json::array();
-  for (const ShownGrasp& shown : report.grasps) {
-    json["grasps"].push_back(grasp_json(report.network, shown));
-  }
+  json["grasps"] = list_json(
+      report.grasps, [&](const ShownGrasp& shown) { return grasp_json(report.network, shown); });
   add_objectives(json, report.values);
   if (report.hand) add_hand(json["hand"], *report.hand);
   json["model"] = model_json(report.model, report.unconverged);

@@ -10,8 +10,6 @@
 namespace reeve::reports {
 namespace {
 
-Json way_json(const std::optional<double>& way) { return way ? Json(*way) : Json(nullptr); }
-
 Json bound_json(AtBound at) {
   switch (at) {
     case AtBound::low:
@@ -41,7 +39,8 @@ Json variable_json(const SizedDesign& design, std::size_t i) {
   }
   const Sensitivity& sensitivity = sized.sensitivity;
   json["slope"] = {{"less", sensitivity.slope_less}, {"more", sensitivity.slope_more}};
-  json["tolerance"] = {{"less", way_json(sensitivity.less)}, {"more", way_json(sensitivity.more)}};
+  json["tolerance"] = {{"less", value_or_null(sensitivity.less, number)},
+                       {"more", value_or_null(sensitivity.more, number)}};
   const JointTolerance::Ways& ways = design.together->ways[i];
   json["tolerance_together"] = {{"less", ways.less}, {"more", ways.more}};
   return json;
@@ -101,11 +100,9 @@ Json profiles_json(const SizingReport& report) {
   const SizedDesign& design = report.designs.front().design;
   const std::vector<GoalProfile>& profiles = report.details->profiles;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
-    Json goals = Json::array();
-    for (const double goal : profiles[i].goals) goals.push_back(number(goal));
     json.push_back({{"dimension", design.variables[i].variable.name},
                     {"values", profiles[i].values},
-                    {"goals", goals}});
+                    {"goals", list_json(profiles[i].goals, number)}});
   }
   return json;
 }
@@ -123,13 +120,12 @@ Json settings(const SizingReport& report) {
             {"target_shares", options.goal.is_target() ? Json(options.goal.target) : Json(nullptr)},
             {"better", options.goal.better() == Better::higher ? "higher" : "lower"},
             {"robust", options.robust}};
-  json["vary"] = Json::array();
-  for (const VariedRange& range : options.varied) {
-    json["vary"].push_back(
-        {{"dimension", to_text(range.name)}, {"bounds", {range.bounds.low, range.bounds.high}}});
-  }
-  json["same"] = Json::array();
-  for (const SameGroup& group : options.same) json["same"].push_back(to_text(group.name));
+  json["vary"] = list_json(options.varied, [](const VariedRange& range) {
+    return Json{{"dimension", to_text(range.name)},
+                {"bounds", {range.bounds.low, range.bounds.high}}};
+  });
+  json["same"] =
+      list_json(options.same, [](const SameGroup& group) { return to_text(group.name); });
   json["starts"] = options.starts;
   json["evaluations"] = options.evaluations;
   json.update(settings_json(Order(options.goal.factors), options.score, options.grasps,
@@ -144,10 +140,7 @@ Json settings(const SizingReport& report) {
 }  // namespace
 
 std::string sizing_json(const SizingReport& report) {
-  Json json{{"designs", Json::array()}};
-  for (const SizedRouting& routing : report.designs) {
-    json["designs"].push_back(design_json(routing));
-  }
+  Json json{{"designs", list_json(report.designs, design_json)}};
   if (report.details) json["details"] = details_json(report);
   json["partial"] = report.partial;
   json["notes"] = report.notes;

@@ -98,24 +98,21 @@ Table group_table(const DiagnosisReport& report) {
 }
 
 Json by_group_json(const DiagnosisReport& report) {
-  Json json = Json::array();
-  for (const EstimatesByGroup& of : report.result.by_group) {
-    Json groups = Json::array();
-    for (const GroupEstimate& one : of.groups) {
-      groups.push_back({{"group", report.data.groups[one.group]},
-                        {"value", one.value},
-                        {"low", one.interval.low},
-                        {"high", one.interval.high}});
-    }
-    json.push_back({{"name", of.cause},
-                    {"parameter", of.parameter},
-                    {"unit", of.unit},
-                    {"groups", std::move(groups)},
-                    {"farthest", report.data.groups[of.farthest]},
-                    {"p_value", of.p_value},
-                    {"differs", of.differs}});
-  }
-  return json;
+  const auto of_group = [&](const GroupEstimate& one) {
+    return Json{{"group", report.data.groups[one.group]},
+                {"value", one.value},
+                {"low", one.interval.low},
+                {"high", one.interval.high}};
+  };
+  return list_json(report.result.by_group, [&](const EstimatesByGroup& of) {
+    return Json{{"name", of.cause},
+                {"parameter", of.parameter},
+                {"unit", of.unit},
+                {"groups", list_json(of.groups, of_group)},
+                {"farthest", report.data.groups[of.farthest]},
+                {"p_value", of.p_value},
+                {"differs", of.differs}};
+  });
 }
 
 Json noise_of_groups_json(const DiagnosisReport& report) {

@@ -14,13 +14,6 @@
 namespace reeve::reports {
 namespace {
 
-template <typename Value, typename ToJson>
-Json list(const std::vector<Value>& values, ToJson to_json) {
-  Json json = Json::array();
-  for (const Value& value : values) json.push_back(to_json(value));
-  return json;
-}
-
 Json held_out_json(const HeldOut& held_out) {
   return {{"rms_before", number(held_out.rms_before_N)},
           {"rms_after", number(held_out.rms_after_N)},
@@ -50,7 +43,7 @@ Json cause_json(const NamedCause& cause) {
   return {{"name", cause.name},
           {"meaning", cause.meaning},
           {"detail", text_or_null(cause.detail)},
-          {"parameters", list(cause.parameters, parameter_json)},
+          {"parameters", list_json(cause.parameters, parameter_json)},
           {"held_out", value_or_null(cause.held_out, held_out_json)},
           {"p_value", cause.p_value},
           {"runner_up", value_or_null(cause.runner_up, [](const RunnerUp& other) {
@@ -73,13 +66,13 @@ Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& 
           {"temperature_C", if_used(at.uses_temperature, at.conditions.temperature_C)},
           {"readings", planned_readings},
           {"why", planned.why},
-          {"expected", list(planned.expected,
-                            [&](const ExpectedReading& reading) {
-                              return Json{{"channel", reading.segment},
-                                          {"expected_N", number(reading.expected_N)},
-                                          {"other_N", if_used(!shrinks, reading.other_N)},
-                                          {"deviation_N", number(reading.deviation_N)}};
-                            })},
+          {"expected", list_json(planned.expected,
+                                 [&](const ExpectedReading& reading) {
+                                   return Json{{"channel", reading.segment},
+                                               {"expected_N", number(reading.expected_N)},
+                                               {"other_N", if_used(!shrinks, reading.other_N)},
+                                               {"deviation_N", number(reading.deviation_N)}};
+                                 })},
           {"expected_log_likelihood", if_used(!shrinks, planned.expected_log_likelihood)},
           {"parameter", text_or_null(planned.parameter)},
           {"width_now", if_used(shrinks, planned.width_now)},
@@ -110,7 +103,7 @@ void add_findings(Json& json, const DiagnosisReport& report) {
     return measurement_json(measurement, report);
   };
   json["verdict"] = verdict_name(result.verdict);
-  json["causes"] = list(result.causes, cause_json);
+  json["causes"] = list_json(result.causes, cause_json);
   json["indistinguishable"] = result.indistinguishable;
   json["separating_measurement"] = value_or_null(result.separating_measurement, planned);
   json["unexplained"] = value_or_null(result.unexplained, [](const Unexplained& left) {
@@ -133,7 +126,7 @@ Json share_errors_json(const DiagnosisReport& report) {
   return {{"before", number(errors.before)},
           {"after", number(errors.after)},
           {"left_out", value_or_null(errors.left_out, number)},
-          {"routings", list(errors.groups, [&](const ShareError& group) {
+          {"routings", list_json(errors.groups, [&](const ShareError& group) {
              return Json{{"routing", report.data.routings[group.routing].word},
                          {"held", held_fingers(group.grasp)},
                          {"rows", group.rows},
@@ -146,7 +139,7 @@ Json share_errors_json(const DiagnosisReport& report) {
 
 // [{"name", "parameters": {"mu": 0.05}}]
 Json effects_json(const Model& model) {
-  return list(model.effects, [&](const Effect& effect) {
+  return list_json(model.effects, [&](const Effect& effect) {
     Json values = Json::object();
     const auto parameters = effect.cause->parameters(model.hardware);
     for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -162,7 +155,8 @@ Json loss_json(const Loss& loss, const MeasuredData& data) {
           {"direction", direction_field(loss.direction)},
           {"from", segment_name(loss.high)},
           {"to", segment_name(loss.low)},
-          {"over", list(loss.over, [](ContactKind kind) { return Json(contact_kind_name(kind)); })},
+          {"over",
+           list_json(loss.over, [](ContactKind kind) { return Json(contact_kind_name(kind)); })},
           {"rows", loss.rows},
           {"measured", number(loss.measured)},
           {"deviation", number(loss.deviation)},
@@ -174,15 +168,15 @@ Json loss_json(const Loss& loss, const MeasuredData& data) {
 Json without_apart_json(const WithoutApart& without, const MeasuredData& data) {
   Json causes = effects_json(without.model);
   for (std::size_t e = 0; e < without.intervals.size(); ++e) {
-    causes[e]["intervals"] = list(without.intervals[e], [](const ParameterInterval& interval) {
+    causes[e]["intervals"] = list_json(without.intervals[e], [](const ParameterInterval& interval) {
       return Json::array({number(interval.low), number(interval.high)});
     });
   }
-  return {{"left_out", list(without.left_out,
-                            [&](const Cell& cell) {
-                              return Json{{"line", data.readings[cell.reading].line},
-                                          {"channel", data.channels[cell.channel].name}};
-                            })},
+  return {{"left_out", list_json(without.left_out,
+                                 [&](const Cell& cell) {
+                                   return Json{{"line", data.readings[cell.reading].line},
+                                               {"channel", data.channels[cell.channel].name}};
+                                 })},
           {"causes", causes},
           {"share_error", value_or_null(without.share_error, number)}};
 }
@@ -192,14 +186,14 @@ Json published_json(const PublishedModel& model, const std::vector<Loss>& losses
           {"mu", model.mu},
           {"error", number(model.error)},
           {"equations_error", number(model.equations)},
-          {"lines", list(model.lines,
-                         [](const PublishedLine& line) {
-                           return Json{{"source", line.source},
-                                       {"shares", line.shares},
-                                       {"error", number(line.error)},
-                                       {"equations_error", number(line.equations)}};
-                         })},
-          {"other_losses", list(model.losses, [&](const PublishedLoss& loss) {
+          {"lines", list_json(model.lines,
+                              [](const PublishedLine& line) {
+                                return Json{{"source", line.source},
+                                            {"shares", line.shares},
+                                            {"error", number(line.error)},
+                                            {"equations_error", number(line.equations)}};
+                              })},
+          {"other_losses", list_json(model.losses, [&](const PublishedLoss& loss) {
              return Json{{"from", segment_name(losses[loss.loss].high)},
                          {"to", segment_name(losses[loss.loss].low)},
                          {"loss", loss.loss},
@@ -212,7 +206,7 @@ Json published_json(const PublishedModel& model, const std::vector<Loss>& losses
 
 void add_evidence(Json& json, const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  json["held_out_by_run"] = list(result.run_gains, [&](const RunGain& gain) {
+  json["held_out_by_run"] = list_json(result.run_gains, [&](const RunGain& gain) {
     return Json{{"run", report.data.runs[gain.run]},
                 {"values", gain.cells},
                 {"rms_before", number(gain.rms_before_N)},
@@ -224,26 +218,26 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   json["not_sure"] = result.not_sure;
   json["withdrawn"] = result.withdrawn;
   json["withdrawn_held_out"] = value_or_null(result.withdrawn_held_out, held_out_json);
-  json["weighed"] = list(result.weighed, [](const WeighedCauses& cause) {
+  json["weighed"] = list_json(result.weighed, [](const WeighedCauses& cause) {
     return Json{{"name", joined_causes(cause.causes)},
                 {"log_likelihood_gain", number(cause.gain)},
                 {"held_out", value_or_null(cause.held_out, held_out_json)}};
   });
-  json["structure"] = list(result.structure, [](const StructureFinding& finding) {
+  json["structure"] = list_json(result.structure, [](const StructureFinding& finding) {
     return Json{{"about", finding.about},
                 {"statistic", number(finding.statistic)},
                 {"p_value", finding.p_value}};
   });
   json["share_errors"] = share_errors_json(report);
-  json["left_out_runs"] = list(result.left_out, [&](const LeftOutRun& run) {
+  json["left_out_runs"] = list_json(result.left_out, [&](const LeftOutRun& run) {
     return Json{{"run", report.data.runs[run.run]}, {"causes", effects_json(run.model)}};
   });
   json["losses"] =
-      list(result.losses, [&](const Loss& loss) { return loss_json(loss, report.data); });
+      list_json(result.losses, [&](const Loss& loss) { return loss_json(loss, report.data); });
   json["without_apart"] = value_or_null(
       report.result.without_apart,
       [&](const WithoutApart& without) { return without_apart_json(without, report.data); });
-  json["published"] = list(report.published, [&](const PublishedModel& model) {
+  json["published"] = list_json(report.published, [&](const PublishedModel& model) {
     return published_json(model, report.result.losses);
   });
   json["noise"] = noise_json(report);
@@ -275,8 +269,7 @@ std::string diagnosis_json(const DiagnosisReport& report) {
                          {"family_wise_alpha", report.settings.alpha},
                          {"p_value", result.p_value},
                          {"structure_p_value", result.structure_p_value}};
-  json["notes"] = Json::array();
-  add_notes(json["notes"], result.notes);
+  json["notes"] = notes_json(result.notes);
   json["seconds"] = report.seconds;
   json["settings"] = diagnosis_settings_json(report);
   json["version"] = version_json();

@@ -222,11 +222,7 @@ std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
 }
 
 Json coefficients_json(const DiagnosisResult& result) {
-  Json json = Json::array();
-  for (const CalibratedCoefficient& coefficient : result.calibration) {
-    json.push_back(coefficient_json(coefficient));
-  }
-  return json;
+  return list_json(result.calibration, coefficient_json);
 }
 
 }  // namespace reeve::reports

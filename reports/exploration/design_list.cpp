@@ -298,20 +298,16 @@ Json to_json(const ListedDesign& design) {
 }
 
 Json to_json(const std::vector<ListedDesign>& designs) {
-  Json json = Json::array();
-  for (const ListedDesign& design : designs) json.push_back(to_json(design));
-  return json;
+  return list_json(designs, [](const ListedDesign& design) { return to_json(design); });
 }
 
 Json to_json(const std::vector<BestDesigns>& best) {
-  Json json = Json::array();
-  for (const BestDesigns& one : best) {
-    json.push_back({{"objective", row(one.objective).name},
-                    {"value", number(one.value)},
-                    {"count", one.count},
-                    {"routings", one.words}});
-  }
-  return json;
+  return list_json(best, [](const BestDesigns& one) {
+    return Json{{"objective", row(one.objective).name},
+                {"value", number(one.value)},
+                {"count", one.count},
+                {"routings", one.words}};
+  });
 }
 
 }  // namespace reeve::reports

@@ -167,9 +167,8 @@ Json known_json(const ExploreReport& report) {
 }
 
 Json nearest_json(const Nearest& nearest) {
-  const auto json = [](double value) { return number(value); };
-  return {{"below", value_or_null(nearest.below, json)},
-          {"above", value_or_null(nearest.above, json)}};
+  return {{"below", value_or_null(nearest.below, number)},
+          {"above", value_or_null(nearest.above, number)}};
 }
 
 Json infeasible_json(const ExploreReport& report) {
@@ -274,10 +273,8 @@ Json explore_settings(const ExploreReport& report) {
             {"tendons", generator.one_tendon ? "one" : "any"},
             {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
             {"top", options.top}};
-  json["constraints"] = Json::array();
-  for (const Constraint& constraint : options.constraints) {
-    json["constraints"].push_back(constraint.text);
-  }
+  json["constraints"] =
+      list_json(options.constraints, [](const Constraint& constraint) { return constraint.text; });
   json.update(settings_json(options.order, options.score, options.grasps, options.model,
                             report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);

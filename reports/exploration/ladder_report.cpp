@@ -64,10 +64,6 @@ std::vector<TableColumn> columns(const Ladder& ladder, const std::string& cost_u
   return columns;
 }
 
-Json number_or_null(const std::optional<double>& value) {
-  return value_or_null(value, [](double v) { return number(v); });
-}
-
 Json by_objective(const Ladder& ladder, const auto& number_of) {
   Json json = Json::object();
   for (const Objective objective : ladder.objectives) {
@@ -181,7 +177,7 @@ Json ladder_json(const ListedLadder& ladder) {
     return entry;
   });
   json["knee"] =
-      number_or_null(all.knee ? std::optional(all.rungs[*all.knee].at_most) : std::nullopt);
+      value_or_null(all.knee, [&](std::size_t rung) { return number(all.rungs[rung].at_most); });
   json["rungs"] = Json::array();
   for (std::size_t i = 0; i < all.rungs.size(); ++i) json["rungs"].push_back(rung_json(ladder, i));
   return json;

@@ -38,26 +38,16 @@ Nearest nearest_pair_of(const Json& json) {
   return {bound_of(json.at("above")), bound_of(json.at("below"))};
 }
 
-Json reaches_json(const std::vector<ConstraintReach>& reaches) {
-  Json json = Json::array();
-  for (const ConstraintReach& reach : reaches) {
-    json.push_back(
-        {{"met_by_any", reach.met},
-         {"nearest", nearest_pair_json(reach.of_all)},
-         {"nearest_with_the_others_met", nearest_pair_json(reach.of_those_that_meet_the_others)}});
-  }
-  return json;
+Json reach_json(const ConstraintReach& reach) {
+  return {{"met_by_any", reach.met},
+          {"nearest", nearest_pair_json(reach.of_all)},
+          {"nearest_with_the_others_met", nearest_pair_json(reach.of_those_that_meet_the_others)}};
 }
 
-Json references_json(const std::vector<ReferenceCount>& references) {
-  Json json = Json::array();
-  for (const ReferenceCount& reference : references) {
-    json.push_back(
-        {{"dominated_by", reference.dominated_by},
-         {"generated", reference.generated},
-         {"rejected_by", reference.rejected_by ? Json(*reference.rejected_by) : Json(nullptr)}});
-  }
-  return json;
+Json reference_json(const ReferenceCount& reference) {
+  return {{"dominated_by", reference.dominated_by},
+          {"generated", reference.generated},
+          {"rejected_by", reference.rejected_by ? Json(*reference.rejected_by) : Json(nullptr)}};
 }
 
 void add_record(Json& json, const ShardRecord& record) {
@@ -67,8 +57,8 @@ void add_record(Json& json, const ShardRecord& record) {
   json["unconverged"] = record.unconverged;
   json["seconds"] = record.seconds;
   json["constraint_failures"] = record.constraint_failures;
-  json["reaches"] = reaches_json(record.reaches);
-  json["known"] = references_json(record.references);
+  json["reaches"] = list_json(record.reaches, reach_json);
+  json["known"] = list_json(record.references, reference_json);
   json["kept"] = Json::array();
   json["equals_left_out"] = Json::object();
   for (const ArchivedWord& archived : record.archive) {

@@ -97,23 +97,15 @@ Section objective_section(const SweptDesigns& swept, std::size_t objective) {
   return {title, sweep_table(swept, objective), {}};
 }
 
-Json numbers(const std::vector<double>& values) {
-  Json json = Json::array();
-  for (const double value : values) json.push_back(number(value));
-  return json;
-}
-
 Json band_numbers(const std::vector<Band>& bands, double Band::*part) {
   if (bands.empty()) return nullptr;
-  Json json = Json::array();
-  for (const Band& band : bands) json.push_back(number(band.*part));
-  return json;
+  return list_json(bands, [&](const Band& band) { return number(band.*part); });
 }
 
 Json curves_json(const std::vector<SweepCurve>& curves) {
   Json json = Json::object();
   for (const SweepCurve& curve : curves) {
-    json[row(curve.objective).name] = {{"nominal", numbers(curve.values)},
+    json[row(curve.objective).name] = {{"nominal", list_json(curve.values, number)},
                                        {"median", band_numbers(curve.bands, &Band::median)},
                                        {"p5", band_numbers(curve.bands, &Band::low)},
                                        {"p95", band_numbers(curve.bands, &Band::high)}};
@@ -122,13 +114,10 @@ Json curves_json(const std::vector<SweepCurve>& curves) {
 }
 
 Json leads_json(const SweptDesigns& swept) {
-  Json json = Json::array();
-  for (const SweepLead& lead : swept.sweep.leads) {
-    Json first = Json::array();
-    for (const std::size_t i : lead.first) first.push_back(swept.designs[i].ranked.design.word);
-    json.push_back({{"from", lead.from}, {"to", lead.to}, {"first", first}});
-  }
-  return json;
+  const auto word = [&](std::size_t i) { return swept.designs[i].ranked.design.word; };
+  return list_json(swept.sweep.leads, [&](const SweepLead& lead) {
+    return Json{{"from", lead.from}, {"to", lead.to}, {"first", list_json(lead.first, word)}};
+  });
 }
 
 std::string sweep_row(const SweptDesigns& swept, std::size_t i, std::size_t k) {
@@ -199,7 +188,7 @@ Json sweep_json(const SweptDesigns& swept) {
   Json json{
       {"coefficient", row(sweep.over.coefficient).name},
       {"unit", *row(sweep.over.coefficient).unit == '\0' ? "1" : row(sweep.over.coefficient).unit},
-      {"at", numbers(sweep.at)}};
+      {"at", list_json(sweep.at, number)}};
   json["leads"] = leads_json(swept);
   json["designs"] = Json::array();
   for (std::size_t i = 0; i < swept.designs.size(); ++i) {

@@ -84,17 +84,13 @@ Json to_json(const Hardware& hardware) {
               {"motor_side_mm", hardware.motor_side_mm},
               {"hand_mm", hardware.hand_mm}}}};
   if (hardware.block) json["block"] = law(*hardware.block);
-  json["fingers"] = Json::array();
-  for (const FingerHardware& finger : hardware.fingers) {
-    json["fingers"].push_back(finger_json(finger));
-  }
-  json["contacts"] = Json::array();
-  for (const ContactHardware& contact : hardware.contacts) {
+  json["fingers"] = list_json(hardware.fingers, finger_json);
+  json["contacts"] = list_json(hardware.contacts, [](const ContactHardware& contact) {
     Json entry{{"between", {contact.segment, contact.other_segment}}};
     add_if_given(entry, "mu", contact.mu);
     add_if_given(entry, "angle_rad", contact.angle_rad);
-    json["contacts"].push_back(entry);
-  }
+    return entry;
+  });
   if (!hand(hardware)) return json;
   json["hand"] = Json::object();
   add_parts(json["hand"], hardware.finger_parts);
@@ -138,15 +134,12 @@ Json to_json(const PartPrices& prices) {
 Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
                    const Model& model, std::uint64_t unconverged) {
   Json json;
-  json["objectives"] = Json::array();
-  for (const Objective objective : order.objectives) {
-    json["objectives"].push_back(row(objective).name);
-  }
+  json["objectives"] =
+      list_json(order.objectives, [](Objective objective) { return row(objective).name; });
   json["score"] = score_json(order, score);
-  json["grasps"] = Json::array();
-  for (const WeightedGrasp& grasp : grasps) {
-    json["grasps"].push_back({{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}});
-  }
+  json["grasps"] = list_json(grasps, [](const WeightedGrasp& grasp) {
+    return Json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
+  });
   json["hardware"] = to_json(model.hardware);
   json["model"] = model_json(model, unconverged);
   return json;

@@ -30,6 +30,14 @@ Json value_or_null(const std::optional<Value>& value, ToJson to_json) {
   return value ? to_json(*value) : Json(nullptr);
 }
 
+// An array with what `to_json` makes of each value.
+template <typename Values, typename ToJson>
+Json list_json(const Values& values, ToJson to_json) {
+  Json json = Json::array();
+  for (const auto& value : values) json.push_back(to_json(value));
+  return json;
+}
+
 // {"uniformity":{"mean","worst"},"efficiency":{"mean","worst"},"force_transmission",…}
 void add_objectives(Json& target, const ObjectiveValues& values);
 

@@ -18,7 +18,7 @@ namespace reeve::testing {
 struct BadLine {
   Arguments arguments;
   std::string message;  // without "reeve: "; a piece of it is enough
-  std::map<std::string, std::string> environment;
+  std::map<std::string, std::string> environment = {};
 };
 
 inline std::string text(const Arguments& arguments) {

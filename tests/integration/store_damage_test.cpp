@@ -38,7 +38,7 @@ class DamagedStore : public Stored {
     EXPECT_TRUE(read_text(store()) == bytes);
   }
 
-  Arguments asked_("--constraint jams<=1");
+  Arguments asked_ = "--constraint jams<=1";
   std::string whole_;
 };
 
