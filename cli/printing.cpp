@@ -4,9 +4,8 @@
 #include <unistd.h>
 
 #include "cli/terminal.hpp"
+#include "reports/document/document.hpp"
 #include "reports/document/document_latex.hpp"
-#include "reports/document/document_markdown.hpp"
-#include "reports/document/document_text.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "reports/check_report.hpp"
 #include "reports/compare_report.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/count_report.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
 #include "reports/import_report.hpp"

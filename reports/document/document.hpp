@@ -1,5 +1,5 @@
-// A result for people as a value: lines and tables, in order. It is made once; sheet_text.hpp,
-// sheet_markdown.hpp and sheet_latex.hpp write it.
+// A result for people as a value: lines and tables, in order. It is made once and written as text,
+// as Markdown or as LaTeX (document_latex.hpp).
 #pragma once
 
 #include <cstddef>
@@ -64,6 +64,17 @@ struct Document {
   // Nothing, if it holds neither a table nor a line.
   void add(Section section);
 };
+
+// Where text is shown. By default no window limits it and nothing can show colour: a file, a pipe.
+struct TextStyle {
+  std::size_t width = 0;  // in columns; 0: any
+  bool colour = false;
+};
+
+std::string text(const Document& document, const TextStyle& look = {});
+
+// Tables have pipes, as GitHub shows them.
+std::string markdown(const Document& document);
 
 // Appends the lines of a text as lines.
 void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool caveat = false);

@@ -1,8 +1,7 @@
-#include "reports/document/document_markdown.hpp"
-
 #include <algorithm>
 #include <cctype>
 
+#include "reports/document/document.hpp"
 #include "reports/document/text_width.hpp"
 
 namespace reeve::reports {

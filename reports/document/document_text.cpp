@@ -1,7 +1,6 @@
-#include "reports/document/document_text.hpp"
-
 #include <algorithm>
 
+#include "reports/document/text_table.hpp"
 #include "reports/document/text_width.hpp"
 
 namespace reeve::reports {

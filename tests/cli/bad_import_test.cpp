@@ -12,8 +12,7 @@ void expect_refused(const std::string& log, Arguments options, const std::string
   const TemporaryFolder folder;
   folder.write("log.csv", log);
   const std::vector<std::string> before = everything_in(folder.path());
-  ProcessOptions process;
-  process.directory = folder.path();
+  ProcessOptions process{.directory = folder.path()};
   Arguments arguments("import log.csv");
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProcessResult result = reeve(arguments, process);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/has.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -88,15 +89,13 @@ inline void expect_bad(const BadLine& line) {
   const TemporaryFolder folder;
   fill(folder);
   const std::vector<std::string> before = everything_in(folder.path());
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.environment = line.environment;
+  ProcessOptions options{.directory = folder.path(), .environment = line.environment};
   const ProcessResult result = reeve(line.arguments, options);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
   EXPECT_TRUE(result.err.starts_with("reeve: ")) << result.err;
-  EXPECT_NE(result.err.find(line.message), std::string::npos)
+  EXPECT_TRUE(has(result.err, line.message))
       << "  said: " << result.err << "  should: " << line.message;
   EXPECT_LT(result.err.size(), 1000U);
   EXPECT_EQ(everything_in(folder.path()), before);

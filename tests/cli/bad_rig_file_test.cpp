@@ -82,8 +82,7 @@ TEST(BadModel, IsNamedWithFileLineAndColumn) {
 TEST(EmptyHardwareFile, IsThePapersHardware) {
   const TemporaryFolder folder;
   fill(folder);
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const ProcessResult result = reeve("show TR1 --hardware empty.toml", options);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");

@@ -3,6 +3,7 @@
 
 #include "sizing/dimension.hpp"
 #include "tests/cli/bad_line.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -157,9 +158,8 @@ TEST(BadSizing, OfRoutingsIsNamed) {
 TEST(SizeHelp, NamesAllThatCanBeSizedOrStayEqual) {
   const std::string help = reeve("size --help").out;
   for (const QuantityRow& row : quantity_table()) {
-    EXPECT_NE(help.find(row.name), std::string::npos) << row.name;
-    EXPECT_NE(help.find(*row.plural == '\0' ? "" : std::string(" ") + row.plural + ","),
-              std::string::npos)
+    EXPECT_TRUE(has(help, row.name)) << row.name;
+    EXPECT_TRUE(has(help, *row.plural == '\0' ? "" : std::string(" ") + row.plural + ","))
         << row.plural;
   }
 }

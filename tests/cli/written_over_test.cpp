@@ -25,8 +25,7 @@ struct Case {
 };
 
 ProcessResult run_in(const TemporaryFolder& folder, const Arguments& arguments) {
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   return reeve(arguments, options);
 }
 

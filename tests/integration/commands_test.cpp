@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -37,7 +38,7 @@ TEST(Rank, GivesTheSameDesignsAsTableCsvAndJson) {
 TEST(Rank, PutsADesignWithSlackStrandsLast) {
   const std::string csv = reeve("rank M-F+M-1-F M-1-F --format csv").out;
   EXPECT_EQ(words(csv), (std::vector<std::string>{"M-1-F", "M-F+M-1-F"}));
-  EXPECT_EQ(csv.find("nan"), std::string::npos);
+  EXPECT_FALSE(has(csv, "nan"));
 }
 
 TEST(Show, TakesNamesInAnyCaseAndWords) {
@@ -94,7 +95,7 @@ TEST(Model, OfAFingerThatNoRoutingHasIsNoted) {
         << command[0];
   }
   const ProcessResult three = reeve({"show", "M-1-P-2-P-3-M", "--model", model});
-  EXPECT_EQ(three.out.find("changes nothing"), std::string::npos) << three.out;
+  EXPECT_FALSE(has(three.out, "changes nothing"));
 }
 
 TEST(Model, WithoutEffectsIsItsHardware) {
@@ -133,7 +134,7 @@ TEST(Check, OfTheShippedCatalogueExitsWithZero) {
   const ProcessResult result = reeve("check");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  EXPECT_NE(result.out.find(" 0 differ\n"), std::string::npos);
+  EXPECT_TRUE(has(result.out, " 0 differ\n"));
 }
 
 TEST(Check, ExitsWithOneIfAPrintedNumberIsAnother) {
@@ -261,12 +262,12 @@ TEST(Help, MentionsEveryOption) {
   add(3, generator);
   const std::string overview = reeve("--help").out;
   for (const auto& [command, options] : commands) {
-    EXPECT_NE(overview.find("\n  " + command + " "), std::string::npos) << command;
+    EXPECT_TRUE(has(overview, "\n  " + command + " ")) << command;
     const ProcessResult help = reeve({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
     for (const std::string& option : options) {
-      EXPECT_NE(help.out.find("  " + option + " "), std::string::npos) << command << option;
+      EXPECT_TRUE(has(help.out, "  " + option + " ")) << command << option;
     }
     // None that this list does not know.
     const std::regex line(R"(\n  (--[a-z-]+))");
@@ -276,7 +277,7 @@ TEST(Help, MentionsEveryOption) {
           << command << found->str(1);
     }
   }
-  EXPECT_NE(overview.find("Exit codes: 0 "), std::string::npos);
+  EXPECT_TRUE(has(overview, "Exit codes: 0 "));
 }
 
 TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
@@ -320,7 +321,7 @@ TEST(Explore, NotesThatIdenticalFingersAreToldApart) {
 TEST(Rank, ComparesAMarginOnlyOverTheTwoMeans) {
   const ProcessResult result = reeve("rank --catalog --margin --objectives force_transmission");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("--margin"), std::string::npos);
+  EXPECT_TRUE(has(result.err, "--margin"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -85,7 +86,7 @@ TEST(Cost, IsMissingWhereThereAreNoPrices) {
   EXPECT_TRUE(summary["top"][0]["cost"].is_null());
   for (const Json& best : summary["best"]) EXPECT_NE(best["objective"], "cost");
   const std::string csv = explored.file("designs.csv");
-  EXPECT_EQ(csv.find("inf"), std::string::npos);
+  EXPECT_FALSE(has(csv, "inf"));
 }
 
 TEST(AlikeDesigns, AreOneLineInTheTableAndARowEachInTheFiles) {
@@ -116,7 +117,7 @@ TEST(Constraint, ThatNothingMeetsSaysTheLeastAndExitsWithOne) {
   EXPECT_EQ(explored.result.err, "");
   EXPECT_TRUE(says(explored.result, "No design meets sheaths<=0: the least is 1\n"));
   EXPECT_EQ(explored.summary()["unmet"][0]["nearest"]["above"], 1);
-  EXPECT_NE(explored.file("index.html").find("the least is 1."), std::string::npos);
+  EXPECT_TRUE(has(explored.file("index.html"), "the least is 1."));
   EXPECT_EQ(reeve({"explore", "--constraint", "sheaths<=1", "--out", explored.out()}).exit_code, 0);
 }
 
@@ -126,8 +127,8 @@ TEST(Constraint, ThatNothingMeetsLeavesKnownRoutingsWithoutRankAndThePlotWithout
   EXPECT_TRUE(says(explored.result,
                    "TR7   1-P-2-P-1     -      -             -       0.998       0.322  fails "
                    "sheaths<=0\n"));
-  EXPECT_EQ(explored.file("index.html").find("dashed line"), std::string::npos);
-  EXPECT_NE(Explored("--fingers 2").file("index.html").find("dashed line"), std::string::npos);
+  EXPECT_FALSE(has(explored.file("index.html"), "dashed line"));
+  EXPECT_TRUE(has(Explored("--fingers 2").file("index.html"), "dashed line"));
 }
 
 TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
@@ -139,12 +140,11 @@ TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
   const Json first = explored.summary()["top"][0];
   const double met = first["constraints_met"];
   EXPECT_GT(met, 0);
-  EXPECT_NE(explored.file("designs.csv").find(",constraints_met,exploration\n"), std::string::npos);
+  EXPECT_TRUE(has(explored.file("designs.csv"), ",constraints_met,exploration\n"));
   const std::string page = explored.file("index.html");
-  EXPECT_NE(page.find(">motor force, N</th>"), std::string::npos);
-  EXPECT_NE(page.find("data-column=\"constraints_met\""), std::string::npos);
-  EXPECT_NE(page.find("Constraints were judged at the nominal coefficients; in "),
-            std::string::npos);
+  EXPECT_TRUE(has(page, ">motor force, N</th>"));
+  EXPECT_TRUE(has(page, "data-column=\"constraints_met\""));
+  EXPECT_TRUE(has(page, "Constraints were judged at the nominal coefficients; in "));
 }
 
 TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
@@ -168,8 +168,8 @@ TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
 TEST(ExplorationPage, HasTheLadder) {
   const Explored explored("--fingers 2");
   const std::string page = explored.file("index.html");
-  EXPECT_NE(page.find("<section id=\"ladder\">"), std::string::npos);
-  EXPECT_NE(page.find("With fewest sheaths within 2 % of it"), std::string::npos);
+  EXPECT_TRUE(has(page, "<section id=\"ladder\">"));
+  EXPECT_TRUE(has(page, "With fewest sheaths within 2 % of it"));
 }
 
 }  // namespace

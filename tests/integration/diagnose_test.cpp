@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/has.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -41,8 +42,7 @@ Json diagnosed(const std::vector<std::string>& rows, Arguments options = {}, int
   std::string text;
   for (const std::string& row : rows) text += row + '\n';
   folder.write("data.csv", text);
-  ProcessOptions process;
-  process.directory = folder.path();
+  ProcessOptions process{.directory = folder.path()};
   options.insert(options.begin(), {"diagnose", "data.csv", "--format", "json"});
   const ProcessResult result = reeve(options, process);
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
@@ -64,19 +64,17 @@ TEST(Diagnose, AnswersFirst) {
   EXPECT_TRUE(result.out.starts_with(
       "The friction coefficient of the tubes is another one: tube_friction, mu = 0.09"))
       << result.out;
-  EXPECT_NE(result.out.find("\nResiduals on 2 held-out runs fall by "), std::string::npos);
-  EXPECT_NE(result.out.find("\nNothing else is left to explain (p = "), std::string::npos);
-  EXPECT_NE(result.out.find("\nThe data are simulated: "), std::string::npos);
+  EXPECT_TRUE(has(result.out, "\nResiduals on 2 held-out runs fall by "));
+  EXPECT_TRUE(has(result.out, "\nNothing else is left to explain (p = "));
+  EXPECT_TRUE(has(result.out, "\nThe data are simulated: "));
 }
 
 TEST(Diagnose, SaysSoWhereThereIsNoCauseOrMoreThanOne) {
   const std::string none = reeve({"diagnose", golden + "diagnose_none.csv"}).out;
   EXPECT_TRUE(none.starts_with("The model as it stands explains the data as well as ")) << none;
   const std::string several = reeve({"diagnose", golden + "diagnose_indistinguishable.csv"}).out;
-  EXPECT_NE(several.find(" explains the data: which of them, the data cannot tell.\n"),
-            std::string::npos)
-      << several;
-  EXPECT_NE(several.find("\nTo tell "), std::string::npos) << several;
+  EXPECT_TRUE(has(several, " explains the data: which of them, the data cannot tell.\n"));
+  EXPECT_TRUE(has(several, "\nTo tell "));
 }
 
 // Readings of a sheath alone, which no finger holds.
@@ -88,16 +86,15 @@ TEST(Diagnose, OnABenchSpeaksOfNoGraspsAndRanksNoRoutings) {
   std::string page = read_text(folder.path() / "index.html");
   page.resize(page.find("</main>"));
   for (const std::string& text : {result.out, page}) {
-    EXPECT_NE(text.find("sheath_friction"), std::string::npos);
+    EXPECT_TRUE(has(text, "sheath_friction"));
     for (const char* word :
          {"grasp", "Grasp", "held fingers", "finger held", "jam", "TR1", "TR7", "Ranking"}) {
-      EXPECT_EQ(text.find(word), std::string::npos) << word;
+      EXPECT_FALSE(has(text, word)) << word;
     }
   }
   const Json json = Json::parse(read_text(folder.path() / "diagnosis.json"));
   EXPECT_TRUE(json["ranking"].is_null());
-  EXPECT_NE(reeve({"diagnose", with_cause}).out.find("Ranking of the catalogue"),
-            std::string::npos);
+  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalogue"));
 }
 
 TEST(Diagnose, TakesAsManyReplicatesAsAlphaNeeds) {
@@ -148,13 +145,13 @@ TEST(Diagnose, WritesAPageWithItsFiguresForEachVerdict) {
     const std::string data = golden + "diagnose_" + verdict + ".csv";
     ASSERT_EQ(reeve({"diagnose", data, "--out", out}).exit_code, 0);
     const std::string page = read_text(out + "/index.html");
-    EXPECT_NE(page.find(std::string("data-verdict=\"") + verdict + '"'), std::string::npos);
-    EXPECT_NE(page.find("<strong>Simulated data.</strong>"), std::string::npos);
-    EXPECT_NE(page.find("href=\"diagnosis.json\""), std::string::npos);
+    EXPECT_TRUE(has(page, std::string("data-verdict=\"") + verdict + '"'));
+    EXPECT_TRUE(has(page, "<strong>Simulated data.</strong>"));
+    EXPECT_TRUE(has(page, "href=\"diagnosis.json\""));
     for (const char* figure : {"compared", "residuals-strand", "residuals-load", "held-out-runs"}) {
       const std::string svg = read_text(out + "/figures/" + figure + ".svg");
       EXPECT_TRUE(svg.starts_with("<svg ")) << verdict << ' ' << figure;
-      EXPECT_NE(page.find(std::string("id=\"") + figure + '"'), std::string::npos) << figure;
+      EXPECT_TRUE(has(page, std::string("id=\"") + figure + '"')) << figure;
     }
     const bool asks = page.find("id=\"rows-to-record\"") != std::string::npos;
     EXPECT_EQ(asks, std::string(verdict) != "none");
@@ -164,8 +161,7 @@ TEST(Diagnose, WritesAPageWithItsFiguresForEachVerdict) {
 
 TEST(Diagnose, WritesTheSamePageForAnyNumberOfThreads) {
   const TemporaryFolder folder;
-  ProcessOptions process;
-  process.directory = folder.path();
+  ProcessOptions process{.directory = folder.path()};
   std::vector<std::string> pages;
   for (const char* threads : {"1", "2"}) {
     ASSERT_EQ(
@@ -190,7 +186,7 @@ TEST(Diagnose, SavesAModelThatRankTakes) {
   const ProcessResult result =
       reeve({"diagnose", with_cause, "--format", "json", "--save-model", model});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(read_text(model).find("\n# The data are simulated"), std::string::npos);
+  EXPECT_TRUE(has(read_text(model), "\n# The data are simulated"));
   const Json ranked =
       Json::parse(reeve({"rank", "--catalog", "--model", model, "--format", "json"}).out);
   std::vector<std::string> order;
@@ -287,9 +283,8 @@ TEST(Diagnose, NotesAMotorSideThatCarriesMoreThanTheMotorGives) {
 
 TEST(Diagnose, ThatIsStoppedWritesNothing) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 100ms)};
+  ProcessOptions options{.directory = folder.path(),
+                         .disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 100ms)}};
   const ProcessResult result =
       reeve({"diagnose", with_cause, "--replicates", "100000", "--threads", "1", "--out", "out"},
             options);
@@ -300,12 +295,11 @@ TEST(Diagnose, ThatIsStoppedWritesNothing) {
 }
 
 TEST(Diagnose, ShowsItsStageOnATerminal) {
-  ProcessOptions options;
-  options.stderr_is_terminal = true;
+  ProcessOptions options{.stderr_is_terminal = true};
   options.environment["TERM"] = "xterm";
   const ProcessResult result = reeve({"diagnose", with_cause}, options);
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.err.find("searching for causes"), std::string::npos);
+  EXPECT_TRUE(has(result.err, "searching for causes"));
   EXPECT_TRUE(result.err.ends_with("\r\x1b[K"));
 }
 

@@ -23,9 +23,8 @@ std::string python_with(const std::string& modules) {
 
 ProcessResult run_python(const std::string& python, const std::string& script,
                          const TemporaryFolder& folder) {
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.environment = {{"PYTHONWARNINGS", "ignore"}, {"MPLBACKEND", "agg"}};
+  ProcessOptions options{.directory = folder.path(),
+                         .environment = {{"PYTHONWARNINGS", "ignore"}, {"MPLBACKEND", "agg"}}};
   return run_process({python, "-c", script}, options);
 }
 
@@ -35,8 +34,7 @@ struct WrittenTables {
   Json summary;
 
   WrittenTables() {
-    ProcessOptions options;
-    options.directory = folder.path();
+    ProcessOptions options{.directory = folder.path()};
     EXPECT_EQ(reeve("explore", options).exit_code, 0);
     csv = read_text(folder.path() / "out/explore/designs.csv");
     summary = Json::parse(read_text(folder.path() / "out/explore/summary.json"));
@@ -105,8 +103,7 @@ TEST(OctaveLines, ReadWhatAnExplorationWrites) {
   const std::vector<std::string> blocks = blocks_of("tables.md", "matlab");
   ASSERT_EQ(blocks.size(), 2U);
   const WrittenTables written;
-  ProcessOptions options;
-  options.directory = written.folder.path();
+  ProcessOptions options{.directory = written.folder.path()};
   const ProcessResult result =
       run_process({"octave-cli", "--quiet", "--no-init-file", "--eval",
                    blocks[0] + "printf('%d %.17g\\n', numel(designs), max(uniformity));"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -13,12 +14,11 @@ namespace {
 void expect_drawable(const std::string& dot) {
   const TemporaryFolder folder;
   folder.write("drawing.dot", dot);
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const ProcessResult result = run_process({"dot", "-Tsvg", "drawing.dot"}, options);
   if (result.exit_code != 127) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("</svg>"), std::string::npos);
+    EXPECT_TRUE(has(result.out, "</svg>"));
   }
   EXPECT_TRUE(dot.starts_with("graph"));
   EXPECT_TRUE(dot.ends_with("}\n"));
@@ -61,7 +61,7 @@ TEST(Schematic, OfFloatingPartsShowsThem) {
     EXPECT_EQ(reeve(command).exit_code, 0);
     const std::string svg = read_text(file);
     for (const char* name : {">Y1</text>", ">W1 2:1</text>", ">block (Y)</text>"}) {
-      EXPECT_NE(svg.find(name), std::string::npos) << name;
+      EXPECT_TRUE(has(svg, name)) << name;
     }
     EXPECT_EQ(svg.find("reeve-moves") != std::string::npos, !options.empty());
   }
@@ -71,9 +71,9 @@ TEST(Schematic, WithoutAGraspHasNoTensions) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "drawing.svg").string();
   reeve({"show", "TR5", "--svg", file});
-  EXPECT_EQ(read_text(file).find("Tensions"), std::string::npos);
+  EXPECT_FALSE(has(read_text(file), "Tensions"));
   reeve({"show", "TR5", "--held", "none", "--svg", file});
-  EXPECT_NE(read_text(file).find("Tensions"), std::string::npos);
+  EXPECT_TRUE(has(read_text(file), "Tensions"));
 }
 
 // Nor is the link itself replaced by a file.

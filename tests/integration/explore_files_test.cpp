@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -21,17 +22,15 @@ TEST(ExploreFiles, AreTheseAndNothingElse) {
   EXPECT_EQ(
       explored.files(),
       (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
-  EXPECT_NE(
-      explored.result.out.find(
+  EXPECT_TRUE(
+      has(explored.result.out,
           "Written: index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
-          "figures in out\n"),
-      std::string::npos);
+          "figures in out\n"));
 }
 
 TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   reeve("explore --fingers 3 --out a/b", options);
   const std::string first = read_text(folder.path() / "a/b/designs.csv");
   reeve("explore --fingers 2 --out a/b", options);
@@ -95,8 +94,7 @@ TEST(ExplorePage, GivesTheCommandThatGivesItAgain) {
                         "--threads", "1", "--objectives", "uniformity, travel"});
   const std::string command = command_of(first.file("index.html"));
   ASSERT_TRUE(command.starts_with("reeve explore ")) << command;
-  ProcessOptions options;
-  options.directory = first.folder.path();
+  ProcessOptions options{.directory = first.folder.path()};
   const std::string page = first.file("index.html");
   std::filesystem::remove_all(first.out());
   const std::string program = REEVE_EXECUTABLE;
@@ -168,8 +166,8 @@ TEST(Count, AllPartsAreTheFullOnesWithAnchoredTipsAndABlock) {
 }
 
 TEST(Count, SaysTreesWhereBlocksTieTendonsTogether) {
-  EXPECT_NE(reeve("count --blocks 1").out.find("every tree actuated"), std::string::npos);
-  EXPECT_NE(reeve("count").out.find("every tendon actuated"), std::string::npos);
+  EXPECT_TRUE(has(reeve("count --blocks 1").out, "every tree actuated"));
+  EXPECT_TRUE(has(reeve("count").out, "every tendon actuated"));
 }
 
 }  // namespace

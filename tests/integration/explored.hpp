@@ -21,8 +21,7 @@ using Json = nlohmann::ordered_json;
 inline const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 inline ProcessOptions disturbed(int signal, std::function<bool(const RunningProcess&)> when) {
-  ProcessOptions options;
-  options.disturbance = Disturbance{signal, std::move(when)};
+  ProcessOptions options{.disturbance = Disturbance{signal, std::move(when)}};
   return options;
 }
 

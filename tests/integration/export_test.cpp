@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -27,16 +28,14 @@ std::string head(const Arguments& arguments) {
 TEST(Export, SaysAtItsHeadWhatItIsOf) {
   const std::string file = std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml";
   const std::string plain = head({"export", "1-P-2-P-1"});
-  EXPECT_NE(plain.find("The routing TR7 (1-P-2-P-1) without friction"), std::string::npos) << plain;
-  EXPECT_NE(plain.find("\nHardware: the paper's, by default.\n"), std::string::npos) << plain;
-  EXPECT_EQ(plain.find("Several trees"), std::string::npos) << plain;
+  EXPECT_TRUE(has(plain, "The routing TR7 (1-P-2-P-1) without friction"));
+  EXPECT_TRUE(has(plain, "\nHardware: the paper's, by default.\n"));
+  EXPECT_FALSE(has(plain, "Several trees"));
   const std::string hand = head({"export", "M-1-F+M-2-F+M-3-F", "--hardware", file});
-  EXPECT_NE(hand.find("The routing M-1-F+M-2-F+M-3-F without"), std::string::npos) << hand;
-  EXPECT_NE(hand.find("\nHardware: " + file + ".\n"), std::string::npos) << hand;
-  EXPECT_NE(hand.find("\nSeveral trees of tendons hang on the carriage"), std::string::npos)
-      << hand;
-  EXPECT_NE(head({"export", "ExoGlovePoly"}).find("\nHardware: the mechanism's own"),
-            std::string::npos);
+  EXPECT_TRUE(has(hand, "The routing M-1-F+M-2-F+M-3-F without"));
+  EXPECT_TRUE(has(hand, "\nHardware: " + file + ".\n"));
+  EXPECT_TRUE(has(hand, "\nSeveral trees of tendons hang on the carriage"));
+  EXPECT_TRUE(has(head({"export", "ExoGlovePoly"}), "\nHardware: the mechanism's own"));
 }
 
 TEST(Export, SaysAtItsHeadWhatOfTheHardwareItLeavesOut) {
@@ -44,10 +43,9 @@ TEST(Export, SaysAtItsHeadWhatOfTheHardwareItLeavesOut) {
   folder.write("hand.toml", "[finger.7]\nclosing = 2\n");
   const std::string file = (folder.path() / "hand.toml").string();
   const std::string said = head({"export", "TR1", "--hardware", file});
-  EXPECT_NE(said.find("\nNote: [finger.7] of the hardware changes nothing: no routing here has a "
-                      "finger 7.\n"),
-            std::string::npos)
-      << said;
+  EXPECT_TRUE(has(said,
+                  "\nNote: [finger.7] of the hardware changes nothing: no routing here has a "
+                  "finger 7.\n"));
 }
 
 // The name of a file may hold what would end a comment.
@@ -59,7 +57,7 @@ TEST(Export, IsXmlWhateverTheHardwareIsCalled) {
   const std::size_t begin = text.find("<!--") + 4;
   const std::size_t hyphens = text.find("--", begin);
   EXPECT_EQ(text.compare(hyphens, 3, "-->"), 0) << text.substr(begin, 300);
-  EXPECT_NE(text.find("a- -b- ->c.toml"), std::string::npos) << text.substr(begin, 300);
+  EXPECT_TRUE(has(text, "a- -b- ->c.toml")) << text.substr(begin, 300);
 }
 
 TEST(Export, AMechanismHasItsOwnHardwareUnlessAnotherIsGiven) {
@@ -69,7 +67,7 @@ TEST(Export, AMechanismHasItsOwnHardwareUnlessAnotherIsGiven) {
              std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml"})
           .out;
   EXPECT_NE(own, other);
-  EXPECT_NE(other.find("finger_1_joint_1"), std::string::npos);
+  EXPECT_TRUE(has(other, "finger_1_joint_1"));
 }
 
 TEST(Export, RefusesWhatItCannotExport) {
@@ -80,11 +78,11 @@ TEST(Export, RefusesWhatItCannotExport) {
     EXPECT_EQ(result.out, "");
     return result.err;
   };
-  EXPECT_NE(complaint({"M-1-Q"}).find("M-1-Q"), std::string::npos);
-  EXPECT_NE(complaint({"F-1-F"}).find("motor"), std::string::npos);
-  EXPECT_NE(complaint({"Y1-P-Y2+1x-Y1-T-Y2-2x"}).find("free to move"), std::string::npos);
-  EXPECT_NE(complaint({"TR7", "--format", "urdf"}).find("mjcf"), std::string::npos);
-  EXPECT_NE(complaint({"TR7", "-o", ""}).find("a file"), std::string::npos);
+  EXPECT_TRUE(has(complaint({"M-1-Q"}), "M-1-Q"));
+  EXPECT_TRUE(has(complaint({"F-1-F"}), "motor"));
+  EXPECT_TRUE(has(complaint({"Y1-P-Y2+1x-Y1-T-Y2-2x"}), "free to move"));
+  EXPECT_TRUE(has(complaint({"TR7", "--format", "urdf"}), "mjcf"));
+  EXPECT_TRUE(has(complaint({"TR7", "-o", ""}), "a file"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "tests/integration/explored.hpp"
 #include "tests/support/edited_catalogue.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -45,8 +46,7 @@ TEST(CheckOfAFamily, IsThePartOfTheWholeCheck) {
 
 TEST(CheckOfAFamily, EndsWithOneOnlyOfWhatIsNotListed) {
   const EditedCatalogue edited("families/benches/pulley_turns_90.toml", ", open = ", ", where = ");
-  ProcessOptions options;
-  options.environment = {{"REEVE_CATALOG", edited.path().string()}};
+  ProcessOptions options{.environment = {{"REEVE_CATALOG", edited.path().string()}}};
   EXPECT_EQ(reeve("check --family benches", options).exit_code, 1);
   EXPECT_EQ(reeve("check --family hauls", options).exit_code, 0);
   EXPECT_EQ(reeve("check --family benches").exit_code, 0);
@@ -81,7 +81,7 @@ TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
   // Its word is nobody's own.
   EXPECT_FALSE(json_of({"show", "M-B-1x"}).contains("own_hardware"));
   const std::string text = reeve("show PulleyTurn").out;
-  EXPECT_NE(text.find("With its own hardware, from the catalogue"), std::string::npos);
+  EXPECT_TRUE(has(text, "With its own hardware, from the catalogue"));
 }
 
 TEST(ShowOfAMechanism, HasItsNameThoughAnotherHasItsWord) {
@@ -103,7 +103,7 @@ TEST(CountsInDocuments, AreThoseOfTheCheck) {
   const std::string document = read_text(root / "docs" / "catalogue.md");
   const std::string readme = read_text(root / "README.md");
   const auto expect = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(text, part)) << part;
   };
   const Json report = json_of({"check"});
   std::map<std::string, int> mechanisms = mechanisms_by_family();

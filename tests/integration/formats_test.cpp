@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -16,8 +17,7 @@ namespace {
 
 std::string output(Arguments arguments, const std::string& format) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   arguments.insert(arguments.end(), {"--format", format});
   const ProcessResult result = reeve(arguments, options);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -57,36 +57,30 @@ TEST(Formats, HaveTheSameTablesInMarkdownAndLatex) {
 }
 
 TEST(Formats, PutUnitsIntoTheHeadings) {
-  EXPECT_NE(output({"compare", readings}, "markdown").find(" mean measured (N) "),
-            std::string::npos);
-  EXPECT_NE(output({"show", "TR5"}, "latex").find("held & T1 (\\%) & T2 (\\%)"), std::string::npos);
+  EXPECT_TRUE(has(output({"compare", readings}, "markdown"), " mean measured (N) "));
+  EXPECT_TRUE(has(output({"show", "TR5"}, "latex"), "held & T1 (\\%) & T2 (\\%)"));
 }
 
 TEST(Formats, SayThatDataAreSimulated) {
-  EXPECT_NE(output({"compare", readings}, "table").find("\nThe data are simulated: "),
-            std::string::npos);
-  EXPECT_NE(output({"compare", readings}, "markdown").find("\n**The data are simulated: "),
-            std::string::npos);
-  EXPECT_NE(output({"compare", readings}, "latex").find("\n\\noindent The data are simulated: "),
-            std::string::npos);
+  EXPECT_TRUE(has(output({"compare", readings}, "table"), "\nThe data are simulated: "));
+  EXPECT_TRUE(has(output({"compare", readings}, "markdown"), "\n**The data are simulated: "));
+  EXPECT_TRUE(has(output({"compare", readings}, "latex"), "\n\\noindent The data are simulated: "));
 }
 
 TEST(Formats, SayThatFingersAreToldApart) {
-  EXPECT_NE(output({"explore", "--grasps", "paper"}, "markdown").find("\n**Note: "),
-            std::string::npos);
-  EXPECT_NE(output({"explore", "--grasps", "paper"}, "latex").find("\n\\noindent Note: "),
-            std::string::npos);
+  EXPECT_TRUE(has(output({"explore", "--grasps", "paper"}, "markdown"), "\n**Note: "));
+  EXPECT_TRUE(has(output({"explore", "--grasps", "paper"}, "latex"), "\n\\noindent Note: "));
 }
 
 TEST(Formats, SayThatAnExplorationWasStopped) {
   for (const auto& [format, note] :
        {std::pair{"table", "\nPARTIAL: stopped after "}, std::pair{"markdown", "\n**PARTIAL: "},
         std::pair{"latex", "\n\\noindent PARTIAL: "}}) {
-    ProcessOptions options;
-    options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::seconds(1))};
+    ProcessOptions options{
+        .disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::seconds(1))}};
     const Explored explored({"--fingers", "9", "--top", "10", "--format", format}, options);
     EXPECT_EQ(explored.result.exit_code, 3);
-    EXPECT_NE(explored.result.out.find(note), std::string::npos) << explored.result.out;
+    EXPECT_TRUE(has(explored.result.out, note));
   }
 }
 
@@ -101,14 +95,14 @@ TEST(Formats, AreThoseOfTheHelp) {
                                                         {"diagnose", "{table,json,markdown,latex}"},
                                                         {"simulate", "{table,json,markdown,latex}"},
                                                         {"size", "{table,json,markdown,latex}"}}) {
-    EXPECT_NE(reeve({command, "--help"}).out.find(formats), std::string::npos) << command;
+    EXPECT_TRUE(has(reeve({command, "--help"}).out, formats)) << command;
   }
 }
 
 // Only the tables and what belongs to them: files are announced on the terminal alone.
 TEST(Formats, AnnounceNoFilesInAnExport) {
-  EXPECT_EQ(output({"explore"}, "latex").find("Written"), std::string::npos);
-  EXPECT_NE(output({"explore"}, "table").find("\nWritten: "), std::string::npos);
+  EXPECT_FALSE(has(output({"explore"}, "latex"), "Written"));
+  EXPECT_TRUE(has(output({"explore"}, "table"), "\nWritten: "));
 }
 
 }  // namespace

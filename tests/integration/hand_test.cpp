@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -57,9 +58,8 @@ TEST(HandOfTheCommands, ThatPressesNothingAsksForNoForceAndNamesNoFinger) {
           .string();
   const ProcessResult shown = reeve({"show", "TR7", "--hardware", idle});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
-  EXPECT_NE(shown.out.find("Motor force 0 N: no finger is to press"), std::string::npos)
-      << shown.out;
-  EXPECT_EQ(shown.out.find("asks for it"), std::string::npos);
+  EXPECT_TRUE(has(shown.out, "Motor force 0 N: no finger is to press"));
+  EXPECT_FALSE(has(shown.out, "asks for it"));
 }
 
 // Each line of the section, in the document behind four spaces.
@@ -71,7 +71,7 @@ TEST(HandOfTheDocument, IsWhatTheCommandPrints) {
   int lines = 0;
   for (std::string line; std::getline(section, line); ++lines) {
     if (line.empty() || line.starts_with("Hand: ")) continue;
-    EXPECT_NE(document.find("    " + line + "\n"), std::string::npos) << line;
+    EXPECT_TRUE(has(document, "    " + line + "\n")) << line;
   }
   EXPECT_GT(lines, 10);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/read_chart.hpp"
 #include "tests/support/rig_log.hpp"
 
@@ -69,9 +70,9 @@ TEST(Diagnose, SendsATimeSeriesToImport) {
   const ProcessResult refused = reeve({"diagnose", log});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.out, "");
-  EXPECT_NE(refused.err.find("are a logger's time series"), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("reeve import"), std::string::npos);
-  EXPECT_NE(refused.err.find("--as-readings"), std::string::npos);
+  EXPECT_TRUE(has(refused.err, "are a logger's time series"));
+  EXPECT_TRUE(has(refused.err, "reeve import"));
+  EXPECT_TRUE(has(refused.err, "--as-readings"));
 }
 
 TEST(Diagnose, TakesATimeSeriesForReadingsIfToldTo) {
@@ -85,7 +86,7 @@ TEST(Diagnose, TakesATimeSeriesForReadingsIfToldTo) {
   EXPECT_EQ(reeve({"diagnose", file}).exit_code, 2);
   const ProcessResult taken = reeve({"diagnose", file, "--as-readings"});
   EXPECT_EQ(taken.exit_code, 0) << taken.err;
-  EXPECT_NE(taken.out.find("are a logger's time series"), std::string::npos);
+  EXPECT_TRUE(has(taken.out, "are a logger's time series"));
 }
 
 TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
@@ -95,17 +96,15 @@ TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string csv = read_text(readings);
   EXPECT_EQ(csv.find("# steady readings out of a logger's time series, by reeve "), 0U);
-  EXPECT_NE(csv.find("\n# simulated: a carriage goes to and fro, two mountings\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(csv, "\n# simulated: a carriage goes to and fro, two mountings\n"));
   // But not where to: the same readings are the same file.
-  EXPECT_NE(csv.find("\n# command: reeve import " + golden_log + " --per-sweep 2\n"),
-            std::string::npos);
-  EXPECT_NE(
-      csv.find("\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"
-               "readings,motor_tension_sd_N,T1_sd_N,T2_sd_N,T3_sd_N,T4_sd_N,time_s\nleft-1,TR7,1,"
-               "pull,"),
-      std::string::npos);
-  EXPECT_NE(result.out.find("Written: " + readings), std::string::npos);
+  EXPECT_TRUE(has(csv, "\n# command: reeve import " + golden_log + " --per-sweep 2\n"));
+  EXPECT_TRUE(
+      has(csv,
+          "\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"
+          "readings,motor_tension_sd_N,T1_sd_N,T2_sd_N,T3_sd_N,T4_sd_N,time_s\nleft-1,TR7,1,"
+          "pull,"));
+  EXPECT_TRUE(has(result.out, "Written: " + readings));
   EXPECT_EQ(reeve({"compare", readings}).exit_code, 0);
 }
 
@@ -217,8 +216,8 @@ TEST(Import, OfALogWithoutASteadyStretchIsANo) {
   const ProcessResult result = reeve({"import", log, "--routing", "TR1", "-o", readings});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err, "");
-  EXPECT_NE(result.out.find("No steady reading in it."), std::string::npos);
-  EXPECT_NE(result.out.find("too few samples"), std::string::npos);
+  EXPECT_TRUE(has(result.out, "No steady reading in it."));
+  EXPECT_TRUE(has(result.out, "too few samples"));
   EXPECT_FALSE(std::filesystem::exists(readings));
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -42,7 +43,7 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_EQ(explored.result.signal, 0);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_NE(explored.result.out.find("\nPARTIAL: "), std::string::npos) << explored.result.out;
+  EXPECT_TRUE(has(explored.result.out, "\nPARTIAL: "));
   EXPECT_EQ(
       explored.files(),
       (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
@@ -56,8 +57,7 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
             summary["generated"]);
   expect_whole_csv(explored.file("designs.csv"), "# partial: stopped after ");
   expect_whole_csv(explored.file("pareto.csv"), "# partial: stopped after ");
-  EXPECT_NE(explored.file("index.html").find("This exploration is partial: stopped after "),
-            std::string::npos);
+  EXPECT_TRUE(has(explored.file("index.html"), "This exploration is partial: stopped after "));
   EXPECT_EQ(words(explored.file("designs.csv")).size(), summary["top"].size());
 }
 
@@ -112,8 +112,7 @@ TEST_P(StoppingSignal, EndsTheWaitForAnInput) {
     options.directory = folder.path();
     const ProcessResult result = reeve("diagnose pipe", options);
     EXPECT_EQ(result.exit_code, 3) << has_writer;
-    EXPECT_NE(result.err.find("interrupted: nobody writes to 'pipe'"), std::string::npos)
-        << result.err;
+    EXPECT_TRUE(has(result.err, "interrupted: nobody writes to 'pipe'"));
     if (has_writer) ::close(writer);
   }
 }
@@ -158,7 +157,7 @@ TEST(Interruption, WhileDrawingLeavesFilesThatSaySo) {
   const Explored explored("--fingers 4 --uncertainty --draws 100000 --threads 1",
                           disturbed(SIGINT, after_it_catches(SIGINT, 2s)));
   EXPECT_EQ(explored.result.exit_code, 3);
-  EXPECT_NE(explored.result.out.find("PARTIAL"), std::string::npos);
+  EXPECT_TRUE(has(explored.result.out, "PARTIAL"));
   EXPECT_TRUE(explored.summary()["partial"]);
   EXPECT_TRUE(explored.file("designs.csv").starts_with("# partial"));
 }
@@ -203,9 +202,7 @@ TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
   Explored explored("--fingers 2");
   const std::string designs = explored.file("designs.csv");
   const std::string summary = explored.file("summary.json");
-  ProcessOptions options;
-  options.file_size_limit = 64 * 1024;
-  options.dies_at_file_size_limit = true;
+  ProcessOptions options{.file_size_limit = 64 * 1024, .dies_at_file_size_limit = true};
   explored.run(long_files, options);
   ASSERT_EQ(explored.result.signal, SIGXFSZ);
   EXPECT_EQ(explored.file("designs.csv"), designs);
@@ -214,9 +211,7 @@ TEST(Killing, InTheMiddleOfAFileLeavesTheOlderFilesAsTheyWere) {
 
 // All are written before one gets its name.
 TEST(Killing, InTheMiddleOfALateFileLeavesNone) {
-  ProcessOptions options;
-  options.file_size_limit = 1024 * 1024;
-  options.dies_at_file_size_limit = true;
+  ProcessOptions options{.file_size_limit = 1024 * 1024, .dies_at_file_size_limit = true};
   const Explored killed(long_files, options);
   ASSERT_EQ(killed.result.signal, SIGXFSZ);
   EXPECT_TRUE(std::filesystem::exists(killed.out() / "figures"));
@@ -241,8 +236,7 @@ TEST(Killing, BetweenTwoFilesLeavesAFolderThatIsKnownToBeHalfDone) {
   const ProcessResult read =
       reeve({"size", "--from", explored.out().string(), "--vary", "tip_angle=1..4"});
   EXPECT_EQ(read.exit_code, 2);
-  EXPECT_NE(read.err.find("there is no summary.json, which is written last"), std::string::npos)
-      << read.err;
+  EXPECT_TRUE(has(read.err, "there is no summary.json, which is written last"));
 }
 
 // The page of what is sized would go, and the folder could not be read again.
@@ -251,8 +245,7 @@ TEST(MixedFolder, IsNotMadeBySizingIntoTheFolderThatIsSized) {
   const ProcessResult size = reeve({"size", "--from", explored.out().string(), "--vary",
                                     "tip_angle=1..4", "--out", explored.out().string()});
   EXPECT_EQ(size.exit_code, 2);
-  EXPECT_NE(size.err.find("index.html' would be written over what is sized"), std::string::npos)
-      << size.err;
+  EXPECT_TRUE(has(size.err, "index.html' would be written over what is sized"));
 }
 
 TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
@@ -267,9 +260,7 @@ TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
     two.folder.write(std::string("out/") + name, three.file(name));
     const ProcessResult read = reeve(size);
     EXPECT_EQ(read.exit_code, 2);
-    EXPECT_NE(read.err.find(std::string(name) + " and summary.json are of two explorations"),
-              std::string::npos)
-        << read.err;
+    EXPECT_TRUE(has(read.err, std::string(name) + " and summary.json are of two explorations"));
     two.folder.write(std::string("out/") + name, own);
   }
 }
@@ -293,8 +284,7 @@ TEST(ExplorationId, IsThatOfTheQuestion) {
 }
 
 TEST(FullDisk, IsReportedWithTheFileAndLeavesNoPiece) {
-  ProcessOptions options;
-  options.file_size_limit = 64 * 1024;
+  ProcessOptions options{.file_size_limit = 64 * 1024};
   const Explored explored(long_files, options);
   EXPECT_EQ(explored.result.exit_code, 2);
   EXPECT_EQ(explored.result.err,

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -21,9 +22,7 @@ class Launched : public ::testing::Test {
 
   ProcessResult run(Arguments arguments, const std::map<std::string, std::string>& environment) {
     arguments.insert(arguments.begin(), program().string());
-    ProcessOptions options;
-    options.directory = folder_.path();
-    options.environment = environment;
+    ProcessOptions options{.directory = folder_.path(), .environment = environment};
     return run_process(arguments, options);
   }
 
@@ -71,7 +70,7 @@ TEST_F(Launched, TheOthersSayAtLastWhatTheFirstDoesNot) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(result.err.starts_with("reeve: rank 1 of 2, on ")) << result.err;
-  EXPECT_NE(result.err.find("--nonsense"), std::string::npos) << result.err;
+  EXPECT_TRUE(has(result.err, "--nonsense"));
 }
 
 // On a machine where it was built without MPI, while the first one has it: that one would wait.
@@ -81,7 +80,7 @@ TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(result.err.starts_with("reeve: rank 2 of 3, on ")) << result.err;
-  EXPECT_NE(result.err.find("this reeve was built without MPI"), std::string::npos) << result.err;
+  EXPECT_TRUE(has(result.err, "this reeve was built without MPI"));
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 

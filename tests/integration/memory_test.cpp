@@ -48,10 +48,9 @@ class OutOfMemory : public ::testing::TestWithParam<Starved> {
 
   void run(const std::map<std::string, std::string>& environment) {
     fs::remove_all(folder_.path() / "out");
-    ProcessOptions options;
-    options.directory = folder_.path();
-    options.environment = environment;
-    options.timeout = std::chrono::seconds(60);
+    ProcessOptions options{.directory = folder_.path(),
+                           .environment = environment,
+                           .timeout = std::chrono::seconds(60)};
     result_ = reeve(GetParam().command, options);
   }
 
@@ -146,8 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Of, OutOfLargeMemory,
 TEST(OutOfMemoryInAStore, EndsWithAMessage) {
   if (has_sanitizer()) GTEST_SKIP() << "sanitizers have an allocator of their own";
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const Arguments explore("explore --threads 1 --out out --store s.db");
   ASSERT_EQ(reeve(explore, options).exit_code, 0);
   for (const Arguments& command : {explore, Arguments("rank --store s.db")}) {

@@ -2,44 +2,21 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "tests/integration/explored.hpp"
+#include "tests/integration/stored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Every file below, but for the seconds that it took.
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    const std::string text = read_text(entry.path());
-    files[fs::relative(entry.path(), folder)] =
-        entry.path().filename() == "summary.json" ? without_times(text) : text;
-  }
-  return files;
-}
-
-void expect_same_files(const fs::path& actual, const fs::path& expected) {
-  const auto a = contents(actual);
-  const auto e = contents(expected);
-  for (const auto& [name, text] : e) {
-    ASSERT_TRUE(a.contains(name)) << name;
-    EXPECT_TRUE(a.at(name) == text) << name << "\n" << a.at(name).substr(0, 2000);
-  }
-  EXPECT_EQ(a.size(), e.size());
-}
-
 class Merging : public ::testing::Test {
  protected:
   ProcessResult run(Arguments arguments, const fs::path& directory) {
-    ProcessOptions options;
-    options.directory = directory;
+    ProcessOptions options{.directory = directory};
     return reeve(arguments, options);
   }
 
@@ -90,7 +67,7 @@ TEST_P(MergingCase, GivesTheBytesOfTheWhole) {
     const ProcessResult result = merge(backwards, {"--threads", "2"});
     EXPECT_EQ(result.exit_code, whole.result.exit_code) << result.err;
     EXPECT_EQ(result.err, "");
-    expect_same_files(folder_.path() / "out", whole.out());
+    expect_same_below(folder_.path() / "out", whole.out());
   }
 }
 
@@ -173,16 +150,14 @@ TEST_F(Merging, NamesAHardwareThatHasChanged) {
 
 TEST_F(Merging, RefusesAShardThatWasStopped) {
   explore_shard({"--fingers", "9"}, 2, 1000000);
-  ProcessOptions options;
-  options.directory = folder_.path();
-  options.disturbance =
-      Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::milliseconds(500))};
+  ProcessOptions options{
+      .directory = folder_.path(),
+      .disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, std::chrono::milliseconds(500))}};
   const ProcessResult stopped = reeve("explore --fingers 9 --shard 1/2 --out s1", options);
   ASSERT_EQ(stopped.exit_code, 3) << stopped.err;
   const ProcessResult result = merge({1});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("s1/shard.json: shard 1/2 was stopped after "), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(has(result.err, "s1/shard.json: shard 1/2 was stopped after "));
 }
 
 TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
@@ -199,7 +174,7 @@ TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
   expect_bad({1, 2}, "s1: there is no summary.json, which is written last" + whole);
   const ProcessResult into = run("merge s1 s2 --out s2", folder_.path());
   EXPECT_EQ(into.exit_code, 2);
-  EXPECT_NE(into.err.find("--out 's2': expected another folder"), std::string::npos) << into.err;
+  EXPECT_TRUE(has(into.err, "--out 's2': expected another folder"));
 }
 
 TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
@@ -233,7 +208,7 @@ TEST_F(Merging, RefusesAFileThatSomebodyChanged) {
   folder_.write("s1/shard.json", text.substr(0, text.size() / 2));
   const ProcessResult half = merge({1});
   EXPECT_EQ(half.exit_code, 2);
-  EXPECT_NE(half.err.find("s1/shard.json: it cannot be understood"), std::string::npos) << half.err;
+  EXPECT_TRUE(has(half.err, "s1/shard.json: it cannot be understood"));
 }
 
 // Lists that the shards printed are none of the whole, and its command is that of the first.
@@ -247,7 +222,7 @@ TEST_F(Merging, DoesNotDependOnHowShardsWereShownAndNamed) {
     fs::remove_all(folder_.path() / "out");
     const ProcessResult result = merge(order, {"--format", "json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(read_text(folder_.path() / "out/index.html").find("--objectives"), std::string::npos);
+    EXPECT_TRUE(has(read_text(folder_.path() / "out/index.html"), "--objectives"));
   }
 }
 
@@ -273,11 +248,10 @@ TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
   const ProcessResult result =
       run("explore --fingers 4 --constraint sheaths<=1 --shard 5/5", folder_.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_NE(
-      result.out.find("Of the 228 that are actuated 228 fail by their parts alone; the other 0 "
-                      "evaluated, 0 a second"),
-      std::string::npos);
-  EXPECT_NE(result.out.find("No design of this shard meets the constraints"), std::string::npos);
+  EXPECT_TRUE(has(result.out,
+                  "Of the 228 that are actuated 228 fail by their parts alone; the other 0 "
+                  "evaluated, 0 a second"));
+  EXPECT_TRUE(has(result.out, "No design of this shard meets the constraints"));
 }
 
 }  // namespace

@@ -73,9 +73,7 @@ class OneResult : public ::testing::TestWithParam<Rewritten> {
   ProcessResult run(Arguments arguments,
                     const std::map<std::string, std::string>& environment = {}) {
     arguments.insert(arguments.end(), {"--out", "out"});
-    ProcessOptions options;
-    options.directory = folder_.path();
-    options.environment = environment;
+    ProcessOptions options{.directory = folder_.path(), .environment = environment};
     return reeve(arguments, options);
   }
 

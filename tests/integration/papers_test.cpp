@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -14,15 +15,10 @@ namespace {
 
 std::string printed(Arguments arguments) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const ProcessResult result = reeve(std::move(arguments), options);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return result.out;
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // In 3.5 in, the column of a two-column paper.
@@ -66,8 +62,7 @@ TEST(TablesForPapers, HaveMeanAndWorstInColumnsOfTheirOwn) {
 // So that nobody waits for a table that cannot be.
 TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   for (const Arguments command :
        {"rank --catalog --out page", "explore --out page",
         "explore --out page --columns routing,uniformity_mean,efficiency_mean",
@@ -126,8 +121,7 @@ TEST(TablesForPapers, AreTypesetWithinTheColumn) {
         "\\setbox0=\\vbox{\\hsize=252.945pt\\linewidth=\\hsize\\input{" + name + "}}\\box0\n";
   }
   folder.write("paper.tex", document + "\\end{document}\n");
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const ProcessResult result =
       run_process({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "paper.tex"}, options);
   EXPECT_EQ(result.exit_code, 0) << result.out;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -43,8 +44,7 @@ std::vector<DocumentedCommand> documented_commands() {
 
 // By a shell, which reads quotes as the reader's does.
 ProcessResult run_documented(const std::string& command, const fs::path& folder) {
-  ProcessOptions options;
-  options.directory = folder;
+  ProcessOptions options{.directory = folder};
   return run_process({"/bin/sh", "-c", std::string(REEVE_EXECUTABLE) + " " + command}, options);
 }
 
@@ -60,8 +60,7 @@ TEST(Projects, RunAsTheyStandInTheDocument) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_FALSE(documented.lines.empty());
     for (const std::string& line : documented.lines) {
-      EXPECT_NE(("\n" + result.out).find("\n" + line + "\n"), std::string::npos) << line << "\n\n"
-                                                                                 << result.out;
+      EXPECT_TRUE(has(("\n" + result.out), "\n" + line + "\n")) << line << "\n\n" << result.out;
     }
   }
   for (const char* page : {"out/prosthesis", "out/thumb", "out/glove"}) {

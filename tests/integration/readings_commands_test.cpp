@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -22,19 +23,19 @@ TEST(Compare, WritesWhatItPrintsAndOneLineForEachValue) {
   EXPECT_EQ(
       std::count(csv.begin(), csv.end(), '\n'),
       2 + json["tension"]["all"]["count"].get<int>() + json["share"]["all"]["count"].get<int>());
-  EXPECT_NE(csv.find("\n4,\"May 3, left\",M-1-P-2-M,1,pull,T1,tension,3.4,"), std::string::npos);
-  EXPECT_NE(csv.find("\n8,C,M-1-P-2-M,1;2,pull,"), std::string::npos);
+  EXPECT_TRUE(has(csv, "\n4,\"May 3, left\",M-1-P-2-M,1,pull,T1,tension,3.4,"));
+  EXPECT_TRUE(has(csv, "\n8,C,M-1-P-2-M,1;2,pull,"));
 }
 
 TEST(Compare, SaysThatNothingIsFittedAndWhichDataAreSimulated) {
   const std::string simulated = reeve({"compare", readings}).out;
-  EXPECT_NE(simulated.find("\nNothing is fitted: "), std::string::npos);
-  EXPECT_NE(simulated.find("\nThe data are simulated: "), std::string::npos);
-  EXPECT_NE(simulated.find(" (line 5)\n"), std::string::npos);
+  EXPECT_TRUE(has(simulated, "\nNothing is fitted: "));
+  EXPECT_TRUE(has(simulated, "\nThe data are simulated: "));
+  EXPECT_TRUE(has(simulated, " (line 5)\n"));
   const std::string measured =
       reeve({"compare", std::string(REEVE_CATALOG_DIR) + "/measured/canyons_and_crags.csv"}).out;
-  EXPECT_NE(measured.find("\nNothing is fitted: "), std::string::npos);
-  EXPECT_EQ(measured.find("simulated"), std::string::npos);
+  EXPECT_TRUE(has(measured, "\nNothing is fitted: "));
+  EXPECT_FALSE(has(measured, "simulated"));
 }
 
 // The readings that it was fitted to are nearer to a saved model than to the plain one.
@@ -60,7 +61,7 @@ TEST(Compare, ReadsAPipe) {
   const ProcessResult result = run_process(
       {"bash", "-c", "cat \"$1\" | \"$0\" compare /dev/stdin", REEVE_EXECUTABLE, readings});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("6 readings in 3 runs"), std::string::npos);
+  EXPECT_TRUE(has(result.out, "6 readings in 3 runs"));
 }
 
 const Arguments planned("simulate --routings TR1,TR5,TR7 --cycles 0:3000");
@@ -99,7 +100,7 @@ TEST(Simulate, GivesEachSettingToTheCauseBeforeIt) {
         "'sensor_gain[T3]' --set gain=1.08 --cause wear --set change=-0.4 "
         "--set cycles=300 "
         "--cause 'seized_contact[tr5,T1-T2]'\n"}) {
-    EXPECT_NE(csv.find(line), std::string::npos) << line << csv.substr(0, 1000);
+    EXPECT_TRUE(has(csv, line)) << line << csv.substr(0, 1000);
   }
 }
 
@@ -132,9 +133,7 @@ TEST(Simulate, WithPowerSaysHowOftenTheHiddenCauseIsFound) {
   EXPECT_TRUE(table.starts_with(
       "3 simulated experiments, seeds 1 to 3, with sensor_gain[T3] (gain = 1.3)\n"))
       << table;
-  EXPECT_NE(table.find("\nfound                  3  1.000  0.292 to 1.000  all that is hidden"),
-            std::string::npos)
-      << table;
+  EXPECT_TRUE(has(table, "\nfound                  3  1.000  0.292 to 1.000  all that is hidden"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
@@ -50,8 +51,8 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
                "h.toml"});
   ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
   const std::string saved = read_text(sized.folder.path() / "h.toml");
-  EXPECT_NE(saved.find("tip_angle_rad"), std::string::npos);
-  EXPECT_EQ(saved.find("closing"), std::string::npos) << saved;
+  EXPECT_TRUE(has(saved, "tip_angle_rad"));
+  EXPECT_FALSE(has(saved, "closing"));
   sized.folder.write("hand.toml",
                      saved +
                          "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, "
@@ -64,7 +65,7 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
       "--starts 1 --save-hardware c.toml");
   const std::string closes = read_text(sized.folder.path() / "c.toml");
   EXPECT_EQ(closes.find("closing"), closes.rfind("closing"));
-  EXPECT_NE(closes.find("[finger.2]\nclosing"), std::string::npos) << closes;
+  EXPECT_TRUE(has(closes, "[finger.2]\nclosing"));
 }
 
 TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
@@ -72,12 +73,12 @@ TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
   sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n");
   sized.run("TR1 --hardware h.toml --nominal --save-hardware sized.toml");
   ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
-  EXPECT_NE(sized.result.out.find("tip_angle[1,2]"), std::string::npos);
-  EXPECT_NE(sized.result.out.find("\nHardware file: sized.toml\n"), std::string::npos);
+  EXPECT_TRUE(has(sized.result.out, "tip_angle[1,2]"));
+  EXPECT_TRUE(has(sized.result.out, "\nHardware file: sized.toml\n"));
   const std::string once = sized.result.out.substr(0, sized.result.out.find("\nHardware"));
   sized.run("TR1 --hardware sized.toml --nominal");
   EXPECT_EQ(sized.result.exit_code, 0);
-  EXPECT_NE(sized.result.out.find("(+0.0 %)"), std::string::npos) << sized.result.out;
+  EXPECT_TRUE(has(sized.result.out, "(+0.0 %)"));
   EXPECT_NE(once, sized.result.out);
 }
 
@@ -86,10 +87,9 @@ TEST(Size, OfATargetOutOfReachSaysByHowMuchAndExitsWithOne) {
       {"TR1", "--target", "1=0.4,2=0.6", "--vary", "contact_angle[T2-T3]=1..9", "--nominal"});
   EXPECT_EQ(sized.result.exit_code, 1);
   EXPECT_EQ(sized.result.err, "");
-  EXPECT_NE(sized.result.out.find("shares miss it by 0.3934 at best, where finger 1 has 0.6782 "
-                                  "of all pull instead of 0.4"),
-            std::string::npos)
-      << sized.result.out;
+  EXPECT_TRUE(has(sized.result.out,
+                  "shares miss it by 0.3934 at best, where finger 1 has 0.6782 "
+                  "of all pull instead of 0.4"));
 }
 
 // Shares that are met at the nominal coefficients and missed by what suits all of them.
@@ -99,9 +99,7 @@ TEST(Size, OfATargetForAllCoefficientsDoesNotSayOneNumberInsteadOfItself) {
   const std::string& out = sized.result.out;
   const std::size_t instead = out.find(" of all pull instead of ");
   if (instead == std::string::npos) {
-    EXPECT_NE(out.find("there are dimensions that meet it; those above, sized for the quantile"),
-              std::string::npos)
-        << out;
+    EXPECT_TRUE(has(out, "there are dimensions that meet it; those above, sized for the quantile"));
   } else {
     const std::string has = out.substr(out.rfind(' ', instead - 1) + 1);
     const std::string wanted = out.substr(instead + 24);
@@ -114,16 +112,15 @@ TEST(Size, SaysUnitsAndWhatAnyMeans) {
   const Sized force({"M-1b-T-2b-B-3b-M", "--hardware", hand, "--goal", "motor_force", "--vary",
                      "tip_angle=2..4", "--nominal", "--starts", "1"});
   const std::string headline = force.result.out.substr(force.result.out.find("M-1b"));
-  EXPECT_NE(headline.substr(0, headline.find('\n')).find(" N ("), std::string::npos) << headline;
-  EXPECT_NE(force.result.out.find("any: alone, as far as its bounds and their width beyond; ≥: "
-                                  "all at once it was tried no further than its other side's "
-                                  "tolerance"),
-            std::string::npos)
-      << force.result.out;
+  EXPECT_TRUE(has(headline.substr(0, headline.find('\n')), " N (")) << headline;
+  EXPECT_TRUE(has(force.result.out,
+                  "any: alone, as far as its bounds and their width beyond; ≥: "
+                  "all at once it was tried no further than its other side's "
+                  "tolerance"));
   // No number that reads as a limit stands beside "any".
   const std::string row = headline.substr(headline.find("\ntip_angle["));
-  EXPECT_NE(row.substr(0, row.find('\n', 1)).find("any"), std::string::npos) << row;
-  EXPECT_NE(row.substr(0, row.find('\n', 1)).find(" ≥ "), std::string::npos) << row;
+  EXPECT_TRUE(has(row.substr(0, row.find('\n', 1)), "any")) << row;
+  EXPECT_TRUE(has(row.substr(0, row.find('\n', 1)), " ≥ ")) << row;
 }
 
 // Longer arms ask for less force and more stroke than this motor has.
@@ -135,18 +132,15 @@ TEST(Size, SaysWhereItsMotorIsNotEnoughForWhatWasSized) {
         .result.out;
   };
   const std::string longer = out("arm_mm=10..14");
-  EXPECT_NE(longer.find("\nThe motor's stroke of 90 mm is not enough as it is sized: "),
-            std::string::npos)
-      << longer;
-  EXPECT_EQ(longer.find("The motor's force of"), std::string::npos) << longer;
-  EXPECT_NE(longer.find("\nstroke                 mm "), std::string::npos) << longer;
-  EXPECT_EQ(out("arm_mm=9..10").find("is not enough"), std::string::npos);
+  EXPECT_TRUE(has(longer, "\nThe motor's stroke of 90 mm is not enough as it is sized: "));
+  EXPECT_FALSE(has(longer, "The motor's force of"));
+  EXPECT_TRUE(has(longer, "\nstroke                 mm "));
+  EXPECT_FALSE(has(out("arm_mm=9..10"), "is not enough"));
 }
 
 TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {
   Sized sized({});
-  ProcessOptions options;
-  options.directory = sized.folder.path();
+  ProcessOptions options{.directory = sized.folder.path()};
   ASSERT_EQ(reeve("explore --out explored --grasps paper", options).exit_code, 0);
   const Arguments size("--from explored --top 3 --vary sheath_angle=3..9 --nominal --format json");
   sized.run(size);
@@ -184,8 +178,7 @@ TEST(Size, WritesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Size, StoppedGivesTheBestSoFarAndSaysPartial) {
-  ProcessOptions options;
-  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 500ms)};
+  ProcessOptions options{.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 500ms)}};
   const Sized sized({"M-1-P-2-P-3-P-4-P-5-F", "--vary", "sheath_angle=3..9", "--vary",
                      "tip_angle=1..4", "--draws", "10000", "--evaluations", "1000000", "--threads",
                      "2", "--save-hardware", "h.toml"},
@@ -194,8 +187,7 @@ TEST(Size, StoppedGivesTheBestSoFarAndSaysPartial) {
   EXPECT_EQ(sized.result.exit_code, 3);
   EXPECT_TRUE(sized.result.out.starts_with("PARTIAL: stopped; the best so far"))
       << sized.result.out;
-  EXPECT_NE(read_text(sized.folder.path() / "h.toml").find("# The search was stopped"),
-            std::string::npos);
+  EXPECT_TRUE(has(read_text(sized.folder.path() / "h.toml"), "# The search was stopped"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "store/schema.hpp"
 #include "tests/integration/stored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -130,8 +131,7 @@ TEST_F(DamagedStore, IsNotWrittenWhereItsFreePagesAreNotFree) {
   folder_.write("s.db", damaged);
   const ProcessResult result = explore(asked_);
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("--store: s.db: it is damaged or cut off ("), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(has(result.err, "--store: s.db: it is damaged or cut off ("));
   EXPECT_TRUE(read_text(store()) == damaged);
 }
 

@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "tests/integration/stored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -44,9 +45,7 @@ TEST_F(Stored, GoesOnAfterAKillInTheMiddleOfAWrite) {
   const Explored whole(some_work);
   for (const rlim_t limit : {20000, 90000, 200000, 333333}) {
     SCOPED_TRACE(limit);
-    ProcessOptions options;
-    options.file_size_limit = limit;
-    options.dies_at_file_size_limit = true;
+    ProcessOptions options{.file_size_limit = limit, .dies_at_file_size_limit = true};
     EXPECT_EQ(explore(some_work, options).signal, SIGXFSZ);
   }
   EXPECT_EQ(explore(some_work).exit_code, 0);
@@ -55,14 +54,12 @@ TEST_F(Stored, GoesOnAfterAKillInTheMiddleOfAWrite) {
 
 TEST_F(Stored, SaysThatTheDiskIsFullAndGoesOnLater) {
   const Explored whole(some_work);
-  ProcessOptions options;
-  options.file_size_limit = 250000;
+  ProcessOptions options{.file_size_limit = 250000};
   const ProcessResult full = explore(some_work, options);
   EXPECT_EQ(full.exit_code, 2);
-  EXPECT_NE(full.err.find("reeve: s.db: it cannot be written further; it holds what was stored "
-                          "before ("),
-            std::string::npos)
-      << full.err;
+  EXPECT_TRUE(has(full.err,
+                  "reeve: s.db: it cannot be written further; it holds what was stored "
+                  "before ("));
   EXPECT_EQ(explore(some_work).exit_code, 0);
   expect_same_below(folder_.path() / "out", whole.out());
 }
@@ -142,12 +139,10 @@ TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
           "UPDATE about SET value = 'x' WHERE key = 'exploration'");
   const ProcessResult result = explore({});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("with another version of reeve: 0.0.1, and not "), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(has(result.err, "with another version of reeve: 0.0.1, and not "));
   const ProcessResult ranked = run("rank --store s.db");
   EXPECT_EQ(ranked.exit_code, 2);
-  EXPECT_NE(ranked.err.find("s.db: it was made by another version of reeve"), std::string::npos)
-      << ranked.err;
+  EXPECT_TRUE(has(ranked.err, "s.db: it was made by another version of reeve"));
 }
 
 TEST_F(Stored, RefusesWhatIsNoStore) {
@@ -204,9 +199,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
   execute(store(), "UPDATE archive SET routing = '1-Q' WHERE number = 0");
   const ProcessResult word = explore({});
   EXPECT_EQ(word.exit_code, 2);
-  EXPECT_NE(word.err.find("--store: s.db: routing '1-Q', column 3: unknown token 'Q'"),
-            std::string::npos)
-      << word.err;
+  EXPECT_TRUE(has(word.err, "--store: s.db: routing '1-Q', column 3: unknown token 'Q'"));
 }
 
 // Values and words that might as well be there, rows that are gone.
@@ -320,14 +313,13 @@ TEST_F(Stored, RefusesAFileThatWasCutOff) {
        {"explore --store s.db", "rank --store s.db", "merge s.db --out m"}) {
     const ProcessResult result = run(command);
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("s.db: it is damaged or cut off ("), std::string::npos) << result.err;
+    EXPECT_TRUE(has(result.err, "s.db: it is damaged or cut off ("));
   }
 }
 
 // As somebody whom the permissions of files bind, which they do not root.
 ProcessResult as_nobody(const Arguments& arguments, const fs::path& directory) {
-  ProcessOptions options;
-  options.directory = directory;
+  ProcessOptions options{.directory = directory};
   Arguments command;
   if (::geteuid() == 0) command = {"setpriv", "--reuid=65534", "--clear-groups"};
   command.emplace_back(REEVE_EXECUTABLE);
@@ -350,8 +342,7 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   if (as_usual("--version").exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
   const ProcessResult result = as_usual("explore --fingers 4 --out out --store s.db");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("--store: s.db: it cannot be written ("), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(has(result.err, "--store: s.db: it cannot be written ("));
   const ProcessResult ranked = as_usual("rank --store s.db");
   EXPECT_EQ(ranked.exit_code, 0) << ranked.err;
   fs::permissions(folder_.path(), fs::perms(0755));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/stored.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -88,7 +89,7 @@ TEST_P(RankedGap, SaysThatDesignsMayBeMissing) {
   const Json json = Json::parse(ranked("json").out);
   EXPECT_FALSE(json["exact"]);
   EXPECT_EQ(json["inexact_because"].size(), 1U);
-  EXPECT_NE(ranked("table").out.find("Note: not exact: "), std::string::npos);
+  EXPECT_TRUE(has(ranked("table").out, "Note: not exact: "));
   const std::string csv = ranked("csv").out;
   EXPECT_TRUE(csv.starts_with("# not exact: ")) << csv;
   // It has reason to.
@@ -110,7 +111,7 @@ class RankedFew : public RankedStore {};
 TEST_P(RankedFew, IsExactSinceNoneWasLeftOut) {
   ASSERT_EQ(explore("--fingers 2 --top 60").exit_code, 0);
   ASSERT_TRUE(Json::parse(ranked("json").out)["exact"]);
-  EXPECT_EQ(ranked("table").out.find("not exact"), std::string::npos);
+  EXPECT_FALSE(has(ranked("table").out, "not exact"));
   Arguments arguments("--fingers 2 --top 60");
   arguments.insert(arguments.end(), GetParam().asked.begin(), GetParam().asked.end());
   EXPECT_TRUE(ranked("csv").out == without_id(Explored(arguments).file("designs.csv")));
@@ -153,11 +154,11 @@ TEST_F(Stored, IsNotExactWhereEqualsWereLeftOut) {
 
 TEST_F(Stored, WithAllDesignsSaysThatAllWereEvaluated) {
   const Arguments asked("--fingers 3 --constraint sheaths<=1");
-  EXPECT_NE(explore(asked).out.find("\nOf the 426 that are actuated 394 fail by their parts alone; "
-                                    "the other 32 evaluated, "),
-            std::string::npos);
+  EXPECT_TRUE(has(explore(asked).out,
+                  "\nOf the 426 that are actuated 394 fail by their parts alone; "
+                  "the other 32 evaluated, "));
   std::filesystem::remove(store());
-  EXPECT_NE(explore(asked, {}, {"--keep", "all"}).out.find("\n426 evaluated, "), std::string::npos);
+  EXPECT_TRUE(has(explore(asked, {}, {"--keep", "all"}).out, "\n426 evaluated, "));
 }
 
 // No option would give them.
@@ -213,9 +214,8 @@ TEST_F(Stored, IsRankedByItsOwnHardwareAlone) {
   ASSERT_EQ(explore({}).exit_code, 0);
   const ProcessResult result = run("rank --store s.db --grasps none");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("--grasps: a store has been evaluated already; expected with --store"),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(
+      has(result.err, "--grasps: a store has been evaluated already; expected with --store"));
   EXPECT_EQ(run("rank TR1 --top 3").exit_code, 2);
 }
 
@@ -280,9 +280,8 @@ class StoreLines : public Stored {
   }
 
   ProcessResult run_in(const Arguments& command) const {
-    ProcessOptions options;
-    options.directory = folder_.path();
-    options.environment = {{"PYTHONWARNINGS", "ignore"}};
+    ProcessOptions options{.directory = folder_.path(),
+                           .environment = {{"PYTHONWARNINGS", "ignore"}}};
     return run_process(command, options);
   }
 

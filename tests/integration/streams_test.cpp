@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -17,16 +18,14 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(Progress, IsSilentWhereStderrIsNoTerminal) {
-  ProcessOptions options;
-  options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
+  ProcessOptions options{.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)}};
   const Explored explored("--fingers 9 --top 10", options);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
 }
 
 TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
-  ProcessOptions options;
-  options.stderr_is_terminal = true;
+  ProcessOptions options{.stderr_is_terminal = true};
   options.environment["TERM"] = "xterm";
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
@@ -35,8 +34,8 @@ TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
   ASSERT_FALSE(explored.result.timed_out);
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_TRUE(explored.result.err.starts_with("\rexploring [>")) << explored.result.err;
-  EXPECT_NE(explored.result.err.find("]   0 %, "), std::string::npos);
-  EXPECT_NE(explored.result.err.find(" a second, "), std::string::npos);
+  EXPECT_TRUE(has(explored.result.err, "]   0 %, "));
+  EXPECT_TRUE(has(explored.result.err, " a second, "));
   EXPECT_TRUE(explored.result.err.ends_with("\r\x1b[K")) << explored.result.err;
   // The table stays clean.
   EXPECT_EQ(explored.result.out.find('\x1b'), std::string::npos);
@@ -44,24 +43,20 @@ TEST(Progress, ShowsShareRateAndTimeLeftOnATerminalAndWipesItself) {
 
 // Codes would be shown as they are.
 TEST(Progress, IsSilentOnATerminalThatKnowsNoCodes) {
-  ProcessOptions options;
-  options.stderr_is_terminal = true;
+  ProcessOptions options{.stderr_is_terminal = true};
   options.environment["TERM"] = "dumb";
   options.disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 1s)};
   EXPECT_EQ(Explored("--fingers 9 --top 10", options).result.err, "");
 }
 
 TEST(Progress, LeavesNoTraceOfShortWork) {
-  ProcessOptions options;
-  options.stderr_is_terminal = true;
+  ProcessOptions options{.stderr_is_terminal = true};
   EXPECT_EQ(Explored("--fingers 2", options).result.err, "");
 }
 
 TEST(FullStdout, IsAnError) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
-  options.stdout_to = "/dev/full";
+  ProcessOptions options{.directory = folder.path(), .stdout_to = "/dev/full"};
   for (const Arguments arguments : {"show TR1", "show TR1 --format dot", "rank --catalog", "count",
                                     "check", "explore --out out"}) {
     SCOPED_TRACE(arguments[0]);
@@ -73,14 +68,11 @@ TEST(FullStdout, IsAnError) {
 
 TEST(FullStdout, IsAmongTheExitCodesOfTheHelp) {
   const std::string help = reeve("--help").out;
-  EXPECT_NE(help.find("3 interrupted, standard output cannot be written, not enough memory"),
-            std::string::npos)
-      << help;
+  EXPECT_TRUE(has(help, "3 interrupted, standard output cannot be written, not enough memory"));
 }
 
 TEST(FullStdout, IsAnErrorForHelpAndVersionToo) {
-  ProcessOptions options;
-  options.stdout_to = "/dev/full";
+  ProcessOptions options{.stdout_to = "/dev/full"};
   EXPECT_EQ(reeve("--help", options).exit_code, 3);
   EXPECT_EQ(reeve("--version", options).exit_code, 3);
 }
@@ -97,8 +89,7 @@ TEST(WrittenFile, GoesThroughDevicesLinksAndDescriptors) {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/null", folder.path() / "null");
   std::filesystem::create_symlink("target", folder.path() / "link");
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   for (const Arguments& command :
        {Arguments("simulate --routings TR5 -o"), Arguments("show TR5 --svg"),
         Arguments("check --svg"),
@@ -124,7 +115,7 @@ TEST(WrittenFile, GoesThroughDevicesLinksAndDescriptors) {
     EXPECT_EQ(out.out.substr(0, written.size()).substr(0, 40), written.substr(0, 40));
     const ProcessResult full = with("/dev/full");
     EXPECT_EQ(full.exit_code, 2);
-    EXPECT_NE(full.err.find("No space left on device"), std::string::npos) << full.err;
+    EXPECT_TRUE(has(full.err, "No space left on device"));
   }
 }
 
@@ -132,8 +123,7 @@ TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("b", folder.path() / "a");
   std::filesystem::create_symlink("a", folder.path() / "b");
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   for (const Arguments& command :
        {Arguments{"explore"}, Arguments("show TR1"), Arguments("rank TR1 TR7"),
         Arguments{"compare", readings}, Arguments{"diagnose", readings}}) {
@@ -155,8 +145,7 @@ TEST(Folder, ThatCannotBeMadeIsNamedWithTheReason) {
 // Before the search, which may take hours.
 TEST(Explore, RefusesAFolderInWhichOneOfItsFilesCannotBeWritten) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = folder.path();
+  ProcessOptions options{.directory = folder.path()};
   const auto refusal = [&](const std::string& out) {
     const ProcessResult result = reeve({"explore", "--fingers", "16", "--out", out}, options);
     EXPECT_EQ(result.exit_code, 2);
@@ -215,9 +204,9 @@ TEST_F(Pipe, ThatNobodyReadsIsLeftOnCtrlC) {
                "--save-model", "pipe"},
               options_);
     EXPECT_EQ(result.exit_code, 3) << result.signal;
-    EXPECT_NE(result.err.find("reeve: interrupted"), std::string::npos) << result.err;
+    EXPECT_TRUE(has(result.err, "reeve: interrupted"));
     if (is_said) {
-      EXPECT_NE(result.err.find(": nobody reads '"), std::string::npos) << result.err;
+      EXPECT_TRUE(has(result.err, ": nobody reads '"));
     }
   }
 }

@@ -11,6 +11,7 @@
 
 #include "reports/document/text_width.hpp"
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -31,8 +32,7 @@ std::string on_terminal(const Arguments& arguments, unsigned short width,
 }
 
 std::string piped(const Arguments& arguments, Environment environment = {}) {
-  ProcessOptions options;
-  options.environment = std::move(environment);
+  ProcessOptions options{.environment = std::move(environment)};
   return reeve(arguments, options).out;
 }
 
@@ -116,14 +116,13 @@ TEST(Width, LimitsNothingInAPipe) {
 
 TEST(Width, ThatLeavesColumnsOutSaysWhichAndWhereTheyAre) {
   const std::string narrow = without_colour(on_terminal({"rank", "--catalog"}, 60));
-  EXPECT_NE(narrow.find("\nLeft out for want of room: "), std::string::npos) << narrow;
-  EXPECT_NE(narrow.find("knots"), std::string::npos);
-  EXPECT_EQ(on_terminal({"rank", "--catalog"}, 200).find("Left out"), std::string::npos);
+  EXPECT_TRUE(has(narrow, "\nLeft out for want of room: "));
+  EXPECT_TRUE(has(narrow, "knots"));
+  EXPECT_FALSE(has(on_terminal({"rank", "--catalog"}, 200), "Left out"));
 }
 
 TEST(Progress, FitsTheWindow) {
-  ProcessOptions options;
-  options.stderr_is_terminal = true;
+  ProcessOptions options{.stderr_is_terminal = true};
   options.environment["TERM"] = "xterm";
   options.disturbance = Disturbance{SIGINT, [](const RunningProcess& process) {
                                       return process.err.find(" s left") != std::string::npos;
@@ -140,7 +139,7 @@ TEST(Progress, FitsTheWindow) {
 
 TEST(Pages, AreAnnounced) {
   const Explored explored({});
-  EXPECT_NE(explored.result.out.find("\nPage: out/index.html\n"), std::string::npos);
+  EXPECT_TRUE(has(explored.result.out, "\nPage: out/index.html\n"));
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "page").string();
   const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -107,11 +108,10 @@ TEST(Bands, AreThereForKnownRoutingsBeyondTheList) {
 
 TEST(SharedPlaces, AreSaidInWordsAndInTheTable) {
   const std::string text = reeve("rank TR7 1-P-2b-P-1 TR1 --uncertainty --draws 9").out;
-  EXPECT_NE(text.find("First place is shared by TR7 and 1-P-2b-P-1, which are equal in all that is "
-                      "ranked; it is shared in 100.0 % of the draws"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("100.0 %, shared"), std::string::npos);
+  EXPECT_TRUE(has(text,
+                  "First place is shared by TR7 and 1-P-2b-P-1, which are equal in all that is "
+                  "ranked; it is shared in 100.0 % of the draws"));
+  EXPECT_TRUE(has(text, "100.0 %, shared"));
 }
 
 TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
@@ -140,11 +140,10 @@ TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
   // README: TR7 by the authors' own measure is first with much friction only.
   EXPECT_EQ(sweep["leads"].size(), 3U);
   EXPECT_EQ(sweep["leads"][1]["first"].dump(), R"(["F-1-P-2-F","1-T-2-P-1"])");
-  EXPECT_NE(result.out.find("\nTR3 and TR6, which are equal, come first from 0.0"),
-            std::string::npos);
+  EXPECT_TRUE(has(result.out, "\nTR3 and TR6, which are equal, come first from 0.0"));
   const std::string html = read_text(folder.path() / "index.html");
-  EXPECT_NE(html.find("<p>TR3 and TR6, which are equal, come first from 0.0"), std::string::npos);
-  EXPECT_NE(html.find("id=\"sweep-score\""), std::string::npos);
+  EXPECT_TRUE(has(html, "<p>TR3 and TR6, which are equal, come first from 0.0"));
+  EXPECT_TRUE(has(html, "id=\"sweep-score\""));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "figures" / "sweep-score.svg"));
 }
 
@@ -158,7 +157,7 @@ TEST(Sweep, OfAnExplorationIsOfTheFirstTheLadderAndTheFront) {
   for (const Json& rung : summary["ladder"]["rungs"]) {
     EXPECT_NE(std::find(words.begin(), words.end(), rung["routing"]), words.end());
   }
-  EXPECT_NE(explored.file("sweep.csv").find("\ntube_mu,0.2,"), std::string::npos);
+  EXPECT_TRUE(has(explored.file("sweep.csv"), "\ntube_mu,0.2,"));
   EXPECT_FALSE(summary["partial"]);
 }
 

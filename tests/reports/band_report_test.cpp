@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"

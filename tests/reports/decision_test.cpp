@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/ladder_report.hpp"
 

@@ -13,7 +13,7 @@
 #include "core/notation.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve {
 namespace {

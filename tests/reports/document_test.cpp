@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "reports/document/document_latex.hpp"
-#include "reports/document/document_markdown.hpp"
-#include "reports/document/document_text.hpp"
 
 namespace reeve {
 namespace {

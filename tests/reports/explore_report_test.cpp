@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
 
 namespace reeve {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/notation.hpp"
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 #include "studies/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
 

@@ -1,5 +1,4 @@
 // Tables for papers: chosen columns, decimal marks below each other, and a stated width.
-#include "reports/document/latex_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +95,7 @@ TEST(LatexTables, StillTooWideAreRefusedBeforehandWithWhatFits) {
   const std::string refused = complaint(chosen, 26);
   EXPECT_EQ(refused.find("--text-width '26 mm': expected "), 0U) << refused;
   EXPECT_TRUE(has(refused, "or fewer of them: rank,routing fit")) << refused;
-  const double takes_mm = least_width_pt(chosen) / pt_in_mm;
+  const double takes_mm = least_width_pt(Document{{{"", chosen, {}}}}) / pt_in_mm;
   EXPECT_EQ(complaint(chosen, takes_mm + 0.01), "");
   EXPECT_NE(complaint(chosen, takes_mm - 0.01), "");
   // Of columns that nobody chose it is enough that each stands beside the first.

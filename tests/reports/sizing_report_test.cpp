@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
-#include "reports/document/document_text.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve {
 namespace {

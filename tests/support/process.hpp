@@ -31,16 +31,16 @@ struct Disturbance {
 
 struct ProcessOptions {
   std::filesystem::path directory = ".";
-  std::map<std::string, std::string> environment;  // besides the caller's
-  std::chrono::seconds timeout{120};               // then it is killed
-  std::filesystem::path stdout_to;                 // a file instead of the pipe
+  std::map<std::string, std::string> environment = {};  // besides the caller's
+  std::chrono::seconds timeout{120};                    // then it is killed
+  std::filesystem::path stdout_to = {};                 // a file instead of the pipe
   bool stderr_is_terminal = false;
   // A terminal as wide as that, in columns, instead of the pipe; 0: it does not know its width.
-  std::optional<unsigned short> stdout_terminal_width;
-  std::optional<Disturbance> disturbance;
+  std::optional<unsigned short> stdout_terminal_width = {};
+  std::optional<Disturbance> disturbance = {};
   // Bytes that a file may have: beyond them nothing can be written, as on a full disk. Or the
   // kernel kills the process there (SIGXFSZ), though it would ignore that.
-  std::optional<rlim_t> file_size_limit;
+  std::optional<rlim_t> file_size_limit = {};
   bool dies_at_file_size_limit = false;
 };
 
