@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
+#include "diagnosis/diagnosis_result.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/naming.hpp"
 #include "diagnosis/plan/power.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/explanation.hpp"

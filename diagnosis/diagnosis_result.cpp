@@ -1,6 +1,49 @@
 #include "diagnosis/diagnosis_result.hpp"
 
+#include <utility>
+
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/search/candidates.hpp"
+
 namespace reeve::diagnosis {
+
+NamedCause named_cause(const Effect& effect, double p_value) {
+  NamedCause cause;
+  cause.effect = effect;
+  cause.name = effect_name(effect);
+  cause.p_value = p_value;
+  return cause;
+}
+
+std::vector<AppliedCause> applied(const std::vector<NamedCause>& causes) {
+  std::vector<AppliedCause> result;
+  result.reserve(causes.size());
+  for (const NamedCause& cause : causes) result.push_back({cause.name, cause.effect});
+  return result;
+}
+
+EstimatedParameter estimated(const Effect& effect, std::size_t p, const ParameterInterval& interval,
+                             const Hardware& hardware, double force_scale) {
+  const Parameter parameter = searched_parameters(*effect.cause, hardware, force_scale)[p];
+  const bool at_bound = !parameter.ends_by_nature && (interval.low <= parameter.range.low ||
+                                                      interval.high >= parameter.range.high);
+  return {parameter.name, parameter.unit,    effect.values[p],     interval.low,
+          interval.high,  parameter.nominal, parameter.literature, at_bound};
+}
+
+void describe(std::vector<NamedCause>& causes, const Model& model, const Hardware& hardware,
+              const std::vector<std::vector<ParameterInterval>>& intervals, double force_scale) {
+  for (NamedCause& cause : causes) {
+    const std::size_t e = place(model, cause.effect);
+    cause.effect = model.effects[e];
+    cause.meaning = cause.effect.cause->meaning();
+    cause.detail = detail(cause.effect);
+    for (std::size_t p = 0; p < cause.effect.values.size(); ++p) {
+      cause.parameters.push_back(
+          estimated(cause.effect, p, intervals[e][p], hardware, force_scale));
+    }
+  }
+}
 
 const char* verdict_name(Verdict verdict) {
   switch (verdict) {

@@ -1,14 +1,17 @@
 // What a diagnosis says (diagnose.hpp), in values.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "causes/model.hpp"
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/intervals.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
+#include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/group_estimates.hpp"
@@ -106,5 +109,17 @@ struct DiagnosisResult {
   std::size_t thinned_rows = 0;  // beyond most_readings
   std::vector<DataNote> notes;
 };
+
+NamedCause named_cause(const Effect& effect, double p_value);
+
+std::vector<AppliedCause> applied(const std::vector<NamedCause>& causes);
+
+// The p-th parameter of an effect, as it is searched where forces are of this scale.
+EstimatedParameter estimated(const Effect& effect, std::size_t p, const ParameterInterval& interval,
+                             const Hardware& hardware, double force_scale);
+
+// Adds what the model has of each; `intervals` is parallel to its effects.
+void describe(std::vector<NamedCause>& causes, const Model& model, const Hardware& hardware,
+              const std::vector<std::vector<ParameterInterval>>& intervals, double force_scale);
 
 }  // namespace reeve::diagnosis

@@ -7,6 +7,15 @@
 namespace reeve::reports {
 namespace {
 
+void add_note(const char* parts, double mu, const MuRange& range, std::vector<std::string>& notes) {
+  if (range.low <= mu && mu <= range.high) return;
+  notes.push_back(fmt::format(
+      "the nominal friction coefficient of {}, {:.4g}, is outside its range, {:.4g} "
+      "to {:.4g}, which is widened to hold it: [uncertainty] of the hardware file gives "
+      "another",
+      parts, mu, range.low, range.high));
+}
+
 Json subject_json(const Effect& effect) {
   const Subject& subject = effect.subject;
   switch (effect.cause->subject_kind()) {
@@ -64,6 +73,13 @@ std::string absent_finger_note(const std::string& what, int finger) {
 }
 
 }  // namespace
+
+std::vector<std::string> range_notes(const Hardware& nominal, const UncertaintyRanges& ranges) {
+  std::vector<std::string> notes;
+  add_note("tubes", nominal.tube.mu, ranges.tube_mu, notes);
+  add_note("sheaths", nominal.sheath.mu, ranges.sheath_mu, notes);
+  return notes;
+}
 
 Json model_json(const Model& model, std::uint64_t unconverged) {
   if (model.effects.empty()) return nullptr;

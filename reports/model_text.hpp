@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "core/hardware.hpp"
+#include "core/uncertainty_ranges.hpp"
 #include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 
@@ -23,5 +25,9 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
 // fingers do not have.
 std::vector<std::string> absent_finger_notes(const Model& model, int fingers);
 std::vector<DocumentLine> absent_finger_lines(const Model& model, int fingers);
+
+// A sentence for each coefficient that its own range leaves out: ranges that nobody has given are
+// those of Teflon on steel, whatever the hardware's own coefficients are.
+std::vector<std::string> range_notes(const Hardware& nominal, const UncertaintyRanges& ranges);
 
 }  // namespace reeve::reports

@@ -8,7 +8,6 @@
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/ladder_report.hpp"
-#include "reports/exploration/range_notes.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/json.hpp"

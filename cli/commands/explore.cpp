@@ -14,7 +14,6 @@
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/flags/explore_flags.hpp"
-#include "cli/flags/parsed_explore.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/launched.hpp"

@@ -19,7 +19,7 @@
 #include "core/input_file.hpp"
 #include "reports/exploration/explored_folder.hpp"
 #include "reports/exploration/shard_file.hpp"
-#include "reports/exploration/stored_shards.hpp"
+#include "reports/exploration/store_description.hpp"
 
 namespace reeve::cli {
 namespace {

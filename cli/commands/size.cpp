@@ -1,3 +1,6 @@
+#include "sizing/size.hpp"
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +12,7 @@
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/flags/size_flags.hpp"
+#include "cli/flags/table_flags.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
@@ -21,7 +24,6 @@
 #include "pages/pages.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/explored_folder.hpp"
-#include "reports/exploration/range_notes.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/files.hpp"
 #include "reports/sizing_report.hpp"
@@ -29,6 +31,106 @@
 
 namespace reeve::cli {
 namespace {
+
+struct SizeFlags {
+  std::vector<std::string> routings;
+  std::string from;
+  CLI::Option* from_given = nullptr;
+  std::size_t top = 20;
+  std::vector<std::string> vary;
+  std::vector<std::string> same;
+  std::string goal = "uniformity*efficiency";
+  std::string target;
+  CLI::Option* target_given = nullptr;
+  std::string grasps = "single";
+  CLI::Option* grasps_given = nullptr;
+  std::string score = "authors";
+  CLI::Option* score_given = nullptr;
+  bool nominal = false;
+  SizingOptions search;  // draws, seed, starts, evaluations, threads
+  std::string save;
+  CLI::Option* save_given = nullptr;
+  OutOption out;
+  ModelOption model;
+  TableFlags tables;
+  FormatOption format;
+};
+
+void add_goal(CLI::App& command, SizeFlags& flags) {
+  CLI::Option* goal =
+      command
+          .add_option("--goal", flags.goal,
+                      "What to make the most of: an objective, or a product such as "
+                      "uniformity_worst*efficiency_worst; score: that of --score")
+          ->capture_default_str();
+  flags.target_given =
+      command
+          .add_option("--target", flags.target,
+                      "Instead: how hard the fingers are to pull, relative to each other, such as "
+                      "1=2,others=1")
+          ->excludes(goal);
+  flags.score_given =
+      command.add_option("--score", flags.score, "For --goal score: objectives with weights")
+          ->default_str("authors");
+  flags.grasps_given = command
+                           .add_option("--grasps", flags.grasps,
+                                       "As of rank; with --target none held, unless they are given")
+                           ->capture_default_str();
+}
+
+void add_search(CLI::App& command, SizeFlags& flags) {
+  SizingOptions& search = flags.search;
+  CLI::Option* nominal = command.add_flag(
+      "--nominal", flags.nominal,
+      "Size for the coefficients as they are, and not for the 5 % quantile over their ranges");
+  command.add_option("--draws", search.draws, "Draws of the coefficients")
+      ->excludes(nominal)
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
+      ->capture_default_str();
+  command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
+      ->check(is_seed)
+      ->capture_default_str();
+  command.add_option("--starts", search.starts, "Local searches, besides the global one")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--evaluations", search.evaluations, "At most, of each search")
+      ->check(CLI::Range(10, 1000000))
+      ->capture_default_str();
+  command
+      .add_option("--threads", search.threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+void add_options(CLI::App& command, SizeFlags& flags) {
+  command.add_option("routing", flags.routings, "Catalogue names or words");
+  flags.from_given = command.add_option("--from", flags.from,
+                                        "Folder of an exploration: also the best of its designs");
+  command.add_option("--top", flags.top, "For --from: how many of them")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+      ->needs(flags.from_given)
+      ->capture_default_str();
+  command
+      .add_option(
+          "--vary", flags.vary,
+          "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
+          "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
+          "arm_mm, contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
+      ->allow_extra_args(false);
+  command
+      .add_option("--same", flags.same,
+                  "What stays equal: tips, sheaths, strands, arms, or dimensions such as "
+                  "'sheath_angle[2,3,4]'. May be given several times")
+      ->allow_extra_args(false);
+  add_goal(command, flags);
+  add_search(command, flags);
+  flags.save_given = command.add_option("--save-hardware", flags.save,
+                                        "Write the hardware, as it is sized, as a TOML file");
+  flags.out.add_to(command, "a page, index.html, with sizing.json and figures/");
+  flags.model.add_to(command);
+  flags.tables.add_to(command, "the dimensions, or of the routings sized");
+  flags.format.add_to(command, with_tables({"json"}));
+}
 
 std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& catalogue) {
   std::vector<Routing> routings;
@@ -272,8 +374,6 @@ int run(const SizeFlags& flags, const CLI::App& command) {
   if (report.partial) return interrupted;
   return best_meets_target(report) ? done : answer_is_no;
 }
-
-void add_options(CLI::App& command, SizeFlags& flags) { flags.add_to(command); }
 
 }  // namespace
 

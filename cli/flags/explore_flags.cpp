@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "cli/command_line.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
@@ -38,6 +39,15 @@ void require_possible_contacts(const Hardware& hardware, const GeneratorOptions&
 }
 
 }  // namespace
+
+ParsedExplore::ParsedExplore(const std::vector<std::string>& arguments, const std::string& place) {
+  flags.add_to(command);
+  try {
+    parse(command, arguments);
+  } catch (const CLI::ParseError& error) {
+    throw InputError({.where = place, .what = error.what()});
+  }
+}
 
 void StoreFlags::add_to(CLI::App& command) {
   constexpr int a_day = 86400;

@@ -63,4 +63,16 @@ struct ExploreFlags {
   FormatOption format;
 };
 
+// The same once more, as a store or the file of a shard keeps them, with the parser that they
+// belong to.
+struct ParsedExplore {
+  // `place` stands before what is wrong with them. Throws InputError.
+  ParsedExplore(const std::vector<std::string>& arguments, const std::string& place);
+  ParsedExplore(const ParsedExplore&) = delete;
+  ParsedExplore& operator=(const ParsedExplore&) = delete;
+
+  CLI::App command{"", "explore"};
+  ExploreFlags flags;
+};
+
 }  // namespace reeve::cli

@@ -11,10 +11,19 @@
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
-#include "diagnosis/fit/sheath_angle.hpp"
+#include "core/network.hpp"
 
 namespace reeve::diagnosis {
 namespace {
+
+// A sheath lies between a motor-side segment and one at the hand; the pulley of a P lies between
+// two motor-side segments.
+bool is_sheath(const ContactHardware& contact) {
+  const auto is_motor_side = [](const std::string& segment) {
+    return parse_segment(segment).kind == SegmentKind::motor_side;
+  };
+  return is_motor_side(contact.segment) != is_motor_side(contact.other_segment);
+}
 
 struct NoForecast {
   std::size_t reading = 0;
@@ -191,6 +200,15 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
 }
 
 }  // namespace
+
+Hardware with_sheath_angle(Hardware hardware, double angle_rad) {
+  hardware.sheath.angle_rad = angle_rad;
+  for (FingerHardware& finger : hardware.fingers) finger.sheath_angle_rad.reset();
+  for (ContactHardware& contact : hardware.contacts) {
+    if (is_sheath(contact)) contact.angle_rad.reset();
+  }
+  return hardware;
+}
 
 std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model) {
   auto result = attempt(dataset, model);

@@ -15,9 +15,14 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "core/hardware.hpp"
 #include "diagnosis/dataset.hpp"
 
 namespace reeve::diagnosis {
+
+// The hardware of a row that says its own wrap angle at the sheaths: over what the hardware says of
+// a finger or a contact.
+Hardware with_sheath_angle(Hardware hardware, double angle_rad);
 
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells

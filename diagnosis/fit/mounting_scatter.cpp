@@ -111,6 +111,15 @@ double penalty(double scatter, double assumed) {
 
 }  // namespace
 
+Problem problem(const Dataset& dataset, const Scatter& scatter, const Model& model,
+                Workers& workers) {
+  const Forecast at = forecast(dataset, model);
+  Problem result = problem(dataset, deviations(dataset, scatter.noise, at.reading_N));
+  settle_motor_deviations(result, at);
+  share_scatter(result, mounting_modes(dataset, model, workers), scatter.mounting.relative, at);
+  return result;
+}
+
 bool is_told(const MountingScatter& scatter, Mounted kind) {
   return scatter.told_by[static_cast<std::size_t>(kind)] >= 1;
 }

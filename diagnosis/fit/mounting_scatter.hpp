@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "diagnosis/fit/mounting.hpp"
+#include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
@@ -52,5 +53,16 @@ MountingScatter believed(MountingScatter scatter);
 // gains it is then as much less as of the assumed ones.
 MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
                                  const MountingModes& modes, std::optional<double> given);
+
+// All that is known of how readings scatter: by themselves (noise.hpp), and together with the
+// others of their mounting.
+struct Scatter {
+  Noise noise;
+  MountingScatter mounting;
+};
+
+// Seen from a model. Throws OutOfRange where it has no tensions.
+Problem problem(const Dataset& dataset, const Scatter& scatter, const Model& model,
+                Workers& workers);
 
 }  // namespace reeve::diagnosis

@@ -6,7 +6,7 @@
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
-#include "diagnosis/fit/sheath_angle.hpp"
+#include "diagnosis/fit/forecast.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 

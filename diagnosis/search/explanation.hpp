@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/cause_search.hpp"
 

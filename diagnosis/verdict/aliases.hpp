@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/search/rivals.hpp"
 
 namespace reeve::diagnosis {

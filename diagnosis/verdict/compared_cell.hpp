@@ -6,7 +6,7 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/chosen_readings.hpp"
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 
 namespace reeve::diagnosis {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/fit/scatter.hpp"
 #include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/held_out.hpp"
 

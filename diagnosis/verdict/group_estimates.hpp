@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "diagnosis/fit/intervals.hpp"
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 
 namespace reeve::diagnosis {
 

@@ -10,7 +10,7 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/dataset.hpp"
-#include "diagnosis/fit/scatter.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {

@@ -11,10 +11,9 @@
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/ladder_report.hpp"
-#include "reports/exploration/range_notes.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/model_text.hpp"
-#include "reports/output/json_text.hpp"
+#include "reports/output/json.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {

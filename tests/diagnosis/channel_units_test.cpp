@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {
@@ -27,8 +28,8 @@ TEST(AChannelsUnit, IsSaidWhereItAloneIsOffByOne) {
     const std::vector<DataNote> notes = notes_with(factor, 1);
     ASSERT_EQ(notes.size(), 1U) << factor;
     EXPECT_EQ(notes[0].kind, NoteKind::units);
-    EXPECT_NE(notes[0].text.find("T1_N reads "), std::string::npos) << notes[0].text;
-    EXPECT_NE(notes[0].text.find(unit), std::string::npos) << notes[0].text;
+    EXPECT_TRUE(has(notes[0].text, "T1_N reads "));
+    EXPECT_TRUE(has(notes[0].text, unit));
   }
 }
 

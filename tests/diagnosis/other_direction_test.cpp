@@ -9,6 +9,7 @@
 
 #include "diagnosis/verdict/run_words.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {
@@ -51,8 +52,7 @@ TEST(TheOtherDirection, IsSeenInARunWhereAllOrSomeAreExchanged) {
       const auto note = odd_directions(wrong);
       ASSERT_TRUE(note) << data.runs[run];
       expect_most_of(lines, *note);
-      EXPECT_NE(note->text.find(" of " + runs_text({run}, data) + " read"), std::string::npos)
-          << note->text;
+      EXPECT_TRUE(has(note->text, " of " + runs_text({run}, data) + " read"));
     }
   }
 }

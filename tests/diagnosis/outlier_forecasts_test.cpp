@@ -7,6 +7,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {
@@ -48,8 +49,7 @@ TEST(OutlierForecasts, AreOfReadingsThatAreChangedWhereNothingElseIs) {
     EXPECT_EQ(note != nullptr, held_out);
     if (note != nullptr) {
       EXPECT_EQ(note->lines, std::vector<std::size_t>{reading.line});
-      EXPECT_NE(note->text.find("1 reading of held-out runs is more than"), std::string::npos)
-          << note->text;
+      EXPECT_TRUE(has(note->text, "1 reading of held-out runs is more than"));
     }
     *tension = was;
   }

@@ -11,6 +11,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {
@@ -57,8 +58,8 @@ void expect_followed(const MeasuredData& data, const std::string& channel, std::
   EXPECT_EQ(result.verdict, Verdict::unexplained);
   ASSERT_EQ(count_notes(result.notes, NoteKind::outlier_groups), 1U);
   const std::string text = note_text(result.notes, NoteKind::outlier_groups);
-  EXPECT_NE(text.find("readings of " + channel + " in "), std::string::npos) << text;
-  EXPECT_NE(text.find("Noise chooses no channel"), std::string::npos) << text;
+  EXPECT_TRUE(has(text, "readings of " + channel + " in "));
+  EXPECT_TRUE(has(text, "Noise chooses no channel"));
   std::set<std::string> runs(data.runs.begin() + static_cast<std::ptrdiff_t>(first_run),
                              data.runs.end());
   EXPECT_EQ(runs_of_lines(data, noted_lines(result.notes, NoteKind::outlier_groups)), runs) << text;
@@ -89,8 +90,8 @@ TEST(OutlierGroups, IsASensorThatScattersMoreAndNothingToExplain) {
       }));
   EXPECT_FALSE(result.unexplained && result.unexplained->about == "channel and run");
   const std::string text = note_text(result.notes, NoteKind::outlier_groups);
-  EXPECT_NE(text.find("readings of T2 in all runs"), std::string::npos) << text;
-  EXPECT_NE(text.find("give its noise"), std::string::npos) << text;
+  EXPECT_TRUE(has(text, "readings of T2 in all runs"));
+  EXPECT_TRUE(has(text, "give its noise"));
 }
 
 TEST(OutlierGroups, AreNoneByHeavyTailsAndMountings) {

@@ -1,4 +1,3 @@
-#include "diagnosis/search/screening.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,9 @@
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"
-#include "reports/exploration/range_notes.hpp"
 #include "reports/exploration/sweep_report.hpp"
+#include "reports/model_text.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -61,11 +62,11 @@ TEST(ShareText, DoesNotRoundSomeToNoneOrMostToAll) {
 
 TEST(BandTable, SaysHowOftenAllConstraintsAreMet) {
   ListedDesign design = drawn_design("1-P-2-P-1", 1, 1);
-  EXPECT_EQ(text(band_table({design}, {})).find("meets all"), std::string::npos);
+  EXPECT_FALSE(testing::has(text(band_table({design}, {})), "meets all"));
   design.constraints_met = 0.375;
   const std::string table = text(band_table({design}, {}));
-  EXPECT_NE(table.find("meets all"), std::string::npos);
-  EXPECT_NE(table.find("     37.5 %  75.0 %, 25.0 % shared"), std::string::npos) << table;
+  EXPECT_TRUE(testing::has(table, "meets all"));
+  EXPECT_TRUE(testing::has(table, "     37.5 %  75.0 %, 25.0 % shared"));
   EXPECT_EQ(to_json(design)["constraints_met"], 0.375);
   EXPECT_TRUE(design_csv({design}).ends_with(",0.32209,0.375\n"));
 }
@@ -185,12 +186,12 @@ TEST(DesignCsv, EndsWithPlaceAndBands) {
   without.distribution.reset();
   without.bands.clear();
   const std::string csv = design_csv({drawn_design("A", 1, 1), without});
-  EXPECT_NE(csv.find(",rank_p95,same_as,place,first_shared,uniformity_mean_median,"
-                     "uniformity_mean_p5,uniformity_mean_p95,efficiency_mean_median,"
-                     "efficiency_mean_p5,efficiency_mean_p95\n"),
-            std::string::npos);
-  EXPECT_NE(csv.find(",0.75,1,1,2,,1,0.25,0.9854,0.9612,0.9931,0.32204,0.32201,0.32209\n"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(csv,
+                           ",rank_p95,same_as,place,first_shared,uniformity_mean_median,"
+                           "uniformity_mean_p5,uniformity_mean_p95,efficiency_mean_median,"
+                           "efficiency_mean_p5,efficiency_mean_p95\n"));
+  EXPECT_TRUE(
+      testing::has(csv, ",0.75,1,1,2,,1,0.25,0.9854,0.9612,0.9931,0.32204,0.32201,0.32209\n"));
   EXPECT_TRUE(csv.ends_with(",,,,,,1,,,,,,,\n"));
 }
 

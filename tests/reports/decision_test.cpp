@@ -8,6 +8,7 @@
 #include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/ladder_report.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -71,17 +72,15 @@ TEST(AnswerLines, GiveNoNumberOfWhatIsInfinite) {
   ladder.ladder.affordable = designs[0];
   ladder.affordable = ladder.rungs[0];
   const std::string lines = lines_text(answer_lines({ladder.rungs[1]}, ladder));
-  EXPECT_NE(lines.find("A: 1 sheath, motor infinite\n"), std::string::npos) << lines;
+  EXPECT_TRUE(testing::has(lines, "A: 1 sheath, motor infinite\n"));
 }
 
 TEST(AnswerLines, SayTheCostInItsUnit) {
   ListedLadder ladder = three_rungs(Objective::cost);
   ladder.cost_unit = "EUR";
   const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_NE(said.find("First: C: cost 30.00 EUR, uniformity"), std::string::npos) << said;
-  EXPECT_NE(said.find("With least cost within 2 % of it: Two (B): cost 12.50 EUR, "),
-            std::string::npos)
-      << said;
+  EXPECT_TRUE(testing::has(said, "First: C: cost 30.00 EUR, uniformity"));
+  EXPECT_TRUE(testing::has(said, "With least cost within 2 % of it: Two (B): cost 12.50 EUR, "));
 }
 
 ListedLadder thousandth(ListedLadder ladder) {
@@ -102,16 +101,16 @@ ListedLadder thousandth(ListedLadder ladder) {
 TEST(AnswerLines, SayACostOfGramsInKilograms) {
   const ListedLadder ladder = thousandth(three_rungs(Objective::cost));
   const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_NE(said.find("First: C: cost 0.03 kg, "), std::string::npos) << said;
-  EXPECT_NE(said.find("Two (B): cost 0.0125 kg, "), std::string::npos) << said;
-  EXPECT_NE(said.find("at cost 0.0125 kg\n"), std::string::npos) << said;
+  EXPECT_TRUE(testing::has(said, "First: C: cost 0.03 kg, "));
+  EXPECT_TRUE(testing::has(said, "Two (B): cost 0.0125 kg, "));
+  EXPECT_TRUE(testing::has(said, "at cost 0.0125 kg\n"));
 }
 
 TEST(LadderTable, HasACostOfGramsInKilograms) {
   const std::string table =
       text(Document{{ladder_section(thousandth(three_rungs(Objective::cost)))}});
   for (const char* cost : {"\n   0.0100  ", "\n   0.0125  ", "\n   0.0300  "}) {
-    EXPECT_NE(table.find(cost), std::string::npos) << table;
+    EXPECT_TRUE(testing::has(table, cost));
   }
 }
 
@@ -119,9 +118,8 @@ TEST(AnswerLines, SayThatNothingIsCheaperWithinTheLoss) {
   ListedLadder ladder = three_rungs();
   ladder.affordable.reset();
   ladder.ladder.affordable.reset();
-  EXPECT_NE(lines_text(answer_lines({ladder.rungs[2]}, ladder))
-                .find("No design within 2 % of it has fewer sheaths\n"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({ladder.rungs[2]}, ladder)),
+                           "No design within 2 % of it has fewer sheaths\n"));
   EXPECT_TRUE(answer_lines({}, ladder).empty());
 }
 
@@ -134,11 +132,9 @@ TEST(AnswerLines, HaveUnits) {
   values[static_cast<std::size_t>(Objective::travel)] = 2;
   values[static_cast<std::size_t>(Objective::cost)] = 44.4;
   ladder.rungs[2].ranked.design.values = values;
-  EXPECT_NE(lines_text(answer_lines({ladder.rungs[2]}, ladder))
-                .find("motor 65.8 N, travel 2.00, cost 44.40 EUR\n"),
-            std::string::npos)
-      << lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_NE(text(Document{{ladder_section(ladder)}}).find("  motor (N)  "), std::string::npos);
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({ladder.rungs[2]}, ladder)),
+                           "motor 65.8 N, travel 2.00, cost 44.40 EUR\n"));
+  EXPECT_TRUE(testing::has(text(Document{{ladder_section(ladder)}}), "  motor (N)  "));
 }
 
 TEST(AlikeLines, NameAFewAndCountTheRest) {
@@ -164,10 +160,10 @@ TEST(LadderTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
     rung.design.values[static_cast<std::size_t>(Objective::travel)] = 2;
   }
   const std::string table = text(Document{{ladder_section(ladder)}});
-  EXPECT_NE(table.find(" +0.0 %"), std::string::npos) << table;
-  EXPECT_EQ(table.find("-0.0"), std::string::npos) << table;
+  EXPECT_TRUE(testing::has(table, " +0.0 %"));
+  EXPECT_FALSE(testing::has(table, "-0.0"));
   EXPECT_EQ(ladder_json(ladder)["rungs"][1]["gains"].dump(), R"({"travel":0.0})");
-  EXPECT_EQ(ladder_csv(ladder).find("-0"), std::string::npos);
+  EXPECT_FALSE(testing::has(ladder_csv(ladder), "-0"));
 }
 
 TEST(LadderTable, IsNoneOfOneRung) {
@@ -182,11 +178,10 @@ TEST(LadderCsv, HasARowForEachRungWithGainsAndLosses) {
   EXPECT_TRUE(
       csv.starts_with("# partial: half\nladder,at_most,routing,name,rank,kept,marks,"
                       "uniformity_mean,"));
-  EXPECT_NE(csv.find(",parts,cost,gain_uniformity_mean,loss_uniformity_mean\n"), std::string::npos);
-  EXPECT_NE(csv.find("\nsheaths,1,A,,,0.625,,0.5,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",10,,0.375\n"), std::string::npos) << csv;
-  EXPECT_NE(csv.find("\nsheaths,2,B,Two,7,0.99,\"knee, within 2 %\",0.792,"), std::string::npos)
-      << csv;
+  EXPECT_TRUE(testing::has(csv, ",parts,cost,gain_uniformity_mean,loss_uniformity_mean\n"));
+  EXPECT_TRUE(testing::has(csv, "\nsheaths,1,A,,,0.625,,0.5,"));
+  EXPECT_TRUE(testing::has(csv, ",10,,0.375\n"));
+  EXPECT_TRUE(testing::has(csv, "\nsheaths,2,B,Two,7,0.99,\"knee, within 2 %\",0.792,"));
 }
 
 TEST(LadderJson, NamesTheAffordableDesignAndTheKnee) {

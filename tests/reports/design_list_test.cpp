@@ -8,6 +8,7 @@
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "search/evaluate/shown_objectives.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -50,9 +51,9 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
 
 TEST(DesignCsv, AddsSixColumnsWithAHand) {
   const std::string csv = design_csv({design("TR0")});
-  EXPECT_NE(csv.find(",parts,cost,motor_force,fingertip_force_mean,"
-                     "fingertip_force_worst,stroke,closure,motor_power,same_as,place\n"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(csv,
+                           ",parts,cost,motor_force,fingertip_force_mean,"
+                           "fingertip_force_worst,stroke,closure,motor_power,same_as,place\n"));
   EXPECT_TRUE(csv.ends_with(",21.5,22.5,23.5,24.5,25.5,26.5,27.5,,0\n"));
 }
 
@@ -60,7 +61,7 @@ TEST(SampleCsv, HasTheColumnsOfAHandWhereThereIsOne) {
   const Design with = design("").ranked.design;
   const Design without = without_hand(design("")).ranked.design;
   EXPECT_TRUE(sample_csv({with}).ends_with(",26.5,27.5\n"));
-  EXPECT_EQ(sample_csv({without}).find("stroke"), std::string::npos);
+  EXPECT_FALSE(testing::has(sample_csv({without}), "stroke"));
   EXPECT_TRUE(sample_csv({without}).ends_with(",20.5,21.5\n"));
 }
 
@@ -85,9 +86,8 @@ TEST(DesignCsv, AddsColumnsWithRankDistributions) {
   ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
-  EXPECT_NE(
-      csv.find(",parts,cost,first_share,rank_median,rank_p5,rank_p95,same_as,place,first_shared\n"),
-      std::string::npos);
+  EXPECT_TRUE(testing::has(
+      csv, ",parts,cost,first_share,rank_median,rank_p5,rank_p95,same_as,place,first_shared\n"));
   EXPECT_TRUE(csv.ends_with(",21.5,0.25,4,1,9,,0,0\n"));
 }
 
@@ -130,11 +130,11 @@ TEST(DesignTable, HasTheDecimalsThatTellItsCosts) {
     return text(design_table(designs, shown_objectives({}, authors_score())));
   };
   const std::string of_grams = table({costing(0.0021), costing(0.0115)});
-  EXPECT_NE(of_grams.find(" 0.0021\n"), std::string::npos) << of_grams;
-  EXPECT_NE(of_grams.find(" 0.0115\n"), std::string::npos) << of_grams;
+  EXPECT_TRUE(testing::has(of_grams, " 0.0021\n"));
+  EXPECT_TRUE(testing::has(of_grams, " 0.0115\n"));
   const std::string of_euros = table({costing(17.05), costing(0.3)});
-  EXPECT_NE(of_euros.find(" 17.05\n"), std::string::npos) << of_euros;
-  EXPECT_NE(of_euros.find("  0.30\n"), std::string::npos) << of_euros;
+  EXPECT_TRUE(testing::has(of_euros, " 17.05\n"));
+  EXPECT_TRUE(testing::has(of_euros, "  0.30\n"));
 }
 
 TEST(BandTable, KeepsItsColumnsAlignedWithTheDashOfARange) {

@@ -14,6 +14,7 @@
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/document/document.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -177,17 +178,17 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   report.result.held_out_runs = 2;
   report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
   const std::string text = reports::text(diagnosis_document(report));
-  EXPECT_NE(text.find("fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"), std::string::npos);
-  EXPECT_NE(text.find("in fewer than 0.1 % of data sets"), std::string::npos);
+  EXPECT_TRUE(testing::has(text, "fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"));
+  EXPECT_TRUE(testing::has(text, "in fewer than 0.1 % of data sets"));
   const auto line_with = [&](const std::string& beginning) {
     const std::size_t at = text.find(beginning);
     return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
   };
-  EXPECT_NE(line_with("tube_friction  mu").find(" < 0.001 "), std::string::npos) << text;
-  EXPECT_NE(line_with("tube_friction       8.4 N     0.84 N       90 %").find("206    63.2 to 349"),
-            std::string::npos)
+  EXPECT_TRUE(testing::has(line_with("tube_friction  mu"), " < 0.001 ")) << text;
+  EXPECT_TRUE(testing::has(line_with("tube_friction       8.4 N     0.84 N       90 %"),
+                           "206    63.2 to 349"))
       << text;
-  EXPECT_NE(line_with("tube_friction            358").find("206"), std::string::npos) << text;
+  EXPECT_TRUE(testing::has(line_with("tube_friction            358"), "206")) << text;
 }
 
 // Of 1000 replicates. Chances of coefficients do not come from them and may lie just above.

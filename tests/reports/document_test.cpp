@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/document/document_latex.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -43,8 +44,8 @@ TEST(DocumentText, WrapsTitlesAndGoesOnBelowTheEntryOfAList) {
 
 TEST(DocumentText, ShowsCaveatsAndTitlesInColour) {
   const std::string coloured = text(document(), {0, true});
-  EXPECT_NE(coloured.find("\x1b[33mPARTIAL: 100 % of none\x1b[0m\n"), std::string::npos);
-  EXPECT_NE(coloured.find("\x1b[1mTop 2,\x1b[0m\n\x1b[1mby travel\x1b[0m\n"), std::string::npos);
+  EXPECT_TRUE(testing::has(coloured, "\x1b[33mPARTIAL: 100 % of none\x1b[0m\n"));
+  EXPECT_TRUE(testing::has(coloured, "\x1b[1mTop 2,\x1b[0m\n\x1b[1mby travel\x1b[0m\n"));
 }
 
 TEST(DocumentMarkdown, HasTablesWithPipesUnitsAndCaveats) {

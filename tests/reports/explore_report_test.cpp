@@ -8,6 +8,7 @@
 
 #include "reports/document/document.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -15,14 +16,13 @@ namespace {
 TEST(ExploreDocument, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);
-  EXPECT_EQ(text(explore_document(report)).find("the score"), std::string::npos);
+  EXPECT_FALSE(testing::has(text(explore_document(report)), "the score"));
   report.options.order.by_score = true;
   report.options.score = parse_score("uniformity=2");
-  EXPECT_NE(text(explore_document(report))
-                .find("Front by front over uniformity_mean, efficiency_mean, within a front by the "
-                      "score, the weighted mean of uniformity_mean=2 (greater is better)\n"),
-            std::string::npos)
-      << text(explore_document(report));
+  EXPECT_TRUE(
+      testing::has(text(explore_document(report)),
+                   "Front by front over uniformity_mean, efficiency_mean, within a front by the "
+                   "score, the weighted mean of uniformity_mean=2 (greater is better)\n"));
 }
 
 TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
@@ -35,20 +35,16 @@ TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
   report.result.rejected = {{std::nullopt, 40}, {0, 20}, {1, 5}};
   report.result.seconds = 0.5;
   EXPECT_EQ(ranked_designs(report), 35U);
-  EXPECT_NE(text(explore_document(report))
-                .find("100 of 200 routings generated in 0.50 s: 40 not actuated, 20 fail "
-                      "sheaths<=2, 5 fail jams<=0, 35 ranked\n60 evaluated, 120 a second\n"),
-            std::string::npos)
-      << text(explore_document(report));
+  EXPECT_TRUE(testing::has(text(explore_document(report)),
+                           "100 of 200 routings generated in 0.50 s: 40 not actuated, 20 fail "
+                           "sheaths<=2, 5 fail jams<=0, 35 ranked\n60 evaluated, 120 a second\n"));
   report.result.pruned = 20;
-  EXPECT_NE(text(explore_document(report))
-                .find("\nOf the 60 that are actuated 20 fail by their parts alone; the other 40 "
-                      "evaluated, 80 a second\n"),
-            std::string::npos)
-      << text(explore_document(report));
+  EXPECT_TRUE(
+      testing::has(text(explore_document(report)),
+                   "\nOf the 60 that are actuated 20 fail by their parts alone; the other 40 "
+                   "evaluated, 80 a second\n"));
   report.result.made_all = true;
-  EXPECT_NE(text(explore_document(report)).find("\n60 evaluated, 120 a second\n"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(text(explore_document(report)), "\n60 evaluated, 120 a second\n"));
   EXPECT_EQ(Json::parse(explore_summary_json(report))["designs_per_second"], 120);
 }
 
@@ -102,10 +98,8 @@ TEST(StoredRankingDocument, HasTheNotesOfItsExploration) {
   ranking.report.options.model.hardware.fingers = {finger_with(1, tip_mu, 0.5),
                                                    finger_with(7, tip_mu, 0.5)};
   const std::string said = text(stored_ranking_document(ranking, {}));
-  EXPECT_NE(said.find("Note: the grasps or the hardware tell the fingers apart"), std::string::npos)
-      << said;
-  EXPECT_NE(said.find("Note: [finger.7] of the hardware changes nothing"), std::string::npos)
-      << said;
+  EXPECT_TRUE(testing::has(said, "Note: the grasps or the hardware tell the fingers apart"));
+  EXPECT_TRUE(testing::has(said, "Note: [finger.7] of the hardware changes nothing"));
   EXPECT_EQ(Json::parse(stored_ranking_json(ranking))["notes"].size(), 2U);
 }
 
@@ -120,17 +114,14 @@ TEST(ExploreDocument, SaysWhichDesignsRestOnHowTheirTendonsShare) {
     return design;
   };
   report.top = {listed("M-1-T-2-F", 1), listed("M-Y1+1x-Y1-2x", 2)};
-  EXPECT_EQ(text(explore_document(report)).find("on one carriage"), std::string::npos);
+  EXPECT_FALSE(testing::has(text(explore_document(report)), "on one carriage"));
   report.top.push_back(listed("M-1-F+M-2-F", 3));
-  EXPECT_NE(text(explore_document(report))
-                .find("\nRank 3 has several tendons on one carriage: their "
-                      "shares of its pull are those of tendons of one "
-                      "stiffness that are mounted without slack;"),
-            std::string::npos)
-      << text(explore_document(report));
+  EXPECT_TRUE(testing::has(text(explore_document(report)),
+                           "\nRank 3 has several tendons on one carriage: their "
+                           "shares of its pull are those of tendons of one "
+                           "stiffness that are mounted without slack;"));
   report.top.push_back(listed("M-1-M+M-2-F", 4));
-  EXPECT_NE(text(explore_document(report)).find("\nRanks 3 and 4 have several tendons"),
-            std::string::npos);
+  EXPECT_TRUE(testing::has(text(explore_document(report)), "\nRanks 3 and 4 have several tendons"));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "reports/output/json_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include <utility>
 #include <vector>
+
+#include "reports/output/json.hpp"
 
 namespace reeve {
 namespace {

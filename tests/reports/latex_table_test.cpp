@@ -6,6 +6,7 @@
 #include "reports/document/chosen_columns.hpp"
 #include "reports/document/document_latex.hpp"
 #include "reports/document/latex_width.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 
 namespace reeve::testing {
@@ -23,10 +24,6 @@ Table list() {
 
 std::string typeset(const Table& table, double width_mm = 0) {
   return latex(Document{{{"", table, {}}}}, width_mm * pt_in_mm);
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(ChosenColumns, AreThoseAndInThatOrder) {

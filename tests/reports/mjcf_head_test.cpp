@@ -5,6 +5,7 @@
 
 #include "core/notation.hpp"
 #include "reports/mujoco/mjcf.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -16,11 +17,10 @@ TEST(MjcfHead, SaysWhatOfTheHardwareIsAboutNoFingerOfTheRouting) {
     const std::string text = reports::mjcf(parse_routing("M-1-T-2-F"), hardware);
     return text.substr(0, text.find("-->"));
   };
-  EXPECT_NE(head_with(7).find("\nNote: [finger.7] of the hardware changes nothing: no routing here "
-                              "has a finger 7.\n"),
-            std::string::npos)
-      << head_with(7);
-  EXPECT_EQ(head_with(2).find("Note"), std::string::npos) << head_with(2);
+  EXPECT_TRUE(testing::has(head_with(7),
+                           "\nNote: [finger.7] of the hardware changes nothing: no routing here "
+                           "has a finger 7.\n"));
+  EXPECT_FALSE(testing::has(head_with(2), "Note"));
 }
 
 }  // namespace

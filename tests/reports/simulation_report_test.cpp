@@ -7,6 +7,7 @@
 #include "causes/named_effect.hpp"
 #include "core/notation.hpp"
 #include "readings/measured_data.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/planned.hpp"
 
 namespace reeve::testing {
@@ -78,8 +79,7 @@ TEST(SimulationCsv, GivesThePlannedConditionsBackBitByBit) {
 
 TEST(SimulationCsv, HasNoColumnOfWhatIsNotGiven) {
   const std::string csv = simulation_csv(report_of(plan_of({"M-1-P-2-M"}), {}));
-  EXPECT_NE(csv.find("\nrun,routing,held,direction,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(csv, "\nrun,routing,held,direction,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"));
 }
 
 TEST(SimulationCsv, TellsRepetitionsApart) {
@@ -104,18 +104,17 @@ TEST(SimulationCsv, BeginsWithWhatIsHiddenAndHowItWasMade) {
         "# hidden cause: seized_contact[M-1-P-2-M,T1-T2]\n", "# TR1 is M-1-T-2-F\n",
         "# noise: standard deviation 0.02 of the tension, and 0.05 N\n",
         "# seed: 7\n# command: reeve simulate --routings TR1"}) {
-    EXPECT_NE(head.find(line), std::string::npos) << line << head;
+    EXPECT_TRUE(has(head, line)) << line << head;
   }
 }
 
 TEST(SimulationCsv, SaysIfNothingIsHiddenAndIfValuesWereClipped) {
   const std::string quiet = simulation_csv(report_of(plan_of({"M-1-P-2-M"}), {}, {0, 0}));
-  EXPECT_NE(quiet.find("\n# hidden cause: none, "), std::string::npos);
-  EXPECT_EQ(quiet.find("\n# clipped: "), std::string::npos);
+  EXPECT_TRUE(has(quiet, "\n# hidden cause: none, "));
+  EXPECT_FALSE(has(quiet, "\n# clipped: "));
   const SimulationReport loud = report_of(plan_of({"M-1-P-2-M"}), {}, {0, 5});
-  EXPECT_NE(simulation_csv(loud).find("\n# clipped: " + std::to_string(loud.simulation.clipped) +
-                                      " of 960 values"),
-            std::string::npos);
+  EXPECT_TRUE(has(simulation_csv(loud),
+                  "\n# clipped: " + std::to_string(loud.simulation.clipped) + " of 960 values"));
 }
 
 TEST(SimulationSummary, IsOneLine) {

@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "reports/document/text_width.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve {
 namespace {
@@ -67,7 +68,7 @@ TEST(TextTable, LeavesOutTheMostDispensableColumnsOfANarrowWindowAndSaysSo) {
             "Left out for want of room: knots. A\n"
             "wider window and --format json have\n"
             "all.\n");
-  EXPECT_NE(text(designs(), {27, false}).find("of room:\nsheaths, knots."), std::string::npos);
+  EXPECT_TRUE(testing::has(text(designs(), {27, false}), "of room:\nsheaths, knots."));
 }
 
 TEST(TextTable, LeavesNothingOutOfAWideEnoughWindow) {
@@ -98,8 +99,8 @@ TEST(TextTable, GoesOnBelowWithItsFirstColumn) {
 
 TEST(TextTable, LeavesNothingOutIfItMustGoOnBelowAnyway) {
   const std::string narrow = text(designs(), {20, false});
-  EXPECT_NE(narrow.find("knots\n"), std::string::npos) << narrow;
-  EXPECT_EQ(narrow.find("Left out"), std::string::npos) << narrow;
+  EXPECT_TRUE(testing::has(narrow, "knots\n"));
+  EXPECT_FALSE(testing::has(narrow, "Left out"));
 }
 
 TEST(TextTable, IsNeverWiderThanTheWindow) {
