@@ -197,9 +197,10 @@ TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
 // Whatever the exploration was ranked by, each design is kept with all its objectives.
 TEST_F(Stored, MeetsConstraintsOnWhatWasNotRanked) {
   ASSERT_EQ(explore({}).exit_code, 0);
-  const Json json = Json::parse(
-      run("rank --store s.db --objectives round_trip_efficiency --constraint travel<=1 --format json")
-          .out);
+  const Json json =
+      Json::parse(run("rank --store s.db --objectives round_trip_efficiency --constraint travel<=1 "
+                      "--format json")
+                      .out);
   ASSERT_FALSE(json["top"].empty());
   double before = 1;
   for (const Json& design : json["top"]) {
