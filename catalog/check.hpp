@@ -111,9 +111,9 @@ CheckItem idle_fault(std::size_t fault, const std::string& name, const std::stri
 //   closed forms     agree to 1e-9, relative
 //
 // A number from which a coefficient of its own rig was inferred has to agree, and proves nothing.
-// What differs is explained if the listed expression gives it, likewise; open if it is listed as
-// such, with the size. What is listed as explained or open and agrees is an error of the catalogue:
-// it differs.
+// A difference is explained if the listed expression gives it, and open if it is listed as such,
+// with its size. A number that is listed as explained or open and agrees is an error of the
+// catalogue: it is reported as differing.
 CheckReport check_mechanism(const Mechanism& mechanism);
 
 }  // namespace reeve::catalog

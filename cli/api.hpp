@@ -1,8 +1,8 @@
 // The subcommands for callers that are no shell: options as they would be given to it, read and
 // checked by the same code and with the same defaults, and values in place of what is printed.
 //
-// What is wrong with an option is an InputError, also where the shell would be told in CLI11's
-// words. A study that was stopped gives what it has, or nothing.
+// A bad option throws InputError, also where the shell would be told in CLI11's words. A study that
+// was stopped gives what it has, or nothing.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@
 
 namespace reeve::cli::api {
 
-// Of an option that CLI11 refuses: its words, and the parts that they are made of.
+// CLI11 refuses an option: its words, and the parts that they are made of.
 class OptionError : public InputError {
  public:
   OptionError(const std::string& words, InputFault option)
@@ -44,7 +44,7 @@ using Arguments = std::vector<std::string>;
 ExploreReport explore(const Arguments& arguments, const StudySupervision& supervision);
 // With all that its page shows.
 std::optional<RankReport> rank(const Arguments& arguments, const StudySupervision& supervision);
-// Of what rank --store names: by the options that it takes.
+// Ranks the designs of a store, by the options that rank takes with --store.
 StoredRanking rank_stored(const Arguments& arguments);
 // With what of the shards' arguments decides.
 struct MergedExploration {

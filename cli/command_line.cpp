@@ -46,7 +46,7 @@ std::string positionals_text(const CLI::App& command) {
   return text;
 }
 
-// What stands behind `start` in the words; nothing if it does not stand there.
+// Returns the text behind `start` in the words; nothing if `start` does not stand there.
 std::optional<std::string> behind(const std::string& words, const std::string& start) {
   const std::size_t at = words.find(start);
   if (at == std::string::npos) return std::nullopt;

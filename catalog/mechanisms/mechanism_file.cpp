@@ -52,7 +52,7 @@ TomlNode with_numbers(TomlNode node, const NamedValues& names) {
   return node;
 }
 
-// What `over` has, and what it has not of `base`.
+// Returns the keys of `over`, and those of `base` that `over` does not have.
 TomlNode overlaid(TomlNode base, const TomlNode& over) {
   for (const TomlNode& child : over.children) {
     const auto same = std::find_if(base.children.begin(), base.children.end(),
