@@ -9,9 +9,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/grasp.hpp"
@@ -19,6 +21,17 @@
 #include "core/network.hpp"
 
 namespace reeve::causes {
+
+// What else a file records of a reading.
+struct NamedValue {
+  std::string name;
+  double value = 0;
+};
+struct Record {
+  std::string run;
+  std::string group;
+  std::vector<NamedValue> columns;
+};
 
 // Under which a reading was taken. What is missing is taken as the reference value, at which the
 // laws of friction with speed, wear and temperature change nothing.
@@ -28,6 +41,7 @@ struct Conditions {
   double cycle = 0;
   double temperature_C = 20;
   double order = 0;  // of the reading in its file: 0 the first, 1 the last
+  std::shared_ptr<const Record> record{};
 };
 
 struct Range {
@@ -111,6 +125,9 @@ struct ContactLoad {
   double high_N = 0;       // the larger of the tensions beside it
   std::size_t number = 0;  // of those of its kind in the routing's network, from 0
   Direction direction = Direction::pull;
+  int finger = 0;  // as of the contact
+  Grasp grasp{};
+  std::string_view routing{};  // word
 };
 
 // One of the sensors that read a routing at the same time.

@@ -54,6 +54,7 @@ ModelSolver::ModelSolver(const Model& model, const Hardware& hardware, const std
 
 void ModelSolver::set_routing(const std::string& word, const Network& network,
                               const Mechanics& plain) {
+  word_ = word;
   plain_ = plain;
   seized_.network = network;
   number_by_kind(network, number_);
@@ -79,8 +80,8 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
 
 double ModelSolver::exponent(std::size_t contact, double high_N, Direction direction,
                              const Conditions& conditions) const {
-  const ContactLoad load{seized_.network.contacts[contact].kind, high_N, number_[contact],
-                         direction};
+  const Contact& at = seized_.network.contacts[contact];
+  const ContactLoad load{at.kind, high_N, number_[contact], direction, at.finger, grasp_, word_};
   double phi = plain_.phi[contact];
   for (const Effect* effect : exponent_effects_) {
     phi = effect->cause->exponent(phi, load, conditions, *effect);
@@ -176,6 +177,7 @@ bool ModelSolver::settle_in_turn(Grasp grasp, Direction direction, const Conditi
 
 const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
                                        const Conditions& conditions) {
+  grasp_ = grasp;
   const auto begin = [&] {
     if (!exponent_effects_.empty()) guess_exponents(direction, conditions);
     solver_.solve(seized_.network, mechanics_, grasp, direction, state_);

@@ -58,6 +58,8 @@ class ModelSolver {
                   const Conditions& conditions) const;
 
   const Model* model_;
+  std::string word_;
+  Grasp grasp_;
   std::vector<const Effect*> exponent_effects_;
   bool depends_on_load_ = false;
   SeizedNetwork seized_;

@@ -8,6 +8,21 @@
 namespace reeve::diagnosis {
 namespace {
 
+std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& reading,
+                                     double order) {
+  Record result{data.runs[reading.run], reading.group ? data.groups[*reading.group] : "", {}};
+  const auto add = [&](const std::string& name, std::optional<double> value) {
+    if (value) result.columns.push_back({name, *value});
+  };
+  add("order", order);
+  add("run", static_cast<double>(reading.run));
+  add("sheath_angle_rad", reading.sheath_angle_rad);
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    add(data.covariates[c], reading.covariates[c]);
+  }
+  return std::make_shared<const Record>(std::move(result));
+}
+
 Conditions conditions(const MeasuredData& data, std::size_t index) {
   const Reading& reading = data.readings[index];
   Conditions result;
@@ -17,6 +32,7 @@ Conditions conditions(const MeasuredData& data, std::size_t index) {
   result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
   const std::size_t last = data.readings.size() - 1;
   result.order = last > 0 ? static_cast<double>(reading.taken) / static_cast<double>(last) : 0;
+  result.record = record(data, reading, result.order);
   return result;
 }
 

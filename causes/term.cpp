@@ -1,0 +1,459 @@
+#include "causes/term.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <utility>
+
+namespace reeve::causes {
+namespace {
+
+constexpr std::array target_names{"exponent", "force", "gain", "offset"};
+constexpr std::array form_names{"constant",    "linear", "log",  "power", "quadratic",
+                                "exponential", "hinge",  "step", "sine",  "product"};
+
+template <typename Enum, std::size_t n>
+std::optional<Enum> enum_named(const std::array<const char*, n>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+double factor(const Covariate& covariate, double x) {
+  x = std::clamp(x, covariate.seen.low, covariate.seen.high);
+  return covariate.logarithmic ? std::log(x / covariate.middle) : x - covariate.middle;
+}
+
+std::string factor_text(const Covariate& covariate) {
+  const std::string name = covariate_name(covariate);
+  return covariate.logarithmic ? fmt::format("ln({} / {:.4g})", name, covariate.middle)
+                               : fmt::format("({} - {:.4g})", name, covariate.middle);
+}
+
+// The greatest |f| for a = 1, so that the range of a is that of what it does.
+double reach_of(const Term& term) {
+  const double ends[] = {term.x.seen.low, term.x.seen.high};
+  switch (term.form) {
+    case Form::linear:
+      return std::max(std::abs(ends[0] - term.x.middle), std::abs(ends[1] - term.x.middle));
+    case Form::log:
+      return std::max(std::abs(std::log(ends[0] / term.x.middle)),
+                      std::abs(std::log(ends[1] / term.x.middle)));
+    case Form::quadratic:
+      return std::pow(ends[1] - ends[0], 2) / 4;
+    case Form::hinge:
+      return (ends[1] - ends[0]) / 2;
+    case Form::product:
+      return std::max(std::abs(factor(term.x, ends[0])), std::abs(factor(term.x, ends[1]))) *
+             std::max(std::abs(factor(term.y, term.y.seen.low)),
+                      std::abs(factor(term.y, term.y.seen.high)));
+    default:
+      return 1;
+  }
+}
+
+Parameter shape_parameter(const Term& term) {
+  const auto [low, high] = term.x.seen;
+  const double span = high - low;
+  switch (term.form) {
+    case Form::power:
+      return {"b", "1", std::nullopt, {-3, 3}, std::nullopt};
+    case Form::exponential:
+      return {"b", "", std::nullopt, {0.02 * high, 5 * high}, std::nullopt};
+    case Form::quadratic:
+      return {"b", "", std::nullopt, {low - span, high + span}, std::nullopt};
+    default:  // hinge, step
+      return {"b", "", std::nullopt, {low, high}, std::nullopt};
+  }
+}
+
+// What a law may do at most: 200 % less than nothing is no friction, and clamped there.
+Range size_range(const Term& term) {
+  switch (term.target) {
+    case Target::exponent: {
+      const bool scales =
+          term.site.kind == ContactKind::tube || term.site.kind == ContactKind::sheath;
+      return scales ? Range{-2, 5} : Range{-0.5, 2};
+    }
+    case Target::force:
+      return {-10, 10};
+    case Target::gain:
+      return {-0.9, 2};
+    case Target::offset:
+      return {-40, 40};
+  }
+  return {};
+}
+
+std::vector<Parameter> parameters_of(const Term& term) {
+  const bool is_force = term.target == Target::force || term.target == Target::offset;
+  const double reach = std::max(reach_of(term), 1e-12);
+  const Range most = size_range(term);
+  const char* unit = is_force ? "N" : "1";
+  const Range either{std::min(most.low, -most.high) / reach,
+                     std::max(most.high, -most.low) / reach};
+  std::vector<Parameter> parameters{{"a", unit, 0, either, std::nullopt}};
+  switch (term.form) {
+    case Form::power:
+      parameters.front() = {"a", "1", 0, {-3, 3}, std::nullopt};
+      break;
+    case Form::quadratic:
+    case Form::exponential:
+    case Form::hinge:
+    case Form::step:
+      parameters.push_back(shape_parameter(term));
+      break;
+    case Form::sine: {
+      parameters.push_back({"b", unit, std::nullopt, either, std::nullopt});
+      const double span = term.x.seen.high - term.x.seen.low;
+      parameters.push_back({"c", "", std::nullopt, {span / 20, 2 * span}, std::nullopt});
+      break;
+    }
+    default:
+      break;
+  }
+  return parameters;
+}
+
+double sensor_covariate(const Covariate& x, std::span<Sensor> sensors, const Sensor& own,
+                        const Conditions& conditions) {
+  if (x.kind == CovariateKind::tension) {
+    const Sensor* other = find_sensor(sensors, x.segment);
+    return other == nullptr ? x.middle : other->reading_N;
+  }
+  return covariate_value(x, conditions, own.reading_N);
+}
+
+class Law final : public Cause {
+ public:
+  explicit Law(Term term)
+      : term_(std::move(term)),
+        text_(fmt::format(
+            "{} of {}{}{}", target_name(term_.target), site_name(term_.site),
+            term_.form == Form::constant
+                ? ""
+                : ", " + covariate_name(term_.x) +
+                      (term_.form == Form::product ? " x " + covariate_name(term_.y) : ""),
+            term_.form == Form::constant ? "" : fmt::format(", {}", form_name(term_.form)))),
+        parameters_(parameters_of(term_)) {}
+
+  const Term& term() const { return term_; }
+
+  const char* name() const override { return "law"; }
+  Reach reach() const override {
+    switch (term_.site.place) {
+      case SitePlace::contacts:
+        return term_.target == Target::force || uses(CovariateKind::load) ? Reach::load
+                                                                          : Reach::conditions;
+      case SitePlace::motor:
+        return Reach::motor;
+      default:
+        return Reach::reading;
+    }
+  }
+  const char* meaning() const override { return text_.c_str(); }
+  std::vector<Parameter> parameters(const Hardware&) const override { return parameters_; }
+  std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
+  std::string subject_name(const Subject&) const override { return text_; }
+
+  double exponent(double phi, const ContactLoad& contact, const Conditions& conditions,
+                  const Effect& effect) const override {
+    if (!causes::acts_on(term_.site, contact) || !acts_in(term_.site, conditions)) return phi;
+    const double f = value(conditions, contact.high_N, effect);
+    if (term_.target == Target::force) {
+      return std::max(0.0, exponent_with_force(phi, contact.high_N, f));
+    }
+    return std::max(0.0, is_tube_or_sheath(contact.kind) ? phi * (1 + f) : phi + f);
+  }
+
+  double at_tendon(double motor_tension_N, Direction direction, const Conditions& conditions,
+                   const Effect& effect) const override {
+    if (!acts_in(term_.site, conditions)) return motor_tension_N;
+    const double f = value(conditions, motor_tension_N, effect);
+    if (term_.target == Target::gain) return motor_tension_N * (1 + f);
+    const bool turns = term_.target == Target::force && direction == Direction::pull;
+    return motor_tension_N + (turns ? -f : f);
+  }
+
+  void read(std::span<Sensor> sensors, const Conditions& conditions,
+            const Effect& effect) const override {
+    if (!acts_in(term_.site, conditions)) return;
+    std::array<double, 8> few{};
+    std::vector<double> many;
+    std::span<double> f = few;
+    if (sensors.size() > few.size()) {
+      many.resize(sensors.size());
+      f = many;
+    }
+    for (std::size_t s = 0; s < sensors.size(); ++s) {
+      const Sensor& own = sensors[s];
+      if (!reads(own)) continue;
+      f[s] = law_value(term_, sensor_covariate(term_.x, sensors, own, conditions),
+                       sensor_covariate(term_.y, sensors, own, conditions), effect.values.data());
+    }
+    for (std::size_t s = 0; s < sensors.size(); ++s) {
+      if (!reads(sensors[s])) continue;
+      sensors[s].reading_N = term_.target == Target::gain ? sensors[s].reading_N * (1 + f[s])
+                                                          : sensors[s].reading_N + f[s];
+    }
+  }
+  bool reads_linearly() const override {
+    return term_.site.place == SitePlace::contacts || term_.site.place == SitePlace::motor ||
+           !(uses(CovariateKind::load) || uses(CovariateKind::tension));
+  }
+
+ private:
+  bool reads(const Sensor& sensor) const {
+    return term_.site.place == SitePlace::channels || sensor.segment == term_.site.channel;
+  }
+  bool uses(CovariateKind kind) const {
+    return term_.form != Form::constant &&
+           (term_.x.kind == kind || (term_.form == Form::product && term_.y.kind == kind));
+  }
+  double value(const Conditions& conditions, double high_N, const Effect& effect) const {
+    return law_value(term_, covariate_value(term_.x, conditions, high_N),
+                     covariate_value(term_.y, conditions, high_N), effect.values.data());
+  }
+
+  Term term_;
+  std::string text_;
+  std::vector<Parameter> parameters_;
+};
+
+std::string key(const Covariate& x) {
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(x.kind), x.column,
+                     static_cast<int>(x.segment.kind), x.segment.number, x.middle, x.seen.low,
+                     x.seen.high, x.logarithmic);
+}
+
+std::string key(const Term& term) {
+  const Site& site = term.site;
+  return fmt::format(
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
+      static_cast<int>(term.form), static_cast<int>(site.place), static_cast<int>(site.kind),
+      site.finger, site.held ? static_cast<int>(*site.held) : 2, site.routing,
+      site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
+      site.channel.number, site.run, site.group, key(term.x), key(term.y));
+}
+
+}  // namespace
+
+const char* target_name(Target target) { return target_names[static_cast<std::size_t>(target)]; }
+std::optional<Target> target_named(const std::string& name) {
+  return enum_named<Target>(target_names, name);
+}
+const char* form_name(Form form) { return form_names[static_cast<std::size_t>(form)]; }
+std::optional<Form> form_named(const std::string& name) {
+  return enum_named<Form>(form_names, name);
+}
+
+std::size_t parameter_count(Form form) {
+  switch (form) {
+    case Form::constant:
+    case Form::linear:
+    case Form::log:
+    case Form::product:
+      return 1;
+    case Form::sine:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
+std::string covariate_name(const Covariate& covariate) {
+  switch (covariate.kind) {
+    case CovariateKind::none:
+      return "";
+    case CovariateKind::load:
+      return "load";
+    case CovariateKind::tension:
+      return segment_name(covariate.segment);
+    case CovariateKind::motor:
+      return "motor_tension_N";
+    case CovariateKind::speed:
+      return "speed_mm_s";
+    case CovariateKind::cycle:
+      return "cycle";
+    case CovariateKind::temperature:
+      return "temperature_C";
+    case CovariateKind::column:
+      return covariate.column;
+  }
+  return "";
+}
+
+double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N) {
+  switch (covariate.kind) {
+    case CovariateKind::none:
+    case CovariateKind::tension:
+      return covariate.middle;
+    case CovariateKind::load:
+      return high_N;
+    case CovariateKind::motor:
+      return conditions.motor_tension_N;
+    case CovariateKind::speed:
+      return conditions.speed_mm_s;
+    case CovariateKind::cycle:
+      return conditions.cycle;
+    case CovariateKind::temperature:
+      return conditions.temperature_C;
+    case CovariateKind::column:
+      break;
+  }
+  if (!conditions.record) return covariate.middle;
+  for (const NamedValue& column : conditions.record->columns) {
+    if (column.name == covariate.column) return column.value;
+  }
+  return covariate.middle;
+}
+
+double law_value(const Term& term, double x, double y, const double* parameters) {
+  const double a = parameters[0];
+  if (term.form == Form::constant) return a;
+  x = std::clamp(x, term.x.seen.low, term.x.seen.high);
+  switch (term.form) {
+    case Form::linear:
+      return a * (x - term.x.middle);
+    case Form::log:
+      return a * std::log(x / term.x.middle);
+    case Form::power:
+      return a * (std::pow(x / term.x.middle, parameters[1]) - 1);
+    case Form::quadratic:
+      return a * (x - parameters[1]) * (x - parameters[1]);
+    case Form::exponential:
+      return a * (1 - std::exp(-x / parameters[1]));
+    case Form::hinge:
+      return a * std::max(0.0, x - parameters[1]);
+    case Form::step:
+      return x > parameters[1] ? a : 0;
+    case Form::sine: {
+      const double turn = 2 * std::numbers::pi * x / parameters[2];
+      return a * std::sin(turn) + parameters[1] * std::cos(turn);
+    }
+    case Form::product:
+      return a * factor(term.x, x) * factor(term.y, y);
+    case Form::constant:
+      break;
+  }
+  return a;
+}
+
+bool acts_on(const Site& site, const ContactLoad& contact) {
+  if (site.place != SitePlace::contacts || contact.kind != site.kind) return false;
+  if (site.finger != 0 && contact.finger != site.finger) return false;
+  if (site.held && (contact.finger == 0 || contact.grasp.holds(contact.finger) != *site.held)) {
+    return false;
+  }
+  if (!site.routing.empty() && contact.routing != site.routing) return false;
+  return !site.number || contact.number == *site.number;
+}
+
+bool acts_in(const Site& site, const Conditions& conditions) {
+  if (site.run.empty() && site.group.empty()) return true;
+  if (!conditions.record) return false;
+  return (site.run.empty() || conditions.record->run == site.run) &&
+         (site.group.empty() || conditions.record->group == site.group);
+}
+
+std::string site_name(const Site& site) {
+  std::string name;
+  switch (site.place) {
+    case SitePlace::motor:
+      name = "motor";
+      break;
+    case SitePlace::channels:
+      name = "all channels";
+      break;
+    case SitePlace::channel:
+      name = segment_name(site.channel);
+      break;
+    case SitePlace::contacts:
+      name = contact_kind_name(site.kind);
+      if (site.number) name += fmt::format(" {}", *site.number + 1);
+      if (site.finger != 0) name += fmt::format(" of finger {}", site.finger);
+      if (site.held) name += *site.held ? " of held fingers" : " of closing fingers";
+      if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
+      break;
+  }
+  if (!site.run.empty()) name += fmt::format(" in run {}", site.run);
+  if (!site.group.empty()) name += fmt::format(" in group {}", site.group);
+  return name;
+}
+
+const Cause& law(const Term& term) {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<const Law>, std::less<>> laws;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::unique_ptr<const Law>& found = laws[key(term)];
+  if (!found) found = std::make_unique<const Law>(term);
+  return *found;
+}
+
+const Term* term_of(const Cause& cause) {
+  const auto* law = dynamic_cast<const Law*>(&cause);
+  return law == nullptr ? nullptr : &law->term();
+}
+
+std::string formula(const Term& term, const std::vector<double>& values) {
+  const std::string x = covariate_name(term.x);
+  const double a = values[0];
+  std::string f;
+  switch (term.form) {
+    case Form::constant:
+      f = fmt::format("{:.4g}", a);
+      break;
+    case Form::linear:
+      f = fmt::format("{:.4g} ({} - {:.4g})", a, x, term.x.middle);
+      break;
+    case Form::log:
+      f = fmt::format("{:.4g} ln({} / {:.4g})", a, x, term.x.middle);
+      break;
+    case Form::power:
+      f = fmt::format("{:.4g} (({} / {:.4g})^{:.4g} - 1)", a, x, term.x.middle, values[1]);
+      break;
+    case Form::quadratic:
+      f = fmt::format("{:.4g} ({} - {:.4g})^2", a, x, values[1]);
+      break;
+    case Form::exponential:
+      f = fmt::format("{:.4g} (1 - exp(-{} / {:.4g}))", a, x, values[1]);
+      break;
+    case Form::hinge:
+      f = fmt::format("{:.4g} max(0, {} - {:.4g})", a, x, values[1]);
+      break;
+    case Form::step:
+      f = fmt::format("{:.4g} [{} > {:.4g}]", a, x, values[1]);
+      break;
+    case Form::sine:
+      f = fmt::format("{0:.4g} sin(2 pi {1} / {3:.4g}) + {2:.4g} cos(2 pi {1} / {3:.4g})", a, x,
+                      values[1], values[2]);
+      break;
+    case Form::product:
+      f = fmt::format("{:.4g} {} {}", a, factor_text(term.x), factor_text(term.y));
+      break;
+  }
+  const bool at_motor = term.site.place == SitePlace::motor;
+  const char* own = at_motor ? "T_M" : "T";
+  switch (term.target) {
+    case Target::exponent:
+      return is_tube_or_sheath(term.site.kind) ? fmt::format("phi' = phi (1 + {})", f)
+                                               : fmt::format("phi' = phi + {}", f);
+    case Target::force:
+      return at_motor ? fmt::format("T' = T_M - ({})", f)
+                      : fmt::format("T_low = T_high exp(-phi) - ({})", f);
+    case Target::gain:
+      return fmt::format("{0}' = {0} (1 + {1})", own, f);
+    case Target::offset:
+      return fmt::format("{0}' = {0} + {1}", own, f);
+  }
+  return f;
+}
+
+}  // namespace reeve::causes

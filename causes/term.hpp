@@ -1,0 +1,114 @@
+// A term: something that a rig does otherwise, in the grammar (target, site, law of a covariate).
+//
+//   exponent   phi' = phi (1 + f) at tubes and sheaths, phi + f at bearings and blocks, not below 0
+//   force      T_low = T_high e^{-phi} - f at contacts;  T_in = T_M - f pulling, + f releasing at
+//              the motor, before the tendons begin
+//   gain       T (1 + f) of what a channel reads, or of what arrives of the motor's pull
+//   offset     T + f of either
+//
+// f(x) of a covariate x, seen between two values and held constant outside them:
+//
+//   constant a · linear a (x - x0) · log a ln(x/x0) · power a ((x/x0)^b - 1) ·
+//   quadratic a (x - b)^2 · exponential a (1 - e^{-x/b}) · hinge a max(0, x - b) · step a [x > b] ·
+//   sine a sin(2 pi x/c) + b cos(2 pi x/c) · product a g(x) h(y), g and h linear or log
+//
+// x0 is the middle of the data, so that a is known apart from what is common to all readings. A
+// reading that does not say x is as one at x0. The laws that a library of causes names by a name of
+// their own are the same terms; what has no name there is called a law.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "causes/cause.hpp"
+
+namespace reeve::causes {
+
+enum class Target : std::uint8_t { exponent, force, gain, offset };
+const char* target_name(Target target);
+std::optional<Target> target_named(const std::string& name);
+
+enum class SitePlace : std::uint8_t { contacts, channel, channels, motor };
+
+// Where a term acts. What is not set restricts nothing.
+struct Site {
+  SitePlace place = SitePlace::contacts;
+  ContactKind kind = ContactKind::tube;  // contacts
+  int finger = 0;                        // contacts of this one
+  std::optional<bool> held;              // contacts of fingers that an object holds, or of others
+  std::string routing;                   // contacts, in this word
+  std::optional<std::size_t> number;     // contacts: that of the kind in the routing, from 0
+  Segment channel;                       // channel
+  std::string run;                       // in this one only
+  std::string group;                     // in this one only
+};
+
+enum class CovariateKind : std::uint8_t {
+  none,
+  load,     // T_high at the contact, or what the channel carries
+  tension,  // what another channel of the row carries
+  motor,    // tension, N
+  speed,
+  cycle,
+  temperature,
+  column,  // any other that the file records, order and number of the run among them
+};
+
+struct Covariate {
+  CovariateKind kind = CovariateKind::none;
+  std::string column;  // its name in the data
+  Segment segment;     // tension
+  double middle = 0;   // x0
+  Range seen;
+  bool logarithmic = false;  // in a product
+};
+// "humidity_pct", "load", "T2"
+std::string covariate_name(const Covariate& covariate);
+
+enum class Form : std::uint8_t {
+  constant,
+  linear,
+  log,
+  power,
+  quadratic,
+  exponential,
+  hinge,
+  step,
+  sine,
+  product,
+};
+const char* form_name(Form form);
+std::optional<Form> form_named(const std::string& name);
+// Of its parameters, the first of which is 0 where the term changes nothing.
+std::size_t parameter_count(Form form);
+
+struct Term {
+  Target target = Target::exponent;
+  Site site;
+  Form form = Form::constant;
+  Covariate x;
+  Covariate y;  // product
+};
+
+// f, of the parameters in the order of the form.
+double law_value(const Term& term, double x, double y, const double* parameters);
+// x as the readings' conditions say it; x0 where they do not. `high_N` stands for the load.
+double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N);
+
+bool acts_on(const Site& site, const ContactLoad& contact);
+// In this run and group.
+bool acts_in(const Site& site, const Conditions& conditions);
+
+// "sheath", "tube of finger 1", "T3", "motor", "all channels"
+std::string site_name(const Site& site);
+
+// The cause that does what the term says. One and the same for equal terms, and never gone.
+const Cause& law(const Term& term);
+// Nothing of a cause that is none.
+const Term* term_of(const Cause& cause);
+
+// "phi' = phi (1 + 0.0083 (humidity_pct - 50))"
+std::string formula(const Term& term, const std::vector<double>& values);
+
+}  // namespace reeve::causes
