@@ -15,26 +15,9 @@
 namespace reeve::causes {
 namespace {
 
-constexpr std::array target_names{"exponent", "force", "gain", "offset"};
-constexpr std::array form_names{"constant",    "linear", "log",  "power", "quadratic",
-                                "exponential", "hinge",  "step", "sine",  "product"};
-
-template <typename Enum, std::size_t n>
-std::optional<Enum> enum_named(const std::array<const char*, n>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
-
 double factor(const Covariate& covariate, double x) {
   x = std::clamp(x, covariate.seen.low, covariate.seen.high);
   return covariate.logarithmic ? std::log(x / covariate.middle) : x - covariate.middle;
-}
-
-std::string factor_text(const Covariate& covariate) {
-  const std::string name = covariate_name(covariate);
-  return covariate.logarithmic ? fmt::format("ln({} / {:.4g})", name, covariate.middle)
-                               : fmt::format("({} - {:.4g})", name, covariate.middle);
 }
 
 // The greatest |f| for a = 1, so that the range of a is that of what it does.
@@ -102,8 +85,8 @@ std::vector<Parameter> parameters_of(const Term& term) {
   std::vector<Parameter> parameters{{"a", unit, 0, either, std::nullopt}};
   switch (term.form) {
     case Form::power:
-      parameters.front() = {"a", "1", 0, {-3, 3}, std::nullopt};
-      break;
+      parameters.front() = {"a", unit, 0, is_force ? most : Range{-3, 3}, std::nullopt};
+      [[fallthrough]];
     case Form::quadratic:
     case Form::exponential:
     case Form::hinge:
@@ -227,6 +210,14 @@ class Law final : public Cause {
   std::vector<Parameter> parameters_;
 };
 
+const char* fault(const Covariate& x, bool is_logarithmic) {
+  if (!(x.seen.low < x.seen.high)) return "its range needs a lower end below the upper one";
+  if (is_logarithmic && !(x.seen.low > 0 && x.middle > 0)) {
+    return "a logarithm or a power needs a middle and a range above 0";
+  }
+  return nullptr;
+}
+
 std::string key(const Covariate& x) {
   return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(x.kind), x.column,
                      static_cast<int>(x.segment.kind), x.segment.number, x.middle, x.seen.low,
@@ -245,15 +236,6 @@ std::string key(const Term& term) {
 
 }  // namespace
 
-const char* target_name(Target target) { return target_names[static_cast<std::size_t>(target)]; }
-std::optional<Target> target_named(const std::string& name) {
-  return enum_named<Target>(target_names, name);
-}
-const char* form_name(Form form) { return form_names[static_cast<std::size_t>(form)]; }
-std::optional<Form> form_named(const std::string& name) {
-  return enum_named<Form>(form_names, name);
-}
-
 std::size_t parameter_count(Form form) {
   switch (form) {
     case Form::constant:
@@ -266,28 +248,6 @@ std::size_t parameter_count(Form form) {
     default:
       return 2;
   }
-}
-
-std::string covariate_name(const Covariate& covariate) {
-  switch (covariate.kind) {
-    case CovariateKind::none:
-      return "";
-    case CovariateKind::load:
-      return "load";
-    case CovariateKind::tension:
-      return segment_name(covariate.segment);
-    case CovariateKind::motor:
-      return "motor_tension_N";
-    case CovariateKind::speed:
-      return "speed_mm_s";
-    case CovariateKind::cycle:
-      return "cycle";
-    case CovariateKind::temperature:
-      return "temperature_C";
-    case CovariateKind::column:
-      return covariate.column;
-  }
-  return "";
 }
 
 double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N) {
@@ -363,29 +323,36 @@ bool acts_in(const Site& site, const Conditions& conditions) {
          (site.group.empty() || conditions.record->group == site.group);
 }
 
-std::string site_name(const Site& site) {
-  std::string name;
-  switch (site.place) {
-    case SitePlace::motor:
-      name = "motor";
+const char* fault(const Term& term) {
+  const SitePlace place = term.site.place;
+  const bool at_contacts = place == SitePlace::contacts;
+  const bool at_motor = place == SitePlace::motor;
+  switch (term.target) {
+    case Target::exponent:
+      if (!at_contacts) return "an exponent is that of contacts";
       break;
-    case SitePlace::channels:
-      name = "all channels";
+    case Target::force:
+      if (!at_contacts && !at_motor) return "contacts and the motor take a force";
       break;
-    case SitePlace::channel:
-      name = segment_name(site.channel);
-      break;
-    case SitePlace::contacts:
-      name = contact_kind_name(site.kind);
-      if (site.number) name += fmt::format(" {}", *site.number + 1);
-      if (site.finger != 0) name += fmt::format(" of finger {}", site.finger);
-      if (site.held) name += *site.held ? " of held fingers" : " of closing fingers";
-      if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
-      break;
+    default:
+      if (at_contacts) return "channels and the motor have gain and offset";
   }
-  if (!site.run.empty()) name += fmt::format(" in run {}", site.run);
-  if (!site.group.empty()) name += fmt::format(" in group {}", site.group);
-  return name;
+  if (term.form == Form::constant) return nullptr;
+  const bool of_two = term.form == Form::product;
+  const bool at_channels = place == SitePlace::channel || place == SitePlace::channels;
+  if (!at_channels && (term.x.kind == CovariateKind::tension ||
+                       (of_two && term.y.kind == CovariateKind::tension))) {
+    return "only channels know what another channel carries";
+  }
+  const bool is_logarithmic = term.form == Form::log || term.form == Form::power;
+  if (const char* found = fault(term.x, is_logarithmic || (of_two && term.x.logarithmic))) {
+    return found;
+  }
+  if (of_two) return fault(term.y, term.y.logarithmic);
+  if (term.form == Form::exponential && term.x.seen.high <= 0) {
+    return "an exponential needs a range that reaches above 0";
+  }
+  return nullptr;
 }
 
 const Cause& law(const Term& term) {
@@ -400,60 +367,6 @@ const Cause& law(const Term& term) {
 const Term* term_of(const Cause& cause) {
   const auto* law = dynamic_cast<const Law*>(&cause);
   return law == nullptr ? nullptr : &law->term();
-}
-
-std::string formula(const Term& term, const std::vector<double>& values) {
-  const std::string x = covariate_name(term.x);
-  const double a = values[0];
-  std::string f;
-  switch (term.form) {
-    case Form::constant:
-      f = fmt::format("{:.4g}", a);
-      break;
-    case Form::linear:
-      f = fmt::format("{:.4g} ({} - {:.4g})", a, x, term.x.middle);
-      break;
-    case Form::log:
-      f = fmt::format("{:.4g} ln({} / {:.4g})", a, x, term.x.middle);
-      break;
-    case Form::power:
-      f = fmt::format("{:.4g} (({} / {:.4g})^{:.4g} - 1)", a, x, term.x.middle, values[1]);
-      break;
-    case Form::quadratic:
-      f = fmt::format("{:.4g} ({} - {:.4g})^2", a, x, values[1]);
-      break;
-    case Form::exponential:
-      f = fmt::format("{:.4g} (1 - exp(-{} / {:.4g}))", a, x, values[1]);
-      break;
-    case Form::hinge:
-      f = fmt::format("{:.4g} max(0, {} - {:.4g})", a, x, values[1]);
-      break;
-    case Form::step:
-      f = fmt::format("{:.4g} [{} > {:.4g}]", a, x, values[1]);
-      break;
-    case Form::sine:
-      f = fmt::format("{0:.4g} sin(2 pi {1} / {3:.4g}) + {2:.4g} cos(2 pi {1} / {3:.4g})", a, x,
-                      values[1], values[2]);
-      break;
-    case Form::product:
-      f = fmt::format("{:.4g} {} {}", a, factor_text(term.x), factor_text(term.y));
-      break;
-  }
-  const bool at_motor = term.site.place == SitePlace::motor;
-  const char* own = at_motor ? "T_M" : "T";
-  switch (term.target) {
-    case Target::exponent:
-      return is_tube_or_sheath(term.site.kind) ? fmt::format("phi' = phi (1 + {})", f)
-                                               : fmt::format("phi' = phi + {}", f);
-    case Target::force:
-      return at_motor ? fmt::format("T' = T_M - ({})", f)
-                      : fmt::format("T_low = T_high exp(-phi) - ({})", f);
-    case Target::gain:
-      return fmt::format("{0}' = {0} (1 + {1})", own, f);
-    case Target::offset:
-      return fmt::format("{0}' = {0} + {1}", own, f);
-  }
-  return f;
 }
 
 }  // namespace reeve::causes

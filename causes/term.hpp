@@ -65,6 +65,8 @@ struct Covariate {
 };
 // "humidity_pct", "load", "T2"
 std::string covariate_name(const Covariate& covariate);
+// That of this name, without middle and range. A name that means nothing else is a column's.
+Covariate covariate_named(const std::string& name);
 
 enum class Form : std::uint8_t {
   constant,
@@ -87,8 +89,8 @@ struct Term {
   Target target = Target::exponent;
   Site site;
   Form form = Form::constant;
-  Covariate x;
-  Covariate y;  // product
+  Covariate x{};
+  Covariate y{};  // product
 };
 
 // f, of the parameters in the order of the form.
@@ -102,6 +104,11 @@ bool acts_in(const Site& site, const Conditions& conditions);
 
 // "sheath", "tube of finger 1", "T3", "motor", "all channels"
 std::string site_name(const Site& site);
+// The site of this name, whatever it says of a routing; nothing if it names none.
+std::optional<Site> site_named(const std::string& name);
+
+// What is wrong with a term that there cannot be; nullptr if there can.
+const char* fault(const Term& term);
 
 // The cause that does what the term says. One and the same for equal terms, and never gone.
 const Cause& law(const Term& term);

@@ -3,26 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/causes/rig.hpp"
 
 namespace reeve {
 namespace {
 
+using testing::bearing;
+using testing::bench;
 using testing::effect;
 using testing::model_with;
 using testing::of_channel;
+using testing::pi;
+using testing::sheath;
 using testing::Solved;
 using testing::solved;
+using testing::tube;
 
-constexpr double pi = std::numbers::pi;
-constexpr double sheath = 0.36 * pi;
-constexpr double tube = 0.18 * pi;
-constexpr double bearing = 0.001 * pi;
 constexpr double tolerance = 1e-9;
-
-double bench(const Model& model) { return solved(model, "M-F")["h1"]; }
 
 Subject of_finger(int finger) {
   Subject subject;

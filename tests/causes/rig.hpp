@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,17 @@ inline Solved solved(const Model& model, const Routing& routing, Grasp grasp = {
 inline Solved solved(const Model& model, const std::string& word, Grasp grasp = {},
                      Direction direction = Direction::pull) {
   return solved(model, parse_routing(word), grasp, direction);
+}
+
+// The exponents of the default hardware.
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double sheath = 0.36 * pi;
+inline constexpr double tube = 0.18 * pi;
+inline constexpr double bearing = 0.001 * pi;
+
+// A sheath alone: what is left of 1 N.
+inline double bench(const Model& model, Direction direction = Direction::pull) {
+  return solved(model, "M-F", {}, direction)["h1"];
 }
 
 // A random value of every parameter, over the whole range that is searched.
