@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "catalog/hardware_tables.hpp"
+#include "catalog/law_tables.hpp"
 #include "catalog/toml_node.hpp"
 #include "causes/library.hpp"
 #include "causes/model.hpp"
+#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/tension/seizure.hpp"
@@ -122,13 +126,14 @@ double read_parameter(const TomlNode& table, const Parameter& parameter) {
       .number_between(low, high);
 }
 
-void require_new(const TomlNode& table, const Effect& effect, const Model& model) {
+void add_new(const TomlNode& table, const Effect& effect, Model& model) {
   for (const Effect& other : model.effects) {
     if (!is_about_the_same(effect, other)) continue;
     table.fail_at_key(
         {.what = fmt::format("{}: {} is given twice", table.name, effect_name(effect)),
          .expected = "each effect once"});
   }
+  add_effect(model, effect);
 }
 
 std::string line(std::string_view key, const std::string& text) {
@@ -153,8 +158,7 @@ void read_effect(const TomlNode& table, const Catalogue& catalogue, Model& model
   for (const Parameter& parameter : parameters) {
     effect.values.push_back(read_parameter(table, parameter));
   }
-  require_new(table, effect, model);
-  add_effect(model, effect);
+  add_new(table, effect, model);
   validate_at(table, effective_hardware(model));
 }
 
@@ -179,25 +183,56 @@ std::string effect_toml(const Effect& effect, const Hardware& hardware) {
   return text;
 }
 
-Conditions read_conditions(const TomlNode& file) {
+// The columns that the laws ask for, in their order.
+std::vector<std::string> columns_of_laws(const Model& model) {
+  std::vector<std::string> columns;
+  for (const Effect& effect : model.effects) {
+    for (const Covariate& covariate : covariates(effect)) {
+      const std::string name = covariate_name(covariate);
+      const bool is_new = std::find(columns.begin(), columns.end(), name) == columns.end();
+      if (covariate.kind == CovariateKind::column && is_new) columns.push_back(name);
+    }
+  }
+  return columns;
+}
+
+// After the effects: a further column is one that a law asks for.
+Conditions read_conditions(const TomlNode& file, const Model& model) {
   Conditions conditions;
   const TomlNode* node = file.find("conditions");
   if (node == nullptr) return conditions;
+  const std::vector<std::string> columns = columns_of_laws(model);
   std::vector<std::string_view> keys;
   for (const ConditionRow& row : condition_table()) keys.emplace_back(row.name);
+  keys.insert(keys.end(), columns.begin(), columns.end());
   node->table().allow_only(keys);
   for (const ConditionRow& row : condition_table()) {
     const TomlNode* value = node->find(row.name);
     if (value != nullptr)
       conditions.*row.value = value->number_between(row.range.low, row.range.high);
   }
+  Record record;
+  for (const std::string& column : columns) {
+    const TomlNode* value = node->find(column);
+    if (value == nullptr) continue;
+    record.columns.push_back({covariate_named(column).column, value->finite_number()});
+  }
+  if (!record.columns.empty()) conditions.record = std::make_shared<const Record>(record);
   return conditions;
 }
 
-std::string conditions_toml(const Conditions& conditions) {
+std::string conditions_toml(const Model& model) {
+  const Conditions& conditions = model.conditions;
   std::string text = "\n[conditions]\n";
   for (const ConditionRow& row : condition_table()) {
     text += fmt::format("{} = {}\n", row.name, conditions.*row.value);
+  }
+  if (!conditions.record) return text;
+  for (const std::string& column : columns_of_laws(model)) {
+    for (const NamedValue& value : conditions.record->columns) {
+      if (value.name != covariate_named(column).column) continue;
+      text += fmt::format("{} = {}\n", toml_text(column), value.value);
+    }
   }
   return text;
 }
@@ -207,14 +242,17 @@ std::string conditions_toml(const Conditions& conditions) {
 ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& catalogue) {
   const TomlNode file = read_toml(path);
   std::vector<std::string_view> names = hardware_table_names();
-  names.insert(names.end(), {"conditions", "effect"});
+  names.insert(names.end(), {"conditions", "effect", "law"});
   file.allow_only(names);
   const HardwareFile hardware = read_hardware_tables(file);
-  ModelFile result{
-      {hardware.hardware, {}, read_conditions(file)}, hardware.uncertainty, hardware.vary};
+  ModelFile result{{hardware.hardware}, hardware.uncertainty, hardware.vary};
   if (const TomlNode* effects = file.find("effect")) {
     for (const TomlNode& effect : effects->tables()) read_effect(effect, catalogue, result.model);
   }
+  if (const TomlNode* laws = file.find("law")) {
+    for (const TomlNode& law : laws->tables()) add_new(law, read_law(law, catalogue), result.model);
+  }
+  result.model.conditions = read_conditions(file, result.model);
   result.model.hardware.origin = origin_of(file);
   return result;
 }
@@ -223,8 +261,11 @@ std::string model_toml(const Model& model, const std::vector<std::string>& comme
                        const UncertaintyRanges& uncertainty) {
   std::string text;
   for (const std::string& line : comment_lines) text += toml_comment(line);
-  text += hardware_toml(model.hardware, uncertainty) + conditions_toml(model.conditions);
-  for (const Effect& effect : model.effects) text += effect_toml(effect, model.hardware);
+  text += hardware_toml(model.hardware, uncertainty) + conditions_toml(model);
+  for (const Effect& effect : model.effects) {
+    const bool is_law = term_of(*effect.cause) != nullptr;
+    text += is_law ? law_toml(effect) : effect_toml(effect, model.hardware);
+  }
   return text;
 }
 

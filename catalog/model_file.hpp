@@ -13,6 +13,9 @@
 //                             channel | finger | routing, recorded, actual | routing, contact
 //   gain = 1.08             every parameter of the cause
 //
+//   [[law]]                 as often as there are laws: law_tables.hpp
+//
+// [conditions] takes the columns that laws ask for, too; without its column a law is at its middle.
 // Routings are words, or names of the catalogue that is read with it. A model without effects is
 // the plain friction model.
 #pragma once

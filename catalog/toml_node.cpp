@@ -208,6 +208,11 @@ bool TomlNode::truth() const {
   return number != 0;
 }
 
+double TomlNode::finite_number() const {
+  if (!is_number() || !std::isfinite(number)) fail_expected("a finite number");
+  return number;
+}
+
 double TomlNode::number_from_zero() const {
   if (!is_number() || !std::isfinite(number) || number < 0) {
     fail_expected("a finite number, not negative");
@@ -262,6 +267,20 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
          {.what = fmt::format("not valid TOML: {}", error.description())});
   }
   return root;
+}
+
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7F) {
+      result += fmt::format("\\u{:04X}", code);
+      continue;
+    }
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
 }
 
 std::string toml_comment(std::string text) {

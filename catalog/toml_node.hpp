@@ -48,6 +48,7 @@ class TomlNode {
   int integer(int low, int high) const;
   bool truth() const;
   // An integer is a number, too.
+  double finite_number() const;
   double number_from_zero() const;                       // finite, not negative
   double number_between(double low, double high) const;  // both included
 
@@ -62,6 +63,9 @@ class TomlNode {
 TomlNode read_toml(const std::filesystem::path& path);
 // `name` stands for the file in messages.
 TomlNode parse_toml(const std::string& text, const std::string& name);
+
+// The text in quotes, as a key or a value.
+std::string toml_text(std::string_view text);
 
 // "# text" and a line end, whatever the text: what TOML does not allow in a comment becomes '?'.
 std::string toml_comment(std::string text);

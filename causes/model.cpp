@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "causes/library.hpp"
+#include "causes/term.hpp"
 #include "core/error.hpp"
 
 namespace reeve::causes {
@@ -56,6 +57,14 @@ bool reaches(const Model& model, Reach reach) {
                      [&](const Effect& effect) { return effect.cause->reach() == reach; });
 }
 
+bool names_routings(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const Effect& effect) {
+    const Term* term = term_of(*effect.cause);
+    return effect.cause->reach() == Reach::contact ||
+           (term != nullptr && !term->site.routing.empty());
+  });
+}
+
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded) {
   Grasp grasp = recorded;
   for (const Effect& effect : model.effects) {
@@ -77,6 +86,8 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
 }
 
 bool belongs_to_designs(const Effect& effect) {
+  const Term* term = term_of(*effect.cause);
+  if (term != nullptr && !(term->site.run.empty() && term->site.group.empty())) return false;
   const Reach reach = effect.cause->reach();
   return reach != Reach::reading && reach != Reach::grasp && reach != Reach::motor;
 }

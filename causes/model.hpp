@@ -41,6 +41,8 @@ Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effect
 
 // Of the effects' reaches, whether one is this.
 bool reaches(const Model& model, Reach reach);
+// Whether an effect on contacts is about one routing.
+bool names_routings(const Model& model);
 
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded);
 std::vector<std::size_t> seized_contacts(const Model& model, const std::string& word,
@@ -48,7 +50,7 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
 // The effects that a design has, whoever measures it. Those on readings and records are the rig's:
 // also pretension, which the motor does no work for and which therefore is no merit or fault of a
 // routing, and what is lost between the motor and the tendons, which is lost to every routing
-// alike.
+// alike; and those that a run or a group has by itself.
 bool belongs_to_designs(const Effect& effect);
 std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
 

@@ -210,12 +210,12 @@ class Law final : public Cause {
   std::vector<Parameter> parameters_;
 };
 
-const char* fault(const Covariate& x, bool is_logarithmic) {
-  if (!(x.seen.low < x.seen.high)) return "its range needs a lower end below the upper one";
-  if (is_logarithmic && !(x.seen.low > 0 && x.middle > 0)) {
-    return "a logarithm or a power needs a middle and a range above 0";
-  }
-  return nullptr;
+std::optional<TermFault> fault(const Covariate& x, bool is_logarithmic) {
+  if (!(x.seen.low < x.seen.high)) return TermFault{"range", "the lower end before the upper one"};
+  if (!is_logarithmic) return std::nullopt;
+  if (!(x.seen.low > 0)) return TermFault{"range", "a range above 0, as of a logarithm or power"};
+  if (!(x.middle > 0)) return TermFault{"middle", "a middle above 0, as of a logarithm or power"};
+  return std::nullopt;
 }
 
 std::string key(const Covariate& x) {
@@ -323,36 +323,34 @@ bool acts_in(const Site& site, const Conditions& conditions) {
          (site.group.empty() || conditions.record->group == site.group);
 }
 
-const char* fault(const Term& term) {
+std::optional<TermFault> fault(const Term& term) {
   const SitePlace place = term.site.place;
   const bool at_contacts = place == SitePlace::contacts;
   const bool at_motor = place == SitePlace::motor;
-  switch (term.target) {
-    case Target::exponent:
-      if (!at_contacts) return "an exponent is that of contacts";
-      break;
-    case Target::force:
-      if (!at_contacts && !at_motor) return "contacts and the motor take a force";
-      break;
-    default:
-      if (at_contacts) return "channels and the motor have gain and offset";
+  if (term.target == Target::exponent && !at_contacts) {
+    return TermFault{"site", "contacts, which have an exponent"};
   }
-  if (term.form == Form::constant) return nullptr;
+  if (term.target == Target::force && !at_contacts && !at_motor) {
+    return TermFault{"site", "contacts or the motor, which take a force"};
+  }
+  if ((term.target == Target::gain || term.target == Target::offset) && at_contacts) {
+    return TermFault{"site", "a channel, all channels or the motor, which have gain and offset"};
+  }
+  if (term.form == Form::constant) return std::nullopt;
   const bool of_two = term.form == Form::product;
-  const bool at_channels = place == SitePlace::channel || place == SitePlace::channels;
-  if (!at_channels && (term.x.kind == CovariateKind::tension ||
-                       (of_two && term.y.kind == CovariateKind::tension))) {
-    return "only channels know what another channel carries";
+  if ((at_contacts || at_motor) && (term.x.kind == CovariateKind::tension ||
+                                    (of_two && term.y.kind == CovariateKind::tension))) {
+    return TermFault{"covariate", "no other channel, but for a law of channels"};
   }
   const bool is_logarithmic = term.form == Form::log || term.form == Form::power;
-  if (const char* found = fault(term.x, is_logarithmic || (of_two && term.x.logarithmic))) {
+  if (const auto found = fault(term.x, is_logarithmic || (of_two && term.x.logarithmic))) {
     return found;
   }
   if (of_two) return fault(term.y, term.y.logarithmic);
   if (term.form == Form::exponential && term.x.seen.high <= 0) {
-    return "an exponential needs a range that reaches above 0";
+    return TermFault{"range", "an upper end above 0, as of an exponential"};
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 const Cause& law(const Term& term) {
@@ -367,6 +365,13 @@ const Cause& law(const Term& term) {
 const Term* term_of(const Cause& cause) {
   const auto* law = dynamic_cast<const Law*>(&cause);
   return law == nullptr ? nullptr : &law->term();
+}
+
+std::vector<Covariate> covariates(const Effect& effect) {
+  const Term* term = term_of(*effect.cause);
+  if (term == nullptr || term->form == Form::constant) return {};
+  if (term->form == Form::product) return {term->x, term->y};
+  return {term->x};
 }
 
 }  // namespace reeve::causes

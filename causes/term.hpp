@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "causes/cause.hpp"
 
@@ -28,6 +29,7 @@ namespace reeve::causes {
 enum class Target : std::uint8_t { exponent, force, gain, offset };
 const char* target_name(Target target);
 std::optional<Target> target_named(const std::string& name);
+std::string target_names();  // "exponent, force, …", for messages
 
 enum class SitePlace : std::uint8_t { contacts, channel, channels, motor };
 
@@ -82,6 +84,7 @@ enum class Form : std::uint8_t {
 };
 const char* form_name(Form form);
 std::optional<Form> form_named(const std::string& name);
+std::string form_names();
 // Of its parameters, the first of which is 0 where the term changes nothing.
 std::size_t parameter_count(Form form);
 
@@ -107,13 +110,20 @@ std::string site_name(const Site& site);
 // The site of this name, whatever it says of a routing; nothing if it names none.
 std::optional<Site> site_named(const std::string& name);
 
-// What is wrong with a term that there cannot be; nullptr if there can.
-const char* fault(const Term& term);
+// Of a term that there cannot be: which part does not go with the others, by its key in files.
+struct TermFault {
+  const char* key;
+  const char* expected;
+};
+std::optional<TermFault> fault(const Term& term);
 
 // The cause that does what the term says. One and the same for equal terms, and never gone.
 const Cause& law(const Term& term);
 // Nothing of a cause that is none.
 const Term* term_of(const Cause& cause);
+
+// Those that the effect's law is of: none, one or two.
+std::vector<Covariate> covariates(const Effect& effect);
 
 // "phi' = phi (1 + 0.0083 (humidity_pct - 50))"
 std::string formula(const Term& term, const std::vector<double>& values);

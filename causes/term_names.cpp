@@ -10,9 +10,9 @@
 namespace reeve::causes {
 namespace {
 
-constexpr std::array target_names{"exponent", "force", "gain", "offset"};
-constexpr std::array form_names{"constant",    "linear", "log",  "power", "quadratic",
-                                "exponential", "hinge",  "step", "sine",  "product"};
+constexpr std::array names_of_targets{"exponent", "force", "gain", "offset"};
+constexpr std::array names_of_forms{"constant",    "linear", "log",  "power", "quadratic",
+                                    "exponential", "hinge",  "step", "sine",  "product"};
 
 template <typename Enum, std::size_t n>
 std::optional<Enum> enum_named(const std::array<const char*, n>& names, const std::string& name) {
@@ -165,14 +165,19 @@ std::string factor_text(const Covariate& covariate) {
 
 }  // namespace
 
-const char* target_name(Target target) { return target_names[static_cast<std::size_t>(target)]; }
+const char* target_name(Target target) {
+  return names_of_targets[static_cast<std::size_t>(target)];
+}
 std::optional<Target> target_named(const std::string& name) {
-  return enum_named<Target>(target_names, name);
+  return enum_named<Target>(names_of_targets, name);
 }
-const char* form_name(Form form) { return form_names[static_cast<std::size_t>(form)]; }
+std::string target_names() { return fmt::format("{}", fmt::join(names_of_targets, ", ")); }
+const char* form_name(Form form) { return names_of_forms[static_cast<std::size_t>(form)]; }
 std::optional<Form> form_named(const std::string& name) {
-  return enum_named<Form>(form_names, name);
+  return enum_named<Form>(names_of_forms, name);
 }
+
+std::string form_names() { return fmt::format("{}", fmt::join(names_of_forms, ", ")); }
 
 std::string covariate_name(const Covariate& covariate) {
   switch (covariate.kind) {

@@ -55,7 +55,7 @@ DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
 DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score score,
                                  std::optional<PartPrices> prices)
     : model_(std::make_shared<const Model>(model)),
-      needs_word_(reaches(model, Reach::contact)),
+      needs_word_(names_routings(model)),
       builder_(possible_hardware(model)),
       hand_(hand(model.hardware)),
       grasps_(std::move(grasps)),

@@ -659,7 +659,7 @@ TEST(CovariateName, IsReadBack) {
 
 TEST(TermFault, IsWhatTheTargetTheCovariateOrTheFormDoesNotGoWith) {
   const auto at_site = [](Target target, const char* site) {
-    return fault(constant(target, site_of(site))) != nullptr;
+    return fault(constant(target, site_of(site))).has_value();
   };
   EXPECT_TRUE(at_site(Target::exponent, "T3"));
   EXPECT_TRUE(at_site(Target::exponent, "motor"));
@@ -676,7 +676,7 @@ TEST(TermFault, IsWhatTheTargetTheCovariateOrTheFormDoesNotGoWith) {
     Covariate x = humidity();
     x.seen = seen;
     x.middle = middle;
-    return fault(of_form(form, x)) != nullptr;
+    return fault(of_form(form, x)).has_value();
   };
   EXPECT_FALSE(of_x(Form::linear, {-5, 5}, 0));
   EXPECT_TRUE(of_x(Form::linear, {5, 5}, 5));
@@ -688,14 +688,14 @@ TEST(TermFault, IsWhatTheTargetTheCovariateOrTheFormDoesNotGoWith) {
   EXPECT_FALSE(of_x(Form::exponential, {0, 5}, 2));
 
   Term tension = of_form(Form::linear, of_kind(CovariateKind::tension, 5, {0, 10}));
-  EXPECT_NE(fault(tension), nullptr);
+  EXPECT_STREQ(fault(tension).value().key, "covariate");
   tension = {Target::gain, channel("T1"), Form::linear, tension.x};
-  EXPECT_EQ(fault(tension), nullptr);
+  EXPECT_FALSE(fault(tension));
   Term product = of_form(Form::product);
   product.y = logarithmic(load(10, {0, 20}));
-  EXPECT_NE(fault(product), nullptr);
+  EXPECT_STREQ(fault(product).value().key, "range");
   product.y.seen.low = 1;
-  EXPECT_EQ(fault(product), nullptr);
+  EXPECT_FALSE(fault(product));
 }
 
 }  // namespace
