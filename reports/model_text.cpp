@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
+
+#include "causes/term.hpp"
+#include "reports/law_words.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -17,6 +22,7 @@ void add_note(const char* parts, double mu, const MuRange& range, std::vector<st
 }
 
 Json subject_json(const Effect& effect) {
+  if (const Term* term = term_of(*effect.cause)) return law_json(*term);
   const Subject& subject = effect.subject;
   switch (effect.cause->subject_kind()) {
     case SubjectKind::rig:
@@ -49,8 +55,9 @@ Json effect_json(const Effect& effect, const Hardware& hardware) {
   return json;
 }
 
-// "sensor_gain[T3] (gain 1.08)"
+// "sensor_gain[T3] (gain 1.08)", or a law's site and formula.
 std::string effect_text(const Effect& effect, const Hardware& hardware) {
+  if (const Term* term = term_of(*effect.cause)) return law_text(*term, effect.values);
   std::string values;
   const std::vector<Parameter> parameters = effect.cause->parameters(hardware);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -72,6 +79,64 @@ std::string absent_finger_note(const std::string& what, int finger) {
   return fmt::format("{} changes nothing: no routing here has a finger {}", what, finger);
 }
 
+struct Condition {
+  std::string name;
+  double value = 0;
+};
+
+// The columns that laws of designs ask for, each once, are among them; one that the model does not
+// give is at the middle of its law.
+std::vector<Condition> conditions_of(const Model& model) {
+  std::vector<Condition> conditions;
+  for (const ConditionRow& row : condition_table()) {
+    conditions.push_back({row.name, model.conditions.*row.value});
+  }
+  for (const Effect& effect : model.effects) {
+    if (!belongs_to_designs(effect)) continue;
+    for (const Covariate& x : covariates(effect)) {
+      if (x.kind != CovariateKind::column) continue;
+      const std::string name = covariate_name(x);
+      const bool is_new = std::none_of(conditions.begin(), conditions.end(),
+                                       [&](const Condition& other) { return other.name == name; });
+      if (is_new) conditions.push_back({name, covariate_value(x, model.conditions, 0)});
+    }
+  }
+  return conditions;
+}
+
+// Designs carry up to the motor tension, so that of loads only the upper end is passed.
+bool lies_outside(const Covariate& x, const Conditions& conditions) {
+  const double value = covariate_value(x, conditions, conditions.motor_tension_N);
+  return value > x.seen.high || (value < x.seen.low && x.kind != CovariateKind::load);
+}
+
+std::string outside_note(const Covariate& x, const Conditions& conditions) {
+  return fmt::format(
+      "{} {} {:.6g} lies outside {:.6g} to {:.6g}, where the law was seen: it is held "
+      "constant there",
+      covariate_name(x), x.kind == CovariateKind::load ? "up to" : "=",
+      covariate_value(x, conditions, conditions.motor_tension_N), x.seen.low, x.seen.high);
+}
+
+// One for each covariate of a law whose condition lies outside the range seen.
+std::vector<std::string> outside_notes(const Model& model) {
+  std::vector<std::string> notes;
+  for (const Effect& effect : model.effects) {
+    if (!belongs_to_designs(effect)) continue;
+    for (const Covariate& x : covariates(effect)) {
+      if (!lies_outside(x, model.conditions)) continue;
+      const std::string note = outside_note(x, model.conditions);
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    }
+  }
+  return notes;
+}
+
+int finger_of(const Effect& effect) {
+  const Term* term = term_of(*effect.cause);
+  return term != nullptr ? term->site.finger : effect.subject.finger;
+}
+
 }  // namespace
 
 std::vector<std::string> range_notes(const Hardware& nominal, const UncertaintyRanges& ranges) {
@@ -86,9 +151,10 @@ Json model_json(const Model& model, std::uint64_t unconverged) {
   Json json;
   json["effects"] = list_json(
       model.effects, [&](const Effect& effect) { return effect_json(effect, model.hardware); });
-  for (const ConditionRow& row : condition_table()) {
-    json["conditions"][row.name] = number(model.conditions.*row.value);
+  for (const Condition& condition : conditions_of(model)) {
+    json["conditions"][condition.name] = number(condition.value);
   }
+  json["outside_range"] = outside_notes(model);
   json["unconverged"] = unconverged;
   return json;
 }
@@ -97,11 +163,13 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
   if (model.effects.empty()) return {};
   const std::string effects = list(model, true);
   std::string text = "Model with " + (effects.empty() ? "no effect on designs" : effects) + ", at";
-  for (const ConditionRow& row : condition_table()) {
-    text += fmt::format("{} {} {:.6g}", row.name == condition_table()[0].name ? "" : ",", row.name,
-                        model.conditions.*row.value);
+  const char* comma = "";
+  for (const Condition& condition : conditions_of(model)) {
+    text += fmt::format("{} {} {:.6g}", comma, condition.name, condition.value);
+    comma = ",";
   }
   std::vector<DocumentLine> lines{{text}};
+  for (const std::string& note : outside_notes(model)) lines.push_back({"Note: " + note, true});
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {
     lines.push_back(
@@ -125,10 +193,8 @@ std::vector<std::string> absent_finger_notes(const Model& model, int fingers) {
                                        finger.finger));
   }
   for (const Effect& effect : model.effects) {
-    if (effect.cause->subject_kind() != SubjectKind::finger) continue;
-    if (effect.subject.finger <= fingers) continue;
-    notes.push_back(
-        absent_finger_note(effect_name(effect) + " of the model", effect.subject.finger));
+    if (finger_of(effect) <= fingers) continue;
+    notes.push_back(absent_finger_note(effect_name(effect) + " of the model", finger_of(effect)));
   }
   return notes;
 }

@@ -68,11 +68,12 @@ std::string sizes_table(const DiagnosisResult& result) {
                number_column("literature"), text_column("unit")},
               {}};
   for (const NamedCause& cause : result.causes) {
-    for (const EstimatedParameter& parameter : cause.parameters) {
+    for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
+      const EstimatedParameter& parameter = cause.parameters[i];
       table.add({cause.name, parameter.name, estimate(parameter, parameter.value),
                  interval_of(parameter),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : none,
-                 literature_of(parameter), parameter.unit});
+                 literature_of(parameter), parameter_unit(cause, i)});
     }
   }
   return written({"named-causes", "Sizes, with 95 % intervals", std::move(table)});

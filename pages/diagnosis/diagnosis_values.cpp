@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "causes/term.hpp"
 #include "core/notation.hpp"
 #include "diagnosis/search/rivals.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
@@ -27,9 +28,10 @@ Json sentences(const std::string& text) {
 Json named_values(const DiagnosisReport& report) {
   Json list = Json::array();
   for (const NamedCause& cause : report.result.causes) {
+    const Term* term = term_of(*cause.effect.cause);
     Json item{{"name", cause.name},
-              {"meaning", capitalised(cause.meaning)},
-              {"detail", cause.detail},
+              {"meaning", capitalised(cause_meaning(cause))},
+              {"detail", term == nullptr ? cause.detail : formula(*term, cause.effect.values)},
               {"p", p_text(cause.p_value, report.settings.replicates)}};
     if (cause.runner_up) {
       item["runner_up"] = {{"name", cause.runner_up->name},

@@ -85,8 +85,7 @@ std::string cause_lines(const DiagnosisResult& result) {
   std::string text;
   for (const NamedCause& cause : result.causes) {
     if (cannot_be_told_apart(result, cause.name)) continue;
-    text += fmt::format("{}: {}.\n", capitalised((text.empty() ? "" : "besides, ") + cause.meaning),
-                        cause_text(cause));
+    text += capitalised((text.empty() ? "" : "besides, ") + cause_sentence(cause)) + ".\n";
   }
   return text;
 }
@@ -107,7 +106,7 @@ std::string indistinguishable_lines(const DiagnosisReport& report) {
                         names_text(names));
     for (const NamedCause& cause : result.causes) {
       if (cause.name != names.front()) continue;
-      text += fmt::format("If it is the first: {}: {}.\n", cause.meaning, cause_text(cause));
+      text += fmt::format("If it is the first: {}.\n", cause_sentence(cause));
     }
   }
   return text;

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "causes/term.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/law_words.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/stamp.hpp"
@@ -51,6 +55,23 @@ Json cause_json(const NamedCause& cause) {
                          {"delta_log_likelihood", number(other.delta_log_likelihood)}};
            })}};
 }
+
+// As of a cause, with the parts of its term in place of the meaning.
+Json named_law_json(const NamedCause& cause) {
+  const Term& term = *term_of(*cause.effect.cause);
+  Json json = cause_json(cause);
+  json.erase("meaning");
+  json.erase("detail");
+  json.update(law_json(term));
+  json["formula"] = formula(term, cause.effect.values);
+  json["text"] = capitalised(cause_sentence(cause)) + ".";
+  for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
+    json["parameters"][i]["unit"] = parameter_unit(cause, i);
+  }
+  return json;
+}
+
+bool is_law(const NamedCause& cause) { return term_of(*cause.effect.cause) != nullptr; }
 
 Json measurement_json(const PlannedMeasurement& planned, const DiagnosisReport& report) {
   const Measurement& at = planned.measurement;
@@ -103,7 +124,11 @@ void add_findings(Json& json, const DiagnosisReport& report) {
     return measurement_json(measurement, report);
   };
   json["verdict"] = verdict_name(result.verdict);
-  json["causes"] = list_json(result.causes, cause_json);
+  std::vector<NamedCause> laws = result.causes;
+  const auto causes = std::stable_partition(laws.begin(), laws.end(), is_law);
+  json["causes"] = list_json(std::vector(causes, laws.end()), cause_json);
+  laws.erase(causes, laws.end());
+  json["laws"] = list_json(laws, named_law_json);
   json["indistinguishable"] = result.indistinguishable;
   json["separating_measurement"] = value_or_null(result.separating_measurement, planned);
   json["unexplained"] = value_or_null(result.unexplained, [](const Unexplained& left) {

@@ -82,13 +82,14 @@ Section causes_section(const DiagnosisReport& report) {
       table.add({cause.name, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
                  other});
     }
-    for (const EstimatedParameter& parameter : cause.parameters) {
-      const bool first = &parameter == &cause.parameters.front();
+    for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
+      const EstimatedParameter& parameter = cause.parameters[i];
+      const bool first = i == 0;
       table.add({first ? cause.name : "", parameter.name, estimate(parameter, parameter.value),
                  fmt::format("{} to {}", estimate(parameter, parameter.low),
                              estimate(parameter, parameter.high)),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
-                 literature_text(parameter.literature), parameter.unit, first ? p : "",
+                 literature_text(parameter.literature), parameter_unit(cause, i), first ? p : "",
                  first ? other : ""});
     }
   }

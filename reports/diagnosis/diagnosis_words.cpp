@@ -6,7 +6,9 @@
 #include <cctype>
 #include <cmath>
 
+#include "causes/term.hpp"
 #include "reports/data_text.hpp"
+#include "reports/law_words.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -56,6 +58,18 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
                      nominal_text(parameter, effect), literature_text(parameter));
 }
 
+// "95 % intervals of a 0.1 to 0.2, of b 30 to 40"
+std::string intervals_text(const NamedCause& cause) {
+  std::string text = cause.parameters.size() == 1 ? "95 % interval" : "95 % intervals";
+  const char* comma = "";
+  for (const EstimatedParameter& parameter : cause.parameters) {
+    text += fmt::format("{} of {} {} to {}", comma, parameter.name,
+                        estimate(parameter, parameter.low), estimate(parameter, parameter.high));
+    comma = ",";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string catalogue_name(const DiagnosisReport& report, const std::string& word) {
@@ -88,6 +102,23 @@ std::string cause_text(const NamedCause& cause) {
     text += ", " + parameter_text(parameter, cause.effect);
   }
   return cause.detail.empty() ? text : text + ", " + cause.detail;
+}
+
+std::string cause_meaning(const NamedCause& cause) {
+  const Term* term = term_of(*cause.effect.cause);
+  return term == nullptr ? cause.meaning : law_meaning(*term, cause.effect.values);
+}
+
+std::string parameter_unit(const NamedCause& cause, std::size_t i) {
+  const Term* term = term_of(*cause.effect.cause);
+  return term == nullptr ? cause.parameters[i].unit : law_unit(*term, i);
+}
+
+std::string cause_sentence(const NamedCause& cause) {
+  const Term* term = term_of(*cause.effect.cause);
+  if (term == nullptr) return cause.meaning + ": " + cause_text(cause);
+  return fmt::format("{}: {}, {}", cause_meaning(cause), formula(*term, cause.effect.values),
+                     intervals_text(cause));
 }
 
 std::string size_with_interval(const NamedCause& cause) {

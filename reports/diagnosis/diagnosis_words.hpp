@@ -1,6 +1,7 @@
 // Phrases of a diagnosis that both the answer and its evidence use.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "reports/diagnosis/diagnosis_report.hpp"
@@ -21,6 +22,14 @@ std::string estimate(const EstimatedParameter& parameter, double value);
 
 // "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"
 std::string cause_text(const NamedCause& cause);
+
+// Of a cause of the library, or a law's own; and in which unit its i-th parameter is.
+std::string cause_meaning(const NamedCause& cause);
+std::string parameter_unit(const NamedCause& cause, std::size_t i);
+
+// A clause with subject and verb, and what is known of its sizes: "the tubes' friction is another
+// one: tube_friction, mu = …", "sheath friction grows with humidity_pct: phi' = …".
+std::string cause_sentence(const NamedCause& cause);
 
 // "tube_friction, mu = 0.090 (0.087 to 0.093)"
 std::string size_with_interval(const NamedCause& cause);

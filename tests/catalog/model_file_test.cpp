@@ -164,9 +164,10 @@ TEST(ModelFile, SortsEffectsInTheOrderOfTheLibrary) {
 TEST(ModelFile, OfTheExampleHasWhatItSays) {
   const ModelFile file = read_model_file(std::string(REEVE_CATALOG_DIR) + "/model/example.toml");
   EXPECT_EQ(file.model.hardware.sheath.mu, 0.15);
-  ASSERT_EQ(file.model.effects.size(), 5U);
+  ASSERT_EQ(file.model.effects.size(), 6U);
   EXPECT_EQ(effect_name(file.model.effects[2]), "sheath_angle[2]");
   EXPECT_EQ(effect_name(file.model.effects[3]), "seized_contact[M-1-P-2-M,T1-T2]");
+  EXPECT_EQ(effect_name(file.model.effects[5]), "law[exponent of sheath, humidity_pct, linear]");
 }
 
 TEST(BadModelFile, NamesThePlaceOfABadEffect) {

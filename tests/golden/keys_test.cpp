@@ -99,13 +99,16 @@ TEST(KeysOfRank, AreThePromisedOnes) {
 }
 
 void expect_model(const Json& model) {
-  EXPECT_EQ(keys(model), "effects conditions unconverged");
+  EXPECT_EQ(keys(model), "effects conditions outside_range unconverged");
   EXPECT_EQ(keys(model["effects"][0]), "cause subject values in_designs");
   EXPECT_EQ(model["effects"][0]["cause"], "tube_friction");
   EXPECT_EQ(model["effects"][0]["values"].dump(), R"({"mu":0.09})");
   EXPECT_EQ(model["effects"][2]["subject"].dump(), R"({"finger":2})");
   EXPECT_EQ(model["effects"][4]["in_designs"], false);
-  EXPECT_EQ(keys(model["conditions"]), "motor_tension_N speed_mm_s cycle temperature_C");
+  EXPECT_EQ(keys(model["effects"].back()["subject"]), "site acts_on covariate form middle range");
+  EXPECT_EQ(keys(model["conditions"]),
+            "motor_tension_N speed_mm_s cycle temperature_C humidity_pct");
+  EXPECT_EQ(model["outside_range"], Json::array());
   EXPECT_EQ(model["unconverged"], 0);
 }
 

@@ -57,7 +57,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
   EXPECT_EQ(
       keys(json),
-      "verdict causes indistinguishable separating_measurement unexplained next_measurement "
+      "verdict causes laws indistinguishable separating_measurement unexplained next_measurement "
       "held_out held_out_by_run noise_limit not_confirmed not_sure withdrawn withdrawn_held_out weighed structure share_errors left_out_runs "
       "losses without_apart published noise mountings row_scatter coefficients by_group ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
