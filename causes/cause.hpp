@@ -87,6 +87,11 @@ struct SurveyedRouting {
   const Network* network = nullptr;
   std::vector<Grasp> recorded;
 };
+// A covariate, and between which values it is.
+struct SurveyedColumn {
+  std::string name;
+  Range range;
+};
 struct Survey {
   std::vector<SurveyedRouting> routings;
   std::vector<Segment> channels;
@@ -98,6 +103,9 @@ struct Survey {
   bool has_both_directions = false;
   bool sheath_angle_varies = false;  // from row to row
   bool reads_below_zero = false;     // as sensors do whose zero has drifted
+  // Of a planned experiment: for laws that are given by name.
+  std::size_t runs = 0;  // "1", "2", …
+  std::vector<SurveyedColumn> columns{};
 };
 
 bool has_contact(const Survey& survey, ContactKind kind);

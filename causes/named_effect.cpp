@@ -7,8 +7,11 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "causes/library.hpp"
+#include "causes/named_law.hpp"
+#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 
@@ -110,6 +113,22 @@ bool fits(const Setting& setting, const Subject& subject) {
   return to_text(grasp) == setting.value;
 }
 
+// ", middle = 50, range = 20:80", as law_of reads it.
+std::string covariates_text(const Effect& effect) {
+  std::vector<std::string> middles, ranges;
+  std::vector<bool> logarithms;
+  for (const Covariate& x : covariates(effect)) {
+    middles.push_back(fmt::format("{}", x.middle));
+    ranges.push_back(fmt::format("{}:{}", x.seen.low, x.seen.high));
+    logarithms.push_back(x.logarithmic);
+  }
+  if (middles.empty()) return "";
+  const std::string text =
+      fmt::format(", middle = {}, range = {}", fmt::join(middles, ","), fmt::join(ranges, ","));
+  if (logarithms.size() < 2) return text;
+  return text + fmt::format(", logarithmic = {},{}", bool(logarithms[0]), bool(logarithms[1]));
+}
+
 // Keeps the subjects that fit a setting of the grasps.
 void choose(const Setting& setting, std::vector<Subject>& subjects) {
   std::set<std::string> grasps;
@@ -124,19 +143,23 @@ void choose(const Setting& setting, std::vector<Subject>& subjects) {
                     .form = InputForm::cell});
 }
 
+void require_each_once(const std::vector<Setting>& settings) {
+  std::set<std::string> keys;
+  for (const Setting& setting : settings) {
+    if (keys.insert(setting.key).second) continue;
+    throw InputError(fmt::format("'{}' is set twice", setting.key));
+  }
+}
+
 class EffectReader {
  public:
-  EffectReader(const NamedEffect& named, const Survey& survey, const Hardware& hardware)
-      : cause_(cause_of(named.name)),
+  EffectReader(const Cause& cause, std::vector<Subject> subjects,
+               const std::vector<Setting>& settings, const Hardware& hardware)
+      : cause_(cause),
         parameters_(cause_.parameters(hardware)),
-        subjects_(subjects_named(named.name, cause_, survey)),
+        subjects_(std::move(subjects)),
         values_(parameters_.size()) {
-    for (const Setting& setting : named.settings) {
-      if (!keys_.insert(setting.key).second) {
-        throw InputError(fmt::format("'{}' is set twice", setting.key));
-      }
-      read(setting);
-    }
+    for (const Setting& setting : settings) read(setting);
   }
 
   Effect effect() const {
@@ -182,8 +205,18 @@ class EffectReader {
   std::vector<Parameter> parameters_;
   std::vector<Subject> subjects_;
   std::vector<std::optional<double>> values_;
-  std::set<std::string> keys_;
 };
+
+Effect read_effect(const NamedEffect& named, const Survey& survey, const Hardware& hardware) {
+  require_each_once(named.settings);
+  if (is_law_name(named.name)) {
+    const NamedLaw law = law_of(named, survey);
+    return EffectReader(*law.cause, {Subject{}}, law.settings, hardware).effect();
+  }
+  const Cause& cause = cause_of(named.name);
+  return EffectReader(cause, subjects_named(named.name, cause, survey), named.settings, hardware)
+      .effect();
+}
 
 }  // namespace
 
@@ -194,7 +227,7 @@ const Lack* lack(const std::string& name, const Survey& survey) {
 
 Effect effect_of(const NamedEffect& named, const Survey& survey, const Hardware& hardware) {
   try {
-    return EffectReader(named, survey, hardware).effect();
+    return read_effect(named, survey, hardware);
   } catch (const InputError& error) {
     throw error.at(fmt::format("'{}'", named.name));
   }
@@ -211,9 +244,9 @@ std::string size_text(const Effect& effect, const Hardware& hardware) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string unit = parameters[i].unit;
     text += fmt::format("{}{} = {}{}", i == 0 ? "" : ", ", parameters[i].name, effect.values[i],
-                        unit == "1" ? "" : " " + unit);
+                        unit == "1" || unit.empty() ? "" : " " + unit);
   }
-  return text;
+  return text + covariates_text(effect);
 }
 
 }  // namespace reeve::causes

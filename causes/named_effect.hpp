@@ -4,6 +4,7 @@
 //   sensor_gain[T3]                    gain=1.08
 //   seized_contact[M-1-P-2-M,T1-T2]    (no parameters)
 //   wrong_grasp[M-1-P-2-M]             recorded=none, actual=1
+//   law[gain of T3, supply_V, linear]  a=0.02 (named_law.hpp)
 //
 // The first parameter is the cause's size and must be set; others shape the law, and are in the
 // middle of their literature range unless they are set. `recorded` and `actual` choose among the

@@ -25,6 +25,7 @@ inline constexpr std::uint32_t motor_tensions = 0x51a00012;
 inline constexpr std::uint32_t speeds = 0x51a00014;
 inline constexpr std::uint32_t temperatures = 0x51a00016;
 inline constexpr std::uint32_t sheath_angles = 0x51a00018;
+inline constexpr std::uint32_t columns = 0x51a00020;  // and so on
 // Where searches for dimensions start: one for each variable.
 inline constexpr std::uint32_t sizing_starts = 0x51ce0000;
 // Where searches for the worst of several tolerances start: likewise.

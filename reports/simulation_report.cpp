@@ -55,6 +55,7 @@ void put_header(Buffer& out, const ExperimentPlan& plan) {
   if (plan.cycle) put(out, ",cycle");
   if (plan.temperature_C) put(out, ",temperature_C");
   if (plan.sheath_angle_rad) put(out, ",sheath_angle_rad");
+  for (const PlannedColumn& column : plan.columns) put(out, ",{}", csv_field(column.name));
   for (const Segment& channel : plan.channels) {
     const std::string name = segment_name(channel);
     put(out, ",{}{}_N", channel.kind == SegmentKind::strand ? "" : "T", name);
@@ -72,6 +73,7 @@ void put_row(Buffer& out, const ExperimentPlan& plan, const PlannedReading& read
   if (plan.cycle) put(out, ",{}", conditions.cycle);
   if (plan.temperature_C) put(out, ",{}", conditions.temperature_C);
   if (plan.sheath_angle_rad) put(out, ",{}", *reading.sheath_angle_rad);
+  for (const double value : reading.columns) put(out, ",{}", value);
   for (const std::optional<double>& tension : tensions) {
     put(out, ",");
     if (tension) put(out, "{:.6g}", *tension);

@@ -39,7 +39,7 @@ struct SimulateFlags {
   std::string out;
   CLI::Option* out_given = nullptr;
   std::size_t power = 0;
-  HardwareOption hardware;
+  ModelOption model;
   FormatOption format;
 };
 
@@ -132,8 +132,7 @@ bool same(const Effect& a, const Effect& b) {
 
 Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
                  const Catalogue& catalogue) {
-  Model model;
-  model.hardware = flags.hardware.read().hardware;
+  Model model = flags.model.read(catalogue).model;
   std::vector<Routing> routings;
   for (const PlannedRouting& planned : plan.routings) routings.push_back(planned.routing);
   require_contacts_to_match(model.hardware, routings);
@@ -179,7 +178,7 @@ void run(const SimulateFlags& flags) {
   if (to_file && flags.out.empty())
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
   std::vector<InputFile> inputs;
-  flags.hardware.list_in(inputs);
+  flags.model.list_in(inputs);
   if (to_file) require_not_an_input(flags.out, inputs, "-o");
   if (flags.power > 0) {
     const auto report =
@@ -205,13 +204,14 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
       command
           .add_option("--cause", flags.causes,
                       "Hidden cause, such as load_dependent_friction, sensor_gain[T3], "
-                      "sheath_angle[2] or seized_contact[TR5,T1-T2]; may be given more than once")
+                      "sheath_angle[2], seized_contact[TR5,T1-T2] or 'law[exponent of sheath, "
+                      "humidity_pct, linear]'; may be given more than once")
           ->allow_extra_args(false);
   flags.set = command
                   .add_option("--set", flags.settings,
                               "Parameter of the --cause before it, such as gain=1.08")
                   ->allow_extra_args(false);
-  flags.hardware.add_to(command);
+  flags.model.add_to(command);
   command.add_option("--seed", flags.seed, "Seed of the conditions and the noise")
       ->check(is_seed)
       ->capture_default_str();

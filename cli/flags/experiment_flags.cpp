@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/text.hpp"
+#include "readings/column_name.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -49,6 +50,43 @@ PlannedLevels read_levels(const std::string& option, const std::string& text, Ra
   levels.range = {read(text.substr(0, colon)), read(text.substr(colon + 1))};
   if (levels.range.low <= levels.range.high) return levels;
   throw InputError({.what = option, .value = text, .expected = "the lower end of the range first"});
+}
+
+bool is_free_name(const std::string& name) {
+  const std::optional<ColumnName> known = column_named(name);
+  const bool is_known = known && !known->needs_unit && known->role != DataRole::covariate;
+  return !name.empty() && !is_known && name != "repeat" && name != "order" && name != "run";
+}
+
+// "humidity_pct=20:80"
+PlannedColumn read_column(const std::string& option, const std::string& text, bool by_run) {
+  constexpr double greatest = 1e12;
+  const std::size_t equals = text.find('=');
+  PlannedColumn column{text.substr(0, equals), {}, by_run};
+  if (equals == std::string::npos || !is_free_name(column.name)) {
+    throw InputError({.what = option,
+                      .value = text,
+                      .expected = "a name that means nothing else and its values, such as "
+                                  "humidity_pct=20:80"});
+  }
+  column.levels = read_levels(option, text.substr(equals + 1), {-greatest, greatest});
+  return column;
+}
+
+std::vector<PlannedColumn> read_columns(const ExperimentFlags& flags) {
+  std::vector<PlannedColumn> columns;
+  const auto add = [&](const std::string& option, const std::string& text, bool by_run) {
+    PlannedColumn column = read_column(option, text, by_run);
+    for (const PlannedColumn& other : columns) {
+      if (other.name != column.name) continue;
+      throw InputError(
+          {.where = fmt::format("{} '{}'", option, text), .what = "it is given twice"});
+    }
+    columns.push_back(std::move(column));
+  };
+  for (const std::string& text : flags.columns) add("--column", text, false);
+  for (const std::string& text : flags.run_columns) add("--run-column", text, true);
+  return columns;
 }
 
 std::vector<Direction> read_directions(const std::string& text) {
@@ -171,6 +209,15 @@ void ExperimentFlags::add_to(CLI::App& command) {
   sheath_angle_ = command.add_option("--sheath-angle", sheath_angle,
                                      "Of all sheaths, in rad, likewise (default: the hardware's)");
   command
+      .add_option("--column", columns,
+                  "A further column that varies from reading to reading, such as "
+                  "humidity_pct=20:80; may be given more than once")
+      ->allow_extra_args(false);
+  command
+      .add_option("--run-column", run_columns,
+                  "A further column that varies from run to run; may be given more than once")
+      ->allow_extra_args(false);
+  command
       .add_option("--noise-relative", noise_relative,
                   "Standard deviation of a reading, as a share of the tension")
       ->capture_default_str();
@@ -206,6 +253,7 @@ ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
   if (sheath_angle_->count() > 0) {
     plan.sheath_angle_rad = read_levels("--sheath-angle", sheath_angle, {0, 100});
   }
+  plan.columns = read_columns(*this);
   plan.runs = runs;
   plan.rows = rows;
   plan.repeats = repeats;

@@ -22,6 +22,8 @@ struct ExperimentFlags {
   std::string cycles;
   std::string temperature;
   std::string sheath_angle;
+  std::vector<std::string> columns;
+  std::vector<std::string> run_columns;
   std::string noise_relative = "0.02";
   std::string noise_absolute = "0.05";
   std::string noise_motor = "0";

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 #include "numerics/random.hpp"
@@ -21,6 +23,9 @@ enum class Factor : std::uint32_t {
   sheath_angle = streams::sheath_angles
 };
 
+Factor factor_of_column(std::size_t column) {
+  return static_cast<Factor>(streams::columns + 2 * static_cast<std::uint32_t>(column));
+}
 std::uint32_t order_stream(Factor factor) { return static_cast<std::uint32_t>(factor); }
 std::uint32_t place_stream(Factor factor) { return static_cast<std::uint32_t>(factor) + 1; }
 
@@ -39,11 +44,17 @@ double between(Range range, double share, bool logarithmic) {
   return range.low + share * (range.high - range.low);
 }
 
-// Rows of one run: which level each factor has in each of them.
+// Rows of one run: which level each factor has in each of them. Or the runs of an experiment, for
+// what changes from run to run.
 class RunPlanner {
  public:
   RunPlanner(const ExperimentPlan& plan, std::uint64_t seed, std::size_t run)
       : seed_(seed), run_(run), rows_(plan.rows), mounting_(run / plan.routings.size()) {}
+  static RunPlanner of_runs(const ExperimentPlan& plan, std::uint64_t seed) {
+    RunPlanner planner(plan, seed, 0);
+    planner.rows_ = plan.runs;
+    return planner;
+  }
 
   // The levels' numbers, equally often to within one; which are once more changes by mounting.
   std::vector<std::size_t> levels(Factor factor, std::size_t count) const {
@@ -90,6 +101,33 @@ class RunPlanner {
   std::size_t mounting_;
 };
 
+// The values of each column: by run, those of all runs; otherwise those of this one's rows.
+using ColumnValues = std::vector<std::vector<double>>;
+
+ColumnValues column_values(const ExperimentPlan& plan, const RunPlanner& planner,
+                           const RunPlanner& of_runs) {
+  ColumnValues values;
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    const PlannedColumn& column = plan.columns[c];
+    values.push_back(
+        (column.by_run ? of_runs : planner).values(factor_of_column(c), column.levels));
+  }
+  return values;
+}
+
+// As a file of these readings says it.
+std::shared_ptr<const Record> record_of(const ExperimentPlan& plan, const PlannedReading& reading) {
+  std::vector<NamedValue> columns;
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    columns.push_back({plan.columns[c].name, reading.columns[c]});
+  }
+  columns.push_back({"order", reading.conditions.order});
+  columns.push_back({"run", static_cast<double>(reading.run)});
+  if (plan.sheath_angle_rad) columns.push_back({"sheath_angle_rad", *reading.sheath_angle_rad});
+  return std::make_shared<const Record>(
+      Record{std::to_string(reading.run + 1), "", std::move(columns)});
+}
+
 double cycle_at(const PlannedLevels& cycle, std::size_t row, std::size_t rows) {
   if (!cycle.list.empty()) return cycle.list[row * cycle.list.size() / rows];
   const double share = rows > 1 ? static_cast<double>(row) / static_cast<double>(rows - 1) : 0;
@@ -99,6 +137,27 @@ double cycle_at(const PlannedLevels& cycle, std::size_t row, std::size_t rows) {
 
 bool varies(const PlannedLevels& levels) {
   return levels.list.size() > 1 || (levels.list.empty() && levels.range.low < levels.range.high);
+}
+
+Range range_of(const PlannedLevels& levels) {
+  if (levels.list.empty()) return levels.range;
+  const auto [least, greatest] = std::minmax_element(levels.list.begin(), levels.list.end());
+  return {*least, *greatest};
+}
+
+std::vector<SurveyedColumn> surveyed_columns(const ExperimentPlan& plan) {
+  std::vector<SurveyedColumn> columns{{"motor_tension_N", range_of(plan.motor_tension_N)}};
+  const auto add = [&](const std::string& name, const std::optional<PlannedLevels>& levels) {
+    if (levels) columns.push_back({name, range_of(*levels)});
+  };
+  add("speed_mm_s", plan.speed_mm_s);
+  add("cycle", plan.cycle);
+  add("temperature_C", plan.temperature_C);
+  add("sheath_angle_rad", plan.sheath_angle_rad);
+  for (const PlannedColumn& column : plan.columns) add(column.name, column.levels);
+  columns.push_back({"order", {0, 1}});
+  columns.push_back({"run", {0, static_cast<double>(plan.runs - 1)}});
+  return columns;
 }
 
 void require_channels(const ExperimentPlan& plan) {
@@ -149,6 +208,7 @@ void validate(const ExperimentPlan& plan) {
 std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed) {
   std::vector<PlannedReading> readings;
   readings.reserve(plan.runs * plan.rows * plan.repeats);
+  const RunPlanner of_runs = RunPlanner::of_runs(plan, seed);
   for (std::size_t run = 0; run < plan.runs; ++run) {
     PlannedReading reading;
     reading.run = run;
@@ -166,7 +226,12 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
     const std::vector<double> speeds = values(Factor::speed, plan.speed_mm_s, true);
     const std::vector<double> temperatures = values(Factor::temperature, plan.temperature_C, false);
     const std::vector<double> angles = values(Factor::sheath_angle, plan.sheath_angle_rad, false);
+    const ColumnValues columns = column_values(plan, planner, of_runs);
     for (std::size_t row = 0; row < plan.rows; ++row) {
+      reading.columns.clear();
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        reading.columns.push_back(columns[c][plan.columns[c].by_run ? run : row]);
+      }
       reading.grasp = grasps[motions[row] % grasps.size()];
       reading.direction = plan.directions[motions[row] / grasps.size()];
       Conditions& conditions = reading.conditions;
@@ -182,9 +247,12 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
       }
     }
   }
-  for (std::size_t i = 1; i < readings.size(); ++i) {
-    readings[i].conditions.order =
-        static_cast<double>(i) / static_cast<double>(readings.size() - 1);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    PlannedReading& reading = readings[i];
+    if (i > 0) {
+      reading.conditions.order = static_cast<double>(i) / static_cast<double>(readings.size() - 1);
+    }
+    reading.conditions.record = record_of(plan, reading);
   }
   return readings;
 }
@@ -202,6 +270,8 @@ Survey survey(const ExperimentPlan& plan) {
   survey.has_motor_tension = true;
   survey.reads_below_zero = true;  // the rig's sensors; in the file they are clipped
   survey.has_both_directions = plan.directions.size() > 1;
+  survey.runs = plan.runs;
+  survey.columns = surveyed_columns(plan);
   survey.sheath_angle_varies = plan.sheath_angle_rad && varies(*plan.sheath_angle_rad);
   return survey;
 }

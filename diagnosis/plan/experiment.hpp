@@ -7,6 +7,7 @@
 //     vary, each in a random order of its own: levels of a list equally often, to within one; of a
 //     range once in each of as many equal parts as the run has rows (of the logarithm for the
 //     speed, on which friction depends by it). So no two of them go together but by chance.
+//   - A further column varies likewise, or from run to run.
 //   - The cycle rises evenly over the whole experiment: wear cannot be undone.
 //
 // The plan and the seed decide all of it.
@@ -31,6 +32,13 @@ struct PlannedLevels {
   std::vector<double> list;
 };
 
+// What is recorded besides: in each reading another value, or in each run.
+struct PlannedColumn {
+  std::string name;
+  PlannedLevels levels;
+  bool by_run = false;
+};
+
 struct PlannedRouting {
   std::string label;  // in files: a word, or a name of the catalogue
   std::string word;
@@ -47,6 +55,7 @@ struct ExperimentPlan {
   std::optional<PlannedLevels> cycle;
   std::optional<PlannedLevels> temperature_C;
   std::optional<PlannedLevels> sheath_angle_rad;  // of all sheaths; without it, the hardware's
+  std::vector<PlannedColumn> columns{};
   std::vector<Segment> channels;
   std::size_t runs = 12;
   std::size_t rows = 20;    // of a run: conditions that are set
@@ -67,6 +76,7 @@ struct PlannedReading {
   Direction direction = Direction::pull;
   Conditions conditions;
   std::optional<double> sheath_angle_rad;
+  std::vector<double> columns{};  // parallel to those of the plan
 };
 
 // In the order in which they are taken.

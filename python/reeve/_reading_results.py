@@ -39,7 +39,8 @@ class Diagnosis(SavedResult):
     answer : str
         What is wrong, which cause, how much better: a few lines.
     causes : pandas.DataFrame
-        One row for each parameter of each cause that is named.
+        One row for each parameter of each cause and law that is named;
+        ``summary["laws"]`` has the parts of the laws.
     gain : dict or None
         On the runs that no fit has seen: ``rms_before``, ``rms_after``, ``reduction``, …
     next_measurement : dict or None
@@ -72,7 +73,7 @@ class Diagnosis(SavedResult):
             {"cause": cause["name"], "parameter": parameter.get("name")}
             | {key: value for key, value in parameter.items() if key != "name"}
             | {"p_value": cause["p_value"]}
-            for cause in self.summary["causes"]
+            for cause in [*self.summary["causes"], *self.summary.get("laws", [])]
             for parameter in cause["parameters"] or [{}]
         ]
         frame = pandas.DataFrame(rows, columns=list(_CAUSE_COLUMNS))

@@ -20,7 +20,9 @@ from ._model import Model
 from .errors import InputError, OutOfRange
 
 # Options of which each value is given by itself; of all others a list is joined by commas.
-_REPEATED = {"constraint", "vary", "same", "map", "unit", "noise", "exact", "held"}
+_REPEATED = {
+    "constraint", "vary", "same", "map", "unit", "noise", "exact", "held", "column", "run-column",
+}
 
 
 class FileText:

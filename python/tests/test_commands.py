@@ -3,6 +3,7 @@
 import doctest
 import inspect
 import json
+import math
 import re
 
 import pandas as pd
@@ -123,3 +124,31 @@ def test_doctests():
     for module in (_core, reeve._methods, reeve._commands, reeve._tensions):
         found = doctest.testmod(module)
         assert found.attempted and not found.failed
+
+
+def test_simulate_hides_laws_of_further_columns():
+    law = {"law[exponent of sheath, humidity_pct, linear]": {"a": 0.0083}}
+    made = reeve.simulate("TR1", runs=2, rows=4, cause=law, run_column="supply_V=22,24",
+                          column=["humidity_pct=20:80", "dwell_s=1,2"])
+    assert list(made.data.columns[5:8]) == ["humidity_pct", "dwell_s", "supply_V"]
+    assert made.data["supply_V"].groupby(made.data["run"]).nunique().eq(1).all()
+    assert "(a = 0.0083, middle = 50, range = 20:80)" in made.csv
+
+
+def test_a_model_with_a_law_is_one_of_designs():
+    law = """
+[[law]]
+acts_on = "exponent"
+site = "sheath"
+form = "linear"
+covariate = "humidity_pct"
+middle = 50
+range = [20, 80]
+a = 0.01
+[conditions]
+humidity_pct = 70
+"""
+    model = reeve.rank("TR1", model=reeve.Model(law)).designs
+    plain = reeve.rank("TR1").designs
+    expected = plain["efficiency_mean"] * math.exp(-0.36 * math.pi * 0.2)
+    assert model["efficiency_mean"].to_numpy() == pytest.approx(expected.to_numpy())

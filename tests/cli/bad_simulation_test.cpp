@@ -68,6 +68,18 @@ TEST(BadPlan, IsNamedWithOptionAndValue) {
        "negative.toml:2:6: tube.mu = -0.1"},
       {"simulate --routings TR1,TR5,TR7 --hardware contact.toml",
        "contact.toml:1:10: hardware: contact 'a-T9'"},
+      {"simulate --routings TR1 --column humidity_pct",
+       "--column 'humidity_pct': expected a name that means nothing else and its values, such as "
+       "humidity_pct=20:80"},
+      {"simulate --routings TR1 --column =2:3", "--column '=2:3': expected a name"},
+      {"simulate --routings TR1 --column speed_mm_s=2:3", "'speed_mm_s=2:3': expected a name"},
+      {"simulate --routings TR1 --run-column T1_N=2:3", "--run-column 'T1_N=2:3': expected a name"},
+      {"simulate --routings TR1 --run-column x=2:a", "--run-column '2:a': 'a': " + levels},
+      {"simulate --routings TR1 --column x=2:3 --run-column x=4",
+       "--run-column 'x=4': it is given twice"},
+      {"simulate --routings TR1 --model cause.toml", "cause.toml:"},
+      {"simulate --routings TR1 --cause law[sheath] --set a=1",
+       "--cause 'law[sheath]': expected law[ACTS_ON of SITE, COVARIATE, FORM]"},
       {"simulate --routings TR1,TR5,TR7 extra", "extra"},
   });
 }

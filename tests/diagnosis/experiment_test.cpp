@@ -137,6 +137,63 @@ TEST(Experiment, BendsTheSheathsInAnOrderOfItsOwn) {
   EXPECT_NEAR(squares / n, 16.0 / 12, 0.1);
 }
 
+double recorded(const PlannedReading& reading, const std::string& column) {
+  for (const NamedValue& value : reading.conditions.record->columns) {
+    if (value.name == column) return value.value;
+  }
+  ADD_FAILURE() << column;
+  return 0;
+}
+
+TEST(Experiment, ChangesAFurtherColumnFromReadingToReadingOrFromRunToRun) {
+  ExperimentPlan plan = full_plan();
+  plan.columns = {{"humidity_pct", {{20, 80}, {}}},
+                  {"supply_V", {{22, 26}, {}}, true},
+                  {"liner", {{}, {1, 2, 3}}, true}};
+  std::map<std::size_t, std::set<double>> humidity, supply, liner;
+  for (const PlannedReading& reading : schedule(plan, 1)) {
+    humidity[reading.run].insert(reading.columns[0]);
+    supply[reading.run].insert(reading.columns[1]);
+    liner[reading.run].insert(reading.columns[2]);
+    EXPECT_EQ(recorded(reading, "humidity_pct"), reading.columns[0]);
+    EXPECT_EQ(recorded(reading, "liner"), reading.columns[2]);
+    EXPECT_EQ(reading.conditions.record->run, std::to_string(reading.run + 1));
+    EXPECT_EQ(recorded(reading, "run"), static_cast<double>(reading.run));
+    EXPECT_EQ(recorded(reading, "order"), reading.conditions.order);
+  }
+  std::set<double> supplies;
+  std::map<double, int> liners;
+  for (std::size_t run = 0; run < 12; ++run) {
+    EXPECT_EQ(humidity[run].size(), 20U);
+    EXPECT_GE(*humidity[run].begin(), 20);
+    EXPECT_LE(*humidity[run].rbegin(), 80);
+    EXPECT_EQ(supply[run].size(), 1U);
+    EXPECT_EQ(liner[run].size(), 1U);
+    supplies.insert(supply[run].begin(), supply[run].end());
+    ++liners[*liner[run].begin()];
+  }
+  EXPECT_EQ(supplies.size(), 12U);
+  EXPECT_GE(*supplies.begin(), 22);
+  EXPECT_LE(*supplies.rbegin(), 26);
+  EXPECT_EQ(liners, (std::map<double, int>{{1, 4}, {2, 4}, {3, 4}}));
+}
+
+// Nor do further columns change what else is planned.
+TEST(Experiment, ChangesFurtherColumnsInOrdersOfTheirOwn) {
+  ExperimentPlan plan = full_plan();
+  const std::vector<PlannedReading> without = schedule(plan, 1);
+  plan.columns = {{"x", {{0, 1}, {}}}, {"y", {{0, 1}, {}}}};
+  const std::vector<PlannedReading> readings = schedule(plan, 1);
+  int higher = 0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    EXPECT_EQ(readings[i].conditions.motor_tension_N, without[i].conditions.motor_tension_N);
+    EXPECT_EQ(readings[i].conditions.speed_mm_s, without[i].conditions.speed_mm_s);
+    higher += readings[i].columns[0] > readings[i].columns[1] ? 1 : 0;
+  }
+  EXPECT_GT(higher, 80);
+  EXPECT_LT(higher, 160);
+}
+
 TEST(Experiment, KnowsThePlaceOfEachReadingInItsFile) {
   const std::vector<PlannedReading> readings = schedule(full_plan(), 1);
   EXPECT_EQ(readings.front().conditions.order, 0);

@@ -72,6 +72,29 @@ TEST(Simulation, ReadsWhatTheHiddenCausesMakeOfIt) {
 }
 
 // Of the first routing, where all that arrives passes one sheath.
+// T_h1 = T_M e^{-phi (1 + a (h - 50))}, and in run 2 the sensor reads b (V - 24) more of it.
+TEST(Simulation, HidesLawsOfFurtherColumns) {
+  ExperimentPlan plan;
+  plan.routings.push_back(planned_routing("M-F"));
+  plan.routings[0].grasps = {Grasp{}};
+  plan.channels = {parse_segment("h1")};
+  plan.columns = {{"humidity_pct", {{20, 80}, {}}}, {"supply_V", {{22, 26}, {}}, true}};
+  plan.runs = 3;
+  const Model model =
+      model_with(plan, {{"law[exponent of sheath, humidity_pct, linear]",
+                         {{"a", "0.008"}, {"range", "30:90"}, {"middle", "50"}}},
+                        {"law[gain of h1 in run 2, supply_V, linear]", {{"a", "0.03"}}}});
+  const Simulation simulation = simulate(plan, model, no_noise, 3);
+  for (std::size_t i = 0; i < simulation.readings.size(); ++i) {
+    const PlannedReading& reading = simulation.readings[i];
+    const double humidity = std::max(30.0, reading.columns[0]);
+    const double phi = 0.36 * std::acos(-1) * (1 + 0.008 * (humidity - 50));
+    const double gain = reading.run == 1 ? 1 + 0.03 * (reading.columns[1] - 24) : 1;
+    const double expected = reading.conditions.motor_tension_N * std::exp(-phi) * gain;
+    EXPECT_NEAR(*simulation.tension_N[i][0], expected, 1e-9 * expected) << i;
+  }
+}
+
 TEST(Simulation, TakesTheTransmissionsLossFromThePullAndBendsTheSheathsAsPlanned) {
   ExperimentPlan plan = plan_of({"M-1-T-2-F"});
   plan.directions = {Direction::pull, Direction::release};

@@ -47,6 +47,23 @@ ExperimentPlan full_plan() {
   return plan;
 }
 
+TEST(SimulationCsv, HasAColumnForEachFurtherOneAndSaysTheHiddenLaw) {
+  ExperimentPlan plan = full_plan();
+  plan.columns = {{"humidity, pct", {{20, 80}, {}}}, {"supply_V", {{}, {22, 26}}, true}};
+  const SimulationReport report =
+      report_of(plan, {{"law[gain of T3, supply_V, linear]", {{"a", "0.02"}}}});
+  EXPECT_TRUE(has(simulation_csv(report),
+                  "# hidden cause: law[gain of T3, supply_V, linear] (a = 0.02, middle = 24, range "
+                  "= 22:26)\n"));
+  const MeasuredData data = read_back(report);
+  ASSERT_EQ(data.covariates, (std::vector<std::string>{"humidity, pct", "supply_V"}));
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      EXPECT_EQ(data.readings[i].covariates[c], report.simulation.readings[i].columns[c]);
+    }
+  }
+}
+
 TEST(SimulationCsv, GivesThePlannedConditionsBackBitByBit) {
   const SimulationReport report = report_of(full_plan(), {{"pretension", {{"tension_N", "1"}}}});
   const MeasuredData data = read_back(report);
